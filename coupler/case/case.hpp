@@ -1,0 +1,156 @@
+// A case: what a user edits. One struct a section of case.yaml, one member a key, the key's unit in
+// its name. Relative paths are relative to the case folder; here they are absolute.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace dipper {
+
+/// machine: the shovel and what drives it.
+struct MachineCase {
+  std::filesystem::path model;   ///< dimensions and masses (mbs/*.yaml)
+  std::filesystem::path motion;  ///< drive curves (time_s, hoist_m, crowd_m, swing_deg, door_deg)
+  Eigen::Vector3d base_position_m = Eigen::Vector3d::Zero();  ///< swing axis at ground level, in W
+  double rake_angle_deg = 0;  ///< dipper against handle (paper, Fig. 4b)
+};
+
+/// rock.classes[]: one size of the distribution (paper, Table 1). One LIGGGHTS atom type each.
+struct SizeClass {
+  std::string name;
+  double size_m = 0;                ///< diameter of the sphere of the same volume, before grading
+  double mass_percent = 0;          ///< of all rock; the classes add up to 100
+  std::vector<std::string> shapes;  ///< "sphere", or names of shapes in shape_folder
+};
+
+/// rock: the material of a single rock.
+struct RockCase {
+  double density_kg_m3 = 0;
+  double youngs_modulus_Pa = 0;
+  double poisson_ratio = 0;
+  double coarse_graining = 1;          ///< every size is multiplied by this
+  std::filesystem::path shape_folder;  ///< where the files of the shapes are (meshes/rocks)
+  std::vector<SizeClass> classes;
+};
+
+/// contact: Eqs. 3-8 of the paper; one number a kind of pair.
+struct ContactCase {
+  double normal_scale = 0;            ///< C_norm, Eq. 4
+  double tangential_scale = 0;        ///< C_tan: K_t = C_tan K_n
+  double normal_damping = 0;          ///< D_n, of critical, Eq. 6
+  double tangential_damping = 0;      ///< D_t
+  double friction_sphere_sphere = 0;  ///< Eq. 7
+  double friction_sphere_rock = 0;
+  double friction_rock_rock = 0;
+  double friction_dipper = 0;
+  double friction_ground = 0;
+  double friction_truck = 0;
+  double rolling_friction_sphere = 0;  ///< Eq. 8; spheres with spheres, rocks and dipper
+  double rolling_friction_ground = 0;  ///< spheres on ground and truck
+};
+
+/// pile: a bench of rock that fills x > toe (at its angle of repose), between side walls.
+struct PileCase {
+  double toe_x_m = 0;         ///< where the settled face should meet the ground, in W
+  double height_m = 0;        ///< of the bench behind the crest
+  double width_m = 0;         ///< along y, centred on y = 0, between frictionless planes
+  double crest_depth_m = 0;   ///< flat top between the crest and the rear wall
+  double face_angle_deg = 0;  ///< of the retaining sheet while the rock settles
+  double settle_s = 0;        ///< with the sheet
+  double relax_s = 0;         ///< after the sheet is gone
+};
+
+/// truck: a fixed wall. Its bed counts what lands in it.
+struct TruckCase {
+  std::filesystem::path mesh;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< origin of the truck mesh, in W
+  double heading_deg = 0;                                ///< about z
+};
+
+/// domain: the DEM box, in W. Rock that leaves it is lost; a wall that leaves it is an error.
+struct DomainCase {
+  Eigen::Vector3d min_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d max_m = Eigen::Vector3d::Zero();
+};
+
+/// dem
+struct DemCase {
+  double timestep_s = 0;
+  int ranks = 1;
+};
+
+/// coupling
+struct CouplingCase {
+  std::string scheme;    ///< "corrected" or "serial"
+  int sync_steps = 0;    ///< DEM steps a window
+  double timeout_s = 0;  ///< a side that gives no sign for this long has failed
+};
+
+/// output
+struct OutputCase {
+  double dump_every_s = 0;
+  double checkpoint_every_s = 0;  ///< simulated time; 0: only when interrupted
+};
+
+/// Where a key was set: a line of case.yaml (1-based), or `--set` with line 0.
+struct Origin {
+  std::filesystem::path file;
+  int line = 0;
+};
+
+/// The whole case, as it will run (after --set).
+struct Case {
+  std::filesystem::path folder;
+  int format = 0;    ///< of case.yaml; this program reads format 1
+  std::string name;  ///< the folder's name
+  std::string title;
+  std::int64_t seed = 0;
+  double end_s = 0;  ///< simulated time; 0: the end of the motion
+  MachineCase machine;
+  RockCase rock;
+  ContactCase contact;
+  PileCase pile;
+  std::map<std::string, std::filesystem::path>
+      bodies;  ///< body name -> wall mesh, in its own frame
+  TruckCase truck;
+  DomainCase domain;
+  DemCase dem;
+  CouplingCase coupling;
+  OutputCase output;
+  std::string text;  ///< canonical text of all of the above: sorted lines that --set accepts
+  std::map<std::string, Origin> origins;  ///< dotted key -> where it was set; for later findings
+};
+
+/// One thing wrong with a case. `file:line: key: what; what would be right`.
+struct Finding {
+  std::filesystem::path file;
+  int line = 0;  ///< 1-based; 0: no single line
+  std::string key;
+  std::string message;
+};
+std::string to_string(const Finding& f);
+
+/// A finding at the line that set `key`, or the nearest section above it.
+Finding finding_at(const Case& c, const std::string& key, const std::string& message);
+
+/// A "key=value" from --set; keys are dotted paths as in "rock.density_kg_m3".
+struct Override {
+  std::string key;
+  std::string value;
+};
+
+/// Reads CASE/case.yaml and applies the overrides. Every syntax, key, type, unit and range error is
+/// appended to `findings`; the case is usable only when none was.
+Case load_case(const std::filesystem::path& folder, const std::vector<Override>& overrides,
+               std::vector<Finding>& findings);
+
+/// What only the parts together tell: files that exist, meshes that are closed and sound, motion
+/// within limits, a stable DEM step, walls that stay in the box, classes with at least one rock.
+/// Expects a case that loaded without findings.
+std::vector<Finding> check_case(const Case& c);
+
+}  // namespace dipper

@@ -1,0 +1,66 @@
+#include "coupler/case/case_hash.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include "coupler/case/case_text.hpp"
+#include "coupler/core/sha256.hpp"
+
+namespace fs = std::filesystem;
+
+namespace dipper {
+namespace {
+
+std::set<std::string> used_shapes(const Case& c) {
+  std::set<std::string> shapes;
+  for (const SizeClass& size : c.rock.classes) {
+    shapes.insert(size.shapes.begin(), size.shapes.end());
+  }
+  shapes.erase("sphere");
+  return shapes;
+}
+
+}  // namespace
+
+std::string sha256_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || fs::is_directory(file)) throw std::runtime_error("cannot read " + file.string());
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  return sha256(bytes);
+}
+
+std::vector<fs::path> shape_files(const fs::path& folder, const std::string& shape) {
+  std::vector<fs::path> files;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder, missing)) {
+    if (entry.is_regular_file() && entry.path().stem() == shape) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<fs::path> referenced_files(const Case& c) {
+  std::set<fs::path> files{c.machine.model, c.machine.motion, c.truck.mesh};
+  for (const auto& body : c.bodies) files.insert(body.second);
+  for (const std::string& shape : used_shapes(c)) {
+    for (const fs::path& file : shape_files(c.rock.shape_folder, shape)) files.insert(file);
+  }
+  return {files.begin(), files.end()};
+}
+
+std::string case_hash(const Case& c) {
+  std::string text = case_text(c, [](const fs::path& path) {
+    return fs::is_directory(path) ? std::string("folder") : sha256_file(path);
+  });
+  for (const std::string& shape : used_shapes(c)) {
+    for (const fs::path& file : shape_files(c.rock.shape_folder, shape)) {
+      text += file.filename().string() + " " + sha256_file(file) + "\n";
+    }
+  }
+  return sha256(text);
+}
+
+}  // namespace dipper

@@ -1,0 +1,29 @@
+// SHA-256 of files and whole cases.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper {
+
+/// SHA-256 of a file's bytes, as 64 lower-case hex digits. Throws std::runtime_error when it cannot
+/// be read.
+std::string sha256_file(const std::filesystem::path& file);
+
+/// Every file a case needs besides case.yaml: model, motion, meshes, and the files of the shapes
+/// that its classes use. Sorted, each once; a file need not exist.
+std::vector<std::filesystem::path> referenced_files(const Case& c);
+
+/// Files in `folder` that make up a shape: its name with any extension. Sorted.
+std::vector<std::filesystem::path> shape_files(const std::filesystem::path& folder,
+                                               const std::string& shape);
+
+/// One hash for all that decides what a run computes: the canonical text, with each path replaced
+/// by the hash of the file it names, and the files of the shapes. Moving the checkout does not
+/// change it; a byte in a referenced file does. Throws std::runtime_error when a file is missing.
+std::string case_hash(const Case& c);
+
+}  // namespace dipper

@@ -1,0 +1,67 @@
+#include "coupler/case/case_text.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "coupler/case/schema.hpp"
+
+namespace fs = std::filesystem;
+
+namespace dipper {
+namespace {
+
+std::string in_quotes(const std::string& text) {
+  std::string out = "\"";
+  for (const char ch : text) {
+    if (ch == '"' || ch == '\\') out += '\\';
+    if (static_cast<unsigned char>(ch) < 0x20) {
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(ch));
+    } else {
+      out += ch;
+    }
+  }
+  return out + "\"";
+}
+
+// + 0.0 turns -0 into 0: equal numbers must print alike.
+std::string number(double x) { return fmt::format("{:.17g}", x + 0.0); }
+
+struct ValueText {
+  const PathText& path_text;
+
+  std::string operator()(double* x) const { return number(*x); }
+  std::string operator()(int* n) const { return fmt::format("{}", *n); }
+  std::string operator()(std::int64_t* n) const { return fmt::format("{}", *n); }
+  std::string operator()(std::string* text) const { return in_quotes(*text); }
+  std::string operator()(fs::path* path) const { return in_quotes(path_text(*path)); }
+  std::string operator()(Eigen::Vector3d* v) const {
+    return fmt::format("[{}, {}, {}]", number(v->x()), number(v->y()), number(v->z()));
+  }
+  std::string operator()(std::vector<std::string>* names) const {
+    std::string text;
+    for (const std::string& name : *names) text += (text.empty() ? "" : ", ") + in_quotes(name);
+    return "[" + text + "]";
+  }
+};
+
+}  // namespace
+
+std::string case_text(const Case& c, const PathText& path_text) {
+  const PathText relative = [&](const fs::path& path) {
+    return path.lexically_relative(c.folder).generic_string();
+  };
+  const ValueText value_text{path_text ? path_text : relative};
+  Case copy = c;  // a slot is a way to write; reading through one needs a case that may change
+  std::map<std::string, std::string> lines;
+  for (const KeySpec& spec : schema()) {
+    for (const Place& place : places_of(c, spec)) {
+      lines[concrete_key(spec, place)] = std::visit(value_text, spec.slot(copy, place));
+    }
+  }
+  std::string text;
+  for (const auto& [key, value] : lines) text += key + "=" + value + "\n";
+  return text;
+}
+
+}  // namespace dipper

@@ -1,0 +1,378 @@
+// load_case: case.yaml and --set, through the schema, into a Case.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+
+#include "coupler/case/case.hpp"
+#include "coupler/case/case_text.hpp"
+#include "coupler/case/schema.hpp"
+#include "coupler/case/suggest.hpp"
+#include "coupler/case/yaml_tree.hpp"
+
+namespace fs = std::filesystem;
+
+namespace dipper {
+namespace {
+
+std::string join_key(const std::string& section, const std::string& name) {
+  return section.empty() ? name : section + "." + name;
+}
+
+std::string shown(const YamlTree& node) {
+  switch (node.kind) {
+    case YamlTree::Kind::empty:
+      return "nothing";
+    case YamlTree::Kind::list:
+      return "a list";
+    case YamlTree::Kind::map:
+      return "a section";
+    case YamlTree::Kind::scalar:
+      break;
+  }
+  return node.quoted ? "\"" + node.scalar + "\"" : "'" + node.scalar + "'";
+}
+
+// Stricter than yaml-cpp, which reads hexadecimal, nan and .inf: decimal digits to the last
+// character, and finite.
+template <class T>
+std::optional<T> parse_number(const YamlTree& node) {
+  if (node.kind != YamlTree::Kind::scalar || node.quoted) return std::nullopt;
+  const char* first = node.scalar.data();
+  const char* last = first + node.scalar.size();
+  if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
+  T value{};
+  const auto result = std::from_chars(first, last, value);
+  if (result.ec != std::errc{} || result.ptr != last) return std::nullopt;
+  if constexpr (std::is_floating_point_v<T>) {
+    if (!std::isfinite(value)) return std::nullopt;
+  }
+  return value;
+}
+
+class Loader {
+ public:
+  Loader(Case& c, std::vector<Finding>& findings) : case_(c), findings_(findings) {}
+
+  void read_section(const YamlTree& node, const std::string& pattern, const std::string& key,
+                    const Place& place) {
+    if (node.kind != YamlTree::Kind::map) {
+      return add(node, key,
+                 fmt::format("is {}; write a section with the keys {}", shown(node),
+                             fmt::join(children_of(pattern), ", ")));
+    }
+    const std::vector<std::string> known = children_of(pattern);
+    const bool free_names = known.size() == 1 && known[0] == "*";
+    std::set<std::string> meant;  // a key written wrong is one mistake: not a missing one as well
+    for (const auto& [name, child] : node.children) {
+      if (free_names) {
+        read(child, join_key(pattern, "*"), join_key(key, name), {place.index, name});
+      } else if (std::find(known.begin(), known.end(), name) == known.end()) {
+        const UnknownKey unknown = explain_unknown_key(pattern, name);
+        add(child, join_key(key, name), unknown.message);
+        meant.insert(unknown.meant);
+      } else {
+        read(child, join_key(pattern, name), join_key(key, name), place);
+      }
+    }
+    if (free_names) {
+      if (node.children.empty()) add(node, key, "is empty; write at least one entry");
+      return;
+    }
+    for (const std::string& name : known) {
+      if (!has(node, name) && !meant.count(name) && is_required(join_key(pattern, name))) {
+        add(node, join_key(key, name), missing_message(join_key(pattern, name)));
+      }
+    }
+  }
+
+ private:
+  static bool has(const YamlTree& node, const std::string& name) {
+    return std::any_of(node.children.begin(), node.children.end(),
+                       [&](const auto& child) { return child.first == name; });
+  }
+
+  static std::string missing_message(const std::string& pattern) {
+    const KeySpec* spec = find_spec(pattern);
+    if (spec == nullptr) {
+      return fmt::format("missing section, with the keys {}",
+                         fmt::join(children_of(pattern), ", "));
+    }
+    return fmt::format("missing key; write {}: {}", spec->expected(), spec->doc);
+  }
+
+  void add(const YamlTree& node, const std::string& key, const std::string& message) {
+    findings_.push_back({node.origin.file, node.origin.line, key, message});
+  }
+
+  void read(const YamlTree& node, const std::string& pattern, const std::string& key,
+            const Place& place) {
+    case_.origins[key] = node.origin;
+    if (const KeySpec* spec = find_spec(pattern)) {
+      std::visit([&](auto* slot) { read_value(node, key, *spec, *slot); },
+                 spec->slot(case_, place));
+    } else if (children_of(pattern) == std::vector<std::string>{"#"}) {
+      read_list(node, pattern + ".#", key);
+    } else {
+      read_section(node, pattern, key, place);
+    }
+  }
+
+  void read_list(const YamlTree& node, const std::string& pattern, const std::string& key) {
+    if (node.kind != YamlTree::Kind::list || node.children.empty()) {
+      return add(node, key,
+                 fmt::format("is {}; write a list with at least one entry of {}",
+                             node.children.empty() ? "empty" : shown(node),
+                             fmt::join(children_of(pattern), ", ")));
+    }
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const std::string element_key = join_key(key, std::to_string(i));
+      case_.origins[element_key] = node.children[i].second.origin;
+      read_section(node.children[i].second, pattern, element_key, {i, ""});
+    }
+  }
+
+  void wrong_type(const YamlTree& node, const std::string& key, const KeySpec& spec) {
+    add(node, key, fmt::format("is {}; write {}", shown(node), spec.expected()));
+  }
+
+  void check_range(const YamlTree& node, const std::string& key, const KeySpec& spec, double x) {
+    if (spec.range.holds(x)) return;
+    add(node, key,
+        fmt::format("{} is out of range; allowed is {}{}", node.scalar, spec.range.text(),
+                    spec.unit.empty() ? "" : " " + spec.unit));
+  }
+
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, double& out) {
+    const auto value = parse_number<double>(node);
+    if (!value) return wrong_type(node, key, spec);
+    out = *value;
+    check_range(node, key, spec, out);
+  }
+
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
+                  std::int64_t& out) {
+    const auto value = parse_number<std::int64_t>(node);
+    if (!value) return wrong_type(node, key, spec);
+    out = *value;
+    check_range(node, key, spec, static_cast<double>(out));
+  }
+
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, int& out) {
+    const auto value = parse_number<std::int64_t>(node);
+    if (!value) return wrong_type(node, key, spec);
+    check_range(node, key, spec, static_cast<double>(*value));
+    out = static_cast<int>(*value);
+  }
+
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
+                  std::string& out) {
+    if (node.kind != YamlTree::Kind::scalar) return wrong_type(node, key, spec);
+    out = node.scalar;
+    if (spec.allowed.empty()) return;
+    if (std::find(spec.allowed.begin(), spec.allowed.end(), out) != spec.allowed.end()) return;
+    const std::string near = closest(out, spec.allowed);
+    add(node, key,
+        fmt::format("is {}; write {}{}", shown(node), spec.expected(),
+                    near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+  }
+
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
+                  fs::path& out) {
+    if (node.kind != YamlTree::Kind::scalar || node.scalar.empty()) {
+      return wrong_type(node, key, spec);
+    }
+    out = (case_.folder / node.scalar).lexically_normal();
+  }
+
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
+                  Eigen::Vector3d& out) {
+    if (node.kind != YamlTree::Kind::list || node.children.size() != 3) {
+      return wrong_type(node, key, spec);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const YamlTree& element = node.children[static_cast<std::size_t>(i)].second;
+      const auto value = parse_number<double>(element);
+      if (value) {
+        out[i] = *value;
+      } else {
+        add(element, join_key(key, std::to_string(i)),
+            fmt::format("is {}; write {}", shown(element),
+                        "a number" + (spec.unit.empty() ? "" : " in " + spec.unit)));
+      }
+    }
+  }
+
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
+                  std::vector<std::string>& out) {
+    if (node.kind != YamlTree::Kind::list || node.children.empty()) {
+      return wrong_type(node, key, spec);
+    }
+    for (const auto& [index, element] : node.children) {
+      case_.origins[join_key(key, index)] = element.origin;
+      if (element.kind != YamlTree::Kind::scalar) {
+        add(element, join_key(key, index), fmt::format("is {}; write a name", shown(element)));
+      } else {
+        out.push_back(element.scalar);
+      }
+    }
+  }
+
+  Case& case_;
+  std::vector<Finding>& findings_;
+};
+
+// Puts an override into the tree; what is then wrong with it, the schema tells.
+void apply(YamlTree& root, const Override& set, std::vector<Finding>& findings) {
+  const fs::path from = "--set";
+  const std::size_t before = findings.size();
+  YamlTree value = parse_yaml(set.value, from, set.key, findings);
+  if (findings.size() > before) return;
+  YamlTree* node = &root;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t dot = set.key.find('.', begin);
+    const std::string part = set.key.substr(begin, dot - begin);
+    if (part.empty()) {
+      findings.push_back({from, 0, set.key, "not a key; write --set section.key=value"});
+      return;
+    }
+    YamlTree* child = node->find(part);
+    if (child == nullptr && node->kind == YamlTree::Kind::list) {
+      findings.push_back(
+          {from, 0, set.key,
+           fmt::format("no element {}; the list has 0 ... {}", part, node->children.size() - 1)});
+      return;
+    }
+    if (child == nullptr) {
+      node->kind = YamlTree::Kind::map;
+      node->children.emplace_back(part, YamlTree{});
+      child = &node->children.back().second;
+      child->origin = {from, 0};
+    }
+    node = child;
+    if (dot == std::string::npos) break;
+    begin = dot + 1;
+  }
+  *node = std::move(value);
+  node->origin = {from, 0};
+}
+
+bool is_identifier(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char ch) {
+    return std::isalnum(ch) || ch == '_' || ch == '-';
+  });
+}
+
+// What no single key tells. Looks only at values that loaded without a finding.
+void check_between_keys(const Case& c, std::vector<Finding>& findings) {
+  const auto sound = [&, known = findings](const std::string& key) {
+    return c.origins.count(key) && std::none_of(known.begin(), known.end(), [&](const Finding& f) {
+             return f.key == key || f.key.compare(0, key.size() + 1, key + ".") == 0;
+           });
+  };
+  const std::string word = "letters, digits, _ and - only";
+
+  std::set<std::string> names;
+  double percent = 0;
+  bool all_percents = true;  // otherwise their sum says nothing new
+  for (std::size_t i = 0; i < c.rock.classes.size(); ++i) {
+    const SizeClass& size = c.rock.classes[i];
+    const std::string key = fmt::format("rock.classes.{}", i);
+    percent += size.mass_percent;
+    all_percents = all_percents && sound(key + ".mass_percent");
+    if (sound(key + ".name")) {
+      if (!is_identifier(size.name)) {
+        findings.push_back(finding_at(c, key + ".name", "is a name; write " + word));
+      } else if (!names.insert(size.name).second) {
+        findings.push_back(
+            finding_at(c, key + ".name", fmt::format("'{}' names two classes", size.name)));
+      }
+    }
+    for (std::size_t j = 0; j < size.shapes.size(); ++j) {
+      if (is_identifier(size.shapes[j])) continue;
+      findings.push_back(
+          finding_at(c, fmt::format("{}.shapes.{}", key, j),
+                     fmt::format("'{}' names no shape; write {}", size.shapes[j], word)));
+    }
+  }
+  if (!c.rock.classes.empty() && all_percents && std::abs(percent - 100) > 0.1) {
+    findings.push_back(finding_at(
+        c, "rock.classes",
+        fmt::format("mass_percent adds up to {:.6g}; the classes must add up to 100", percent)));
+  }
+  for (const auto& body : c.bodies) {
+    if (is_identifier(body.first)) continue;
+    findings.push_back(finding_at(c, "bodies." + body.first, "is a name; write " + word));
+  }
+  if (sound("domain.min_m") && sound("domain.max_m")) {
+    for (int i = 0; i < 3; ++i) {
+      if (c.domain.min_m[i] < c.domain.max_m[i]) continue;
+      findings.push_back(finding_at(c, "domain.min_m",
+                                    fmt::format("{} = {} is not below domain.max_m's {}", "xyz"[i],
+                                                c.domain.min_m[i], c.domain.max_m[i])));
+    }
+  }
+}
+
+}  // namespace
+
+Finding finding_at(const Case& c, const std::string& key, const std::string& message) {
+  std::string known = key;
+  while (!c.origins.count(known)) {
+    const auto dot = known.rfind('.');
+    if (dot == std::string::npos) return {c.folder / "case.yaml", 0, key, message};
+    known.resize(dot);
+  }
+  const Origin& origin = c.origins.at(known);
+  return {origin.file, origin.line, key, message};
+}
+
+std::string to_string(const Finding& f) {
+  std::string text = f.file.string();
+  if (f.line > 0) text += fmt::format(":{}", f.line);
+  if (!f.key.empty()) text += ": " + f.key;
+  return text + ": " + f.message;
+}
+
+Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
+               std::vector<Finding>& findings) {
+  Case c;
+  c.folder = fs::absolute(folder).lexically_normal();
+  if (!c.folder.has_filename()) c.folder = c.folder.parent_path();
+  c.name = c.folder.filename().string();
+
+  const fs::path file = folder / "case.yaml";
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    const bool is_file = fs::is_regular_file(folder);
+    findings.push_back(
+        {is_file ? folder : file, 0, "",
+         is_file ? fmt::format("is a file; name its folder, {}", folder.parent_path().string())
+                 : "cannot be read; a case is a folder with a case.yaml"});
+    return c;
+  }
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+
+  const std::size_t before = findings.size();
+  YamlTree root = parse_yaml(text, file, "", findings);
+  const bool syntax_error = findings.size() > before && root.kind == YamlTree::Kind::empty;
+  for (const Override& set : overrides) apply(root, set, findings);
+  if (syntax_error) return c;  // every key would seem to be missing
+
+  if (root.origin.file.empty()) root.origin = {file, 1};
+  Loader(c, findings).read_section(root, "", "", {});
+  check_between_keys(c, findings);
+  std::stable_sort(findings.begin() + static_cast<std::ptrdiff_t>(before), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.line < b.line; });
+  c.text = case_text(c);
+  return c;
+}
+
+}  // namespace dipper

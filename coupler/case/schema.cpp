@@ -1,0 +1,122 @@
+#include "coupler/case/schema.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipper {
+namespace {
+
+// The name of a slot's type, singular, as in "write ...".
+struct TypeName {
+  std::string operator()(double*) const { return "a number"; }
+  std::string operator()(int*) const { return "a whole number"; }
+  std::string operator()(std::int64_t*) const { return "a whole number"; }
+  std::string operator()(std::string*) const { return "text"; }
+  std::string operator()(std::filesystem::path*) const { return "a path"; }
+  std::string operator()(Eigen::Vector3d*) const { return "three numbers [x, y, z]"; }
+  std::string operator()(std::vector<std::string>*) const { return "a list of names"; }
+};
+
+std::string type_name(const KeySpec& spec) {
+  Case scratch;
+  return std::visit(TypeName{}, spec.slot(scratch, {}));
+}
+
+}  // namespace
+
+bool Range::holds(double x) const {
+  return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
+}
+
+std::string Range::text() const {
+  const bool has_low = low > -1e300;
+  const bool has_high = high < 1e300;
+  if (low == high) return fmt::format("{:g}", low);
+  if (has_low && has_high && !low_open && !high_open)
+    return fmt::format("{:g} ... {:g}", low, high);
+  const std::string above = fmt::format("{} {:g}", low_open ? ">" : ">=", low);
+  const std::string below = fmt::format("{} {:g}", high_open ? "<" : "<=", high);
+  if (has_low && has_high) return above + " and " + below;
+  return has_low ? above : has_high ? below : "";
+}
+
+std::string KeySpec::leaf() const { return key.substr(key.rfind('.') + 1); }
+
+std::string KeySpec::stem() const {
+  const std::string name = leaf();
+  return name.substr(0, name.size() - unit_suffix(unit).size());
+}
+
+std::string KeySpec::expected() const {
+  if (!allowed.empty()) return fmt::format("one of {}", fmt::join(allowed, ", "));
+  return type_name(*this) + (unit.empty() ? "" : " in " + unit);
+}
+
+const KeySpec* find_spec(const std::string& key) {
+  const auto it = std::find_if(schema().begin(), schema().end(),
+                               [&](const KeySpec& spec) { return spec.key == key; });
+  return it == schema().end() ? nullptr : &*it;
+}
+
+std::vector<std::string> children_of(const std::string& section) {
+  const std::string prefix = section.empty() ? "" : section + ".";
+  std::vector<std::string> names;
+  for (const KeySpec& spec : schema()) {
+    if (spec.key.compare(0, prefix.size(), prefix) != 0) continue;
+    const std::string rest = spec.key.substr(prefix.size());
+    const std::string name = rest.substr(0, rest.find('.'));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+bool is_required(const std::string& key_or_section) {
+  return std::any_of(schema().begin(), schema().end(), [&](const KeySpec& spec) {
+    return spec.required &&
+           (spec.key == key_or_section ||
+            spec.key.compare(0, key_or_section.size() + 1, key_or_section + ".") == 0);
+  });
+}
+
+std::vector<Place> places_of(const Case& c, const KeySpec& spec) {
+  std::vector<Place> places;
+  if (spec.key.find('#') != std::string::npos) {
+    for (std::size_t i = 0; i < c.rock.classes.size(); ++i) places.push_back({i, ""});
+  } else if (spec.key.find('*') != std::string::npos) {
+    for (const auto& body : c.bodies) places.push_back({0, body.first});
+  } else {
+    places.push_back({});
+  }
+  return places;
+}
+
+std::string concrete_key(const KeySpec& spec, const Place& place) {
+  std::string key = spec.key;
+  const auto hash = key.find('#');
+  if (hash != std::string::npos) key.replace(hash, 1, std::to_string(place.index));
+  const auto star = key.find('*');
+  if (star != std::string::npos) key.replace(star, 1, place.name);
+  return key;
+}
+
+std::string unit_suffix(const std::string& unit) {
+  if (unit.empty()) return "";
+  if (unit == "%") return "_percent";
+  std::string suffix = "_" + unit;
+  std::replace(suffix.begin(), suffix.end(), '/', '_');
+  return suffix;
+}
+
+std::string schema_markdown() {
+  std::string table = "| key | value | range | required | meaning |\n|---|---|---|---|---|\n";
+  for (const KeySpec& spec : schema()) {
+    table += fmt::format("| `{}` | {} | {} | {} | {} |\n", spec.key, spec.expected(),
+                         spec.range.text(), spec.required ? "yes" : "no", spec.doc);
+  }
+  return table;
+}
+
+}  // namespace dipper

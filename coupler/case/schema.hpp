@@ -1,0 +1,73 @@
+// Every key of case.yaml, as data: what the loader accepts, the canonical text writes and
+// docs/case.md lists.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper {
+
+/// Which element of a list (`#` in a key) or entry of a map of free names (`*`) is meant.
+struct Place {
+  std::size_t index = 0;
+  std::string name;
+};
+
+/// Where a key's value lives in a Case. Its type is the key's type.
+using Slot = std::variant<double*, int*, std::int64_t*, std::string*, std::filesystem::path*,
+                          Eigen::Vector3d*, std::vector<std::string>*>;
+
+/// Allowed numbers: an interval, each end open or closed. By default all.
+struct Range {
+  double low = -1e300;
+  double high = 1e300;
+  bool low_open = false;
+  bool high_open = false;
+
+  bool holds(double x) const;
+  std::string text() const;  ///< "> 0", "0 ... 180", "" when everything is allowed
+};
+
+/// One key.
+struct KeySpec {
+  std::string key;   ///< dotted; `#` stands for a list index, `*` for a name
+  std::string unit;  ///< "kg/m3", "%"; "" for a pure number or no number
+  Range range;
+  std::vector<std::string> allowed;  ///< of a text; empty: any
+  bool required = true;
+  std::string doc;
+  Slot (*slot)(Case&, const Place&);
+
+  std::string leaf() const;      ///< the last part of `key`
+  std::string stem() const;      ///< the leaf without its unit: "density" of "density_kg_m3"
+  std::string expected() const;  ///< "a number in kg/m3"
+};
+
+/// All keys, in the order of a case file.
+const std::vector<KeySpec>& schema();
+
+/// The key `key` of the schema (a pattern with # and *), or nullptr.
+const KeySpec* find_spec(const std::string& key);
+
+/// The keys and sections directly below a section ("" is the whole file), in order.
+std::vector<std::string> children_of(const std::string& section);
+
+/// True when a case file must have this key or section.
+bool is_required(const std::string& key_or_section);
+
+/// The places at which a key occurs in a case: one, or one an element or name.
+std::vector<Place> places_of(const Case& c, const KeySpec& spec);
+
+/// The dotted key at a place: "rock.classes.0.size_m".
+std::string concrete_key(const KeySpec& spec, const Place& place);
+
+/// "_kg_m3" for "kg/m3", "_percent" for "%", "" for "".
+std::string unit_suffix(const std::string& unit);
+
+/// docs/case.md's table of keys.
+std::string schema_markdown();
+
+}  // namespace dipper

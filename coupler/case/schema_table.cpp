@@ -1,0 +1,161 @@
+// The table of keys. A new key is a member in case.hpp, a line here, and a line of docs/case.md
+// (the schema test prints the table to paste).
+#include "coupler/case/schema.hpp"
+
+namespace dipper {
+namespace {
+
+// Ends of ranges are there to catch slips (a density in t/m3, an angle in rad), so they are
+// generous: whatever a study may sensibly try is inside.
+constexpr Range any{};
+constexpr Range positive{0, 1e300, true, false};
+constexpr Range not_negative{0, 1e300, false, false};
+constexpr Range turn{-360, 360, false, false};
+constexpr Range friction{0, 5, false, false};
+constexpr Range damping{0, 10, false, false};
+
+Range between(double low, double high) { return {low, high, false, false}; }
+Range inside(double low, double high) { return {low, high, true, true}; }
+Range up_to(double high) { return {0, high, true, false}; }
+
+SizeClass& class_at(Case& c, const Place& p) {
+  if (c.rock.classes.size() <= p.index) c.rock.classes.resize(p.index + 1);
+  return c.rock.classes[p.index];
+}
+
+// The member `expr` of the case `c`, at the place `p` where the key has a # or *.
+#define SLOT(expr) [](Case& c, [[maybe_unused]] const Place& p) -> Slot { return &(expr); }
+
+// Two lines a key read as a table.
+// clang-format off
+std::vector<KeySpec> make_schema() {
+  constexpr bool required = true;
+  constexpr bool optional = false;
+  return {
+      {"format", "", between(1, 1), {}, required,
+       "version of this file format", SLOT(c.format)},
+      {"title", "", any, {}, optional,
+       "one line for reports", SLOT(c.title)},
+      {"seed", "", between(0, 2147483647), {}, required,
+       "of every random choice: sizes, shapes, places and turns of the rocks", SLOT(c.seed)},
+      {"end_s", "s", not_negative, {}, optional,
+       "simulated time; 0, the default, is the end of the motion", SLOT(c.end_s)},
+
+      {"machine.model", "", any, {}, required,
+       "dimensions and masses of the shovel", SLOT(c.machine.model)},
+      {"machine.motion", "", any, {}, required,
+       "drive curves against time, CSV", SLOT(c.machine.motion)},
+      {"machine.base_position_m", "m", any, {}, required,
+       "swing axis at ground level, in W", SLOT(c.machine.base_position_m)},
+      {"machine.rake_angle_deg", "deg", turn, {}, required,
+       "dipper against handle (paper, Fig. 4b)", SLOT(c.machine.rake_angle_deg)},
+
+      {"rock.density_kg_m3", "kg/m3", between(100, 20000), {}, required,
+       "of solid rock, not of the pile", SLOT(c.rock.density_kg_m3)},
+      {"rock.youngs_modulus_Pa", "Pa", between(1e5, 1e12), {}, required,
+       "of solid rock, before contact.normal_scale", SLOT(c.rock.youngs_modulus_Pa)},
+      {"rock.poisson_ratio", "", inside(0, 0.5), {}, required,
+       "of solid rock", SLOT(c.rock.poisson_ratio)},
+      {"rock.coarse_graining", "", between(0.1, 100), {}, required,
+       "every rock size is multiplied by this; 1 is the true size", SLOT(c.rock.coarse_graining)},
+      {"rock.shape_folder", "", any, {}, required,
+       "folder with the files of the rock shapes", SLOT(c.rock.shape_folder)},
+      {"rock.classes.#.name", "", any, {}, required,
+       "of the size class, in outputs", SLOT(class_at(c, p).name)},
+      {"rock.classes.#.size_m", "m", between(0.001, 10), {}, required,
+       "diameter of the sphere of the same volume, before coarse_graining",
+       SLOT(class_at(c, p).size_m)},
+      {"rock.classes.#.mass_percent", "%", up_to(100), {}, required,
+       "of all rock; the classes add up to 100", SLOT(class_at(c, p).mass_percent)},
+      {"rock.classes.#.shapes", "", any, {}, required,
+       "`sphere`, or names of shapes in shape_folder, in equal parts",
+       SLOT(class_at(c, p).shapes)},
+
+      {"contact.normal_scale", "", up_to(10), {}, required,
+       "C_norm, Eq. 4", SLOT(c.contact.normal_scale)},
+      {"contact.tangential_scale", "", up_to(10), {}, required,
+       "C_tan: K_t = C_tan K_n", SLOT(c.contact.tangential_scale)},
+      {"contact.normal_damping", "", damping, {}, required,
+       "D_n, of critical, Eq. 6", SLOT(c.contact.normal_damping)},
+      {"contact.tangential_damping", "", damping, {}, required,
+       "D_t, of critical", SLOT(c.contact.tangential_damping)},
+      {"contact.friction_sphere_sphere", "", friction, {}, required,
+       "Eq. 7", SLOT(c.contact.friction_sphere_sphere)},
+      {"contact.friction_sphere_rock", "", friction, {}, required,
+       "Eq. 7", SLOT(c.contact.friction_sphere_rock)},
+      {"contact.friction_rock_rock", "", friction, {}, required,
+       "Eq. 7", SLOT(c.contact.friction_rock_rock)},
+      {"contact.friction_dipper", "", friction, {}, required,
+       "any rock on any body", SLOT(c.contact.friction_dipper)},
+      {"contact.friction_ground", "", friction, {}, required,
+       "any rock on the ground", SLOT(c.contact.friction_ground)},
+      {"contact.friction_truck", "", friction, {}, required,
+       "any rock on the truck", SLOT(c.contact.friction_truck)},
+      {"contact.rolling_friction_sphere", "", friction, {}, required,
+       "Eq. 8; spheres with spheres, rocks and bodies", SLOT(c.contact.rolling_friction_sphere)},
+      {"contact.rolling_friction_ground", "", friction, {}, required,
+       "Eq. 8; spheres on ground and truck", SLOT(c.contact.rolling_friction_ground)},
+
+      {"pile.toe_x_m", "m", any, {}, required,
+       "where the settled face should meet the ground, in W", SLOT(c.pile.toe_x_m)},
+      {"pile.height_m", "m", up_to(100), {}, required,
+       "of the bench behind the crest", SLOT(c.pile.height_m)},
+      {"pile.width_m", "m", up_to(500), {}, required,
+       "along y, centred on y = 0, between frictionless planes", SLOT(c.pile.width_m)},
+      {"pile.crest_depth_m", "m", up_to(500), {}, required,
+       "flat top between the crest and the rear wall", SLOT(c.pile.crest_depth_m)},
+      {"pile.face_angle_deg", "deg", inside(0, 90), {}, required,
+       "of the retaining sheet while the rock settles", SLOT(c.pile.face_angle_deg)},
+      {"pile.settle_s", "s", not_negative, {}, required,
+       "settling time with the sheet", SLOT(c.pile.settle_s)},
+      {"pile.relax_s", "s", not_negative, {}, required,
+       "settling time after the sheet is gone", SLOT(c.pile.relax_s)},
+
+      {"bodies.*", "", any, {}, required,
+       "name of a moving body and its wall mesh, STL in m in the body's own frame",
+       SLOT(c.bodies[p.name])},
+
+      {"truck.mesh", "", any, {}, required,
+       "wall mesh of the truck, STL in m", SLOT(c.truck.mesh)},
+      {"truck.position_m", "m", any, {}, required,
+       "origin of the truck mesh, in W", SLOT(c.truck.position_m)},
+      {"truck.heading_deg", "deg", turn, {}, optional,
+       "turn of the truck about z; 0", SLOT(c.truck.heading_deg)},
+
+      {"domain.min_m", "m", any, {}, required,
+       "lower corner of the DEM box, in W", SLOT(c.domain.min_m)},
+      {"domain.max_m", "m", any, {}, required,
+       "upper corner of the DEM box, in W", SLOT(c.domain.max_m)},
+
+      {"dem.timestep_s", "s", up_to(0.1), {}, required,
+       "below the stability limit, which `dipper check` tells", SLOT(c.dem.timestep_s)},
+      {"dem.ranks", "", between(1, 100000), {}, optional,
+       "MPI processes; 1", SLOT(c.dem.ranks)},
+
+      {"coupling.scheme", "", any, {"corrected", "serial"}, required,
+       "how a window is stepped", SLOT(c.coupling.scheme)},
+      {"coupling.sync_steps", "", between(1, 1000000), {}, required,
+       "DEM steps a window", SLOT(c.coupling.sync_steps)},
+      {"coupling.timeout_s", "s", positive, {}, required,
+       "a side that gives no sign for this long (wall time) has failed",
+       SLOT(c.coupling.timeout_s)},
+
+      {"output.dump_every_s", "s", positive, {}, required,
+       "simulated time between particle dumps", SLOT(c.output.dump_every_s)},
+      {"output.checkpoint_every_s", "s", not_negative, {}, optional,
+       "simulated time between checkpoints; 0, the default, is only when interrupted",
+       SLOT(c.output.checkpoint_every_s)},
+  };
+}
+// clang-format on
+
+#undef SLOT
+
+}  // namespace
+
+const std::vector<KeySpec>& schema() {
+  static const std::vector<KeySpec> keys = make_schema();
+  return keys;
+}
+
+}  // namespace dipper

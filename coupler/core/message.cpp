@@ -1,0 +1,51 @@
+#include "coupler/core/message.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace dipper {
+namespace {
+
+struct Judge {
+  const Envelope& envelope;
+  const std::string& side;
+  const std::vector<std::string>& names;
+
+  void require(bool sound, const char* what, std::size_t body) const {
+    if (sound) return;
+    throw std::runtime_error(
+        fmt::format("{} sent a {} that is not a finite number for body '{}' in sync step {} "
+                    "(t = {:.6f} s)",
+                    side, what, body < names.size() ? names[body] : std::to_string(body),
+                    envelope.step_index, static_cast<double>(envelope.t_ns) * 1e-9));
+  }
+  void pose(const Pose& X, std::size_t body) const {
+    require(is_finite(X) && std::abs(X.R.norm() - 1) < 1e-6, "pose", body);
+  }
+
+  void operator()(const TargetMotion& m) const {
+    for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+      pose(m.bodies[b].X_WB, b);
+      require(is_finite(m.bodies[b].V_WB_W), "twist", b);
+    }
+  }
+  void operator()(const WallWrench& m) const {
+    for (std::size_t b = 0; b < m.bodies.size(); ++b) {
+      pose(m.bodies[b].X_WB, b);
+      require(is_finite(m.bodies[b].mean) && is_finite(m.bodies[b].end), "wrench", b);
+    }
+  }
+  void operator()(const Command&) const {}
+  void operator()(const Status&) const {}
+};
+
+}  // namespace
+
+void require_sound(const Message& m, const std::string& side,
+                   const std::vector<std::string>& bodies) {
+  std::visit(Judge{m.envelope, side, bodies}, m.body);
+}
+
+}  // namespace dipper

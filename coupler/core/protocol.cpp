@@ -1,0 +1,60 @@
+#include "coupler/core/protocol.hpp"
+
+#include <cassert>
+
+namespace dipper {
+
+bool is_ours(const Envelope& ours, const Envelope& theirs) {
+  if (theirs.run_token != ours.run_token) return false;
+  if (theirs.run_id != ours.run_id || theirs.case_hash != ours.case_hash) {
+    throw ProtocolError("a message carries this run's token but belongs to run '" + theirs.run_id +
+                        "' of case " + theirs.case_hash.substr(0, 12) + ", not to run '" +
+                        ours.run_id + "' of case " + ours.case_hash.substr(0, 12));
+  }
+  return true;
+}
+
+Envelope Requester::begin(std::int64_t step_index, std::int64_t t_ns) {
+  assert(!waiting_);
+  waiting_ = true;
+  ++identity_.sequence;
+  identity_.step_index = step_index;
+  identity_.t_ns = t_ns;
+  return identity_;
+}
+
+bool Requester::accept(const Envelope& reply) {
+  if (!is_ours(identity_, reply)) {
+    ++counts_.foreign;
+    return false;
+  }
+  if (reply.sequence > identity_.sequence) {
+    throw ProtocolError("reply " + std::to_string(reply.sequence) + " to a request never made; " +
+                        "the last was " + std::to_string(identity_.sequence));
+  }
+  if (!waiting_ || reply.sequence < identity_.sequence) {
+    ++counts_.repeated;
+    return false;
+  }
+  waiting_ = false;
+  return true;
+}
+
+Responder::Verdict Responder::judge(const Envelope& request) {
+  if (!is_ours(identity_, request)) {
+    ++counts_.foreign;
+    return Verdict::ignore;
+  }
+  if (request.sequence > last_ + 1) {
+    throw ProtocolError("request " + std::to_string(request.sequence) + " came after request " +
+                        std::to_string(last_) + ": one in between is lost");
+  }
+  if (request.sequence == last_ + 1) {
+    last_ = request.sequence;
+    return Verdict::execute;
+  }
+  ++counts_.repeated;
+  return request.sequence == last_ ? Verdict::repeat : Verdict::ignore;
+}
+
+}  // namespace dipper

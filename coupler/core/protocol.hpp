@@ -1,0 +1,75 @@
+// Exactly-once requests over a transport that may drop, repeat, reorder and mix in strangers.
+// Pure: no clock, no I/O. One request is outstanding at a time; requests are numbered from 1.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "coupler/core/message.hpp"
+
+namespace dipper {
+
+struct ProtocolError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What happened on a link that a healthy one does not show.
+struct LinkCounts {
+  std::int64_t resends = 0;   ///< requests sent again because no reply came in time
+  std::int64_t repeated = 0;  ///< requests or replies that had been dealt with already
+  std::int64_t foreign = 0;   ///< messages of another run
+};
+
+/// Tells this run's messages from those of others on the same network.
+/// Throws ProtocolError when the token is ours but the run or the case is not: a mix-up.
+bool is_ours(const Envelope& ours, const Envelope& theirs);
+
+/// The asking side's end of a link.
+class Requester {
+ public:
+  explicit Requester(Envelope identity) : identity_(std::move(identity)) {}
+
+  /// Numbers a new request. The previous one must have been answered.
+  Envelope begin(std::int64_t step_index, std::int64_t t_ns);
+
+  /// The reply awaited? False for strangers and for replies already taken.
+  bool accept(const Envelope& reply);
+
+  void count_resend() { ++counts_.resends; }
+  void count_foreign() { ++counts_.foreign; }
+  const LinkCounts& counts() const { return counts_; }
+
+ private:
+  Envelope identity_;
+  bool waiting_ = false;
+  LinkCounts counts_;
+};
+
+/// The answering side's end of a link.
+class Responder {
+ public:
+  explicit Responder(Envelope identity) : identity_(std::move(identity)) {}
+
+  enum class Verdict {
+    execute,  ///< new: carry it out, then `remember` the reply
+    repeat,   ///< already carried out: send `reply()` again
+    ignore    ///< a stranger, or older than what has been carried out
+  };
+  /// Throws ProtocolError when a request has been skipped: it can never be served in order.
+  Verdict judge(const Envelope& request);
+
+  void remember(std::string reply) { reply_ = std::move(reply); }
+  const std::string& reply() const { return reply_; }
+  const LinkCounts& counts() const { return counts_; }
+
+ private:
+  Envelope identity_;
+  std::int64_t last_ = 0;
+  std::string reply_;
+  LinkCounts counts_;
+};
+
+}  // namespace dipper

@@ -1,0 +1,91 @@
+// The two sides of a paired run as the master sees them. Each can be a process across LCM, a fake
+// in a test, an analytic model, or a recording.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupler/core/frames.hpp"
+
+namespace dipper {
+
+/// One recorded signal: what the side's `channels` vector holds at the same place.
+struct Channel {
+  std::string name;   ///< e.g. "crowd_force"
+  std::string unit;   ///< SI, e.g. "N"
+  std::string frame;  ///< "W", "H", "B", "D", or "-" for a scalar
+};
+
+/// What a side says of itself once it is ready.
+struct ServerInfo {
+  std::string version;              ///< program and library versions
+  std::vector<std::string> bodies;  ///< names, in the order of every body vector
+  std::vector<Channel> channels;
+  double timestep_s = 0;  ///< the side's own step; the sync step is a multiple of the DEM's
+};
+
+/// The machine at one instant. One entry a body; `channels` as announced.
+struct MachineState {
+  std::int64_t t_ns = 0;
+  std::vector<BodyState> bodies;
+  std::vector<double> channels;
+};
+
+/// The machine (Simbody): wrenches in, motion out.
+class Machine {
+ public:
+  virtual ~Machine() = default;
+  virtual ServerInfo info() const = 0;
+
+  /// The state the machine is committed to (after construction: t = 0).
+  virtual MachineState state() = 0;
+
+  /// Integrates from the committed state to t_end_ns with the wrenches (rock on body, about the
+  /// body's moving origin, world axes) held. With `commit` the result becomes the committed
+  /// state; without, the machine goes back to where it was: a prediction.
+  virtual MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
+                            bool commit) = 0;
+
+  /// Writes, reads the committed state; load(save(s)) continues bit-exactly.
+  virtual void save(const std::filesystem::path& file) = 0;
+  virtual void load(const std::filesystem::path& file) = 0;
+};
+
+/// What a body felt over one window, and where it really is at the window's end.
+struct BodyLoad {
+  Wrench mean;  ///< mean over the window's DEM steps, about the body's origin, world axes
+  Wrench end;   ///< at the last DEM step
+  Pose X_WB;    ///< read back from the wall mesh
+};
+
+/// The rock at the end of a window.
+struct RockState {
+  std::int64_t step = 0;  ///< DEM steps since the start of the run
+  std::int64_t t_ns = 0;
+  std::vector<BodyLoad> bodies;
+  std::vector<double> channels;
+};
+
+/// The rock (LIGGGHTS): motion in, wrenches out.
+class Rock {
+ public:
+  virtual ~Rock() = default;
+  virtual ServerInfo info() const = 0;
+
+  /// Puts the walls where the machine's bodies start (before the first step only).
+  virtual RockState place(const std::vector<Pose>& X_WB) = 0;
+
+  /// Advances exactly n_steps DEM steps while every wall moves, at constant twist, from where it
+  /// is to its target.
+  virtual RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) = 0;
+
+  virtual void save(const std::filesystem::path& file) = 0;
+  virtual void load(const std::filesystem::path& file) = 0;
+
+  /// SHA-256 over every particle's id, position and velocity, in the order of ids.
+  virtual std::string state_hash() = 0;
+};
+
+}  // namespace dipper

@@ -1,0 +1,179 @@
+#include "coupler/dem/liggghts_rock.hpp"
+
+#include <atom.h>
+#include <comm.h>
+#include <domain.h>
+#include <fix_multisphere.h>
+#include <fmt/core.h>
+#include <input.h>
+#include <integrate.h>
+#include <lammps.h>
+#include <modify.h>
+#include <output.h>
+#include <universe.h>
+#include <update.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "coupler/core/sha256.hpp"
+#include "coupler/dem/wall_motion.hpp"
+
+namespace dipper {
+
+LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup), comm_(comm) {
+  // The screen must be a file: with `-screen none` FixMesh prints to a null stream and crashes.
+  std::vector<std::string> words = {"dipper-dem", "-log", setup.log, "-screen", setup.screen,
+                                    "-echo",      "none"};
+  for (const auto& [name, value] : setup.variables) {
+    words.insert(words.end(), {"-var", name, value});
+  }
+  std::vector<char*> args;
+  for (auto& w : words) args.push_back(w.data());
+  lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(args.size()), args.data(), comm);
+  lmp_->input->file(setup.deck.c_str());
+  for (const auto& body : setup_.bodies) walls_.push_back(WallMotion::attach(lmp_.get(), body));
+  X_WB_.resize(walls_.size());
+}
+
+LiggghtsRock::~LiggghtsRock() = default;
+
+ServerInfo LiggghtsRock::info() const {
+  ServerInfo info;
+  info.version = fmt::format("LIGGGHTS {}, {} ranks", lmp_->universe->version,
+                             lmp_->comm->nprocs);
+  info.bodies = setup_.bodies;
+  for (const auto& s : setup_.scales) info.channels.push_back({s.name, "kg", "-"});
+  info.channels.push_back({"rock_mass", "kg", "-"});
+  info.channels.push_back({"rock_kinetic_energy", "J", "-"});
+  info.channels.push_back({"spheres", "1", "-"});
+  info.channels.push_back({"rocks", "1", "-"});
+  info.timestep_s = lmp_->update->dt;
+  return info;
+}
+
+RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
+  for (std::size_t b = 0; b < walls_.size(); ++b) {
+    setup_.resumed ? walls_[b]->adopt(X_WB[b]) : walls_[b]->place(X_WB[b]);
+  }
+  X_WB_ = X_WB;
+  start();
+  return state();
+}
+
+void LiggghtsRock::start() {
+  LAMMPS_NS::Update* update = lmp_->update;
+  lmp_->input->one("run 0 post no");
+  first_step_ = update->ntimestep - setup_.first_step;
+  // From here on the time loop is entered directly: `run N` would zero the wall velocity and
+  // print a thermo block each window. The end of the run is put out of reach, so that dump and
+  // thermo output follow their own intervals across windows.
+  update->whichflag = 1;
+  update->firststep = update->beginstep = first_step_;
+  update->laststep = update->endstep = first_step_ + std::numeric_limits<int>::max();
+  lmp_->output->init();
+  lmp_->output->setup(0);
+}
+
+RockState LiggghtsRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
+  for (std::size_t b = 0; b < walls_.size(); ++b) {
+    walls_[b]->begin_window(X_WB_target[b], static_cast<long>(n_steps));
+  }
+  lmp_->update->nsteps = static_cast<int>(n_steps);
+  lmp_->update->integrate->run(static_cast<int>(n_steps));
+  return state();
+}
+
+RockState LiggghtsRock::state() {
+  RockState s;
+  s.step = lmp_->update->ntimestep - first_step_;
+  for (std::size_t b = 0; b < walls_.size(); ++b) {
+    s.bodies.push_back(walls_[b]->end_window());
+    X_WB_[b] = s.bodies.back().X_WB;
+  }
+  s.channels = weigh();
+  return s;
+}
+
+std::vector<double> LiggghtsRock::weigh() const {
+  const std::size_t n = setup_.scales.size();
+  std::vector<Pose> X_SW(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto& s = setup_.scales[k];
+    const auto body = std::find(setup_.bodies.begin(), setup_.bodies.end(), s.body);
+    X_SW[k] =
+        inverse(body == setup_.bodies.end() ? s.X_WS : X_WB_[body - setup_.bodies.begin()]);
+  }
+  std::vector<double> sums(n + 4, 0.0);
+  const auto count = [&](const double* x, const double* v, double mass, std::size_t kind) {
+    const Vector3d p_W = Eigen::Map<const Vector3d>(x);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vector3d p_S = X_SW[k] * p_W;
+      const auto& s = setup_.scales[k];
+      if ((p_S.array() >= s.min_m.array()).all() && (p_S.array() <= s.max_m.array()).all()) {
+        sums[k] += mass;
+      }
+    }
+    sums[n] += mass;
+    sums[n + 1] += 0.5 * mass * Eigen::Map<const Vector3d>(v).squaredNorm();
+    sums[n + 2 + kind] += 1;
+  };
+
+  auto* fix = lmp_->modify->find_fix_style("multisphere", 0);
+  auto* rocks = static_cast<LAMMPS_NS::FixMultisphere*>(fix);
+  const LAMMPS_NS::Atom* atom = lmp_->atom;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (rocks == nullptr || rocks->belongs_to(i) < 0) {
+      count(atom->x[i], atom->v[i], atom->rmass[i], 0);
+    }
+  }
+  if (rocks != nullptr) {
+    auto& data = rocks->data();
+    for (int b = 0; b < data.n_body(); ++b) {
+      double x[3], v[3];
+      data.xcm(x, b);
+      data.vcm(v, b);
+      count(x, v, data.mass(b), 1);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
+                comm_);
+  return sums;
+}
+
+void LiggghtsRock::save(const std::filesystem::path& file) {
+  lmp_->input->one(("write_restart " + file.string()).c_str());
+}
+
+void LiggghtsRock::load(const std::filesystem::path&) {
+  // LIGGGHTS reads a restart file only into an empty simulation: a resumed run starts this process
+  // with a deck that reads the checkpoint.
+  throw std::logic_error("LIGGGHTS cannot load a checkpoint into a running simulation");
+}
+
+std::string LiggghtsRock::state_hash() {
+  struct Particle {
+    double id;
+    double state[6];
+  };
+  const LAMMPS_NS::Atom* atom = lmp_->atom;
+  std::vector<Particle> mine(atom->nlocal);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    mine[i].id = atom->tag[i];
+    std::copy_n(atom->x[i], 3, mine[i].state);
+    std::copy_n(atom->v[i], 3, mine[i].state + 3);
+  }
+  const int bytes = static_cast<int>(mine.size() * sizeof(Particle));
+  std::vector<int> counts(lmp_->comm->nprocs), offsets(lmp_->comm->nprocs, 0);
+  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+  for (std::size_t r = 1; r < counts.size(); ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
+  std::vector<Particle> all((offsets.back() + counts.back()) / sizeof(Particle));
+  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE,
+                 comm_);
+  std::sort(all.begin(), all.end(),
+            [](const Particle& a, const Particle& b) { return a.id < b.id; });
+  return sha256({reinterpret_cast<const char*>(all.data()), all.size() * sizeof(Particle)});
+}
+
+}  // namespace dipper

@@ -1,0 +1,50 @@
+#include "coupler/dem/setup_json.hpp"
+
+namespace dipper {
+
+using nlohmann::json;
+
+namespace {
+
+json array(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Vector3d vector(const json& j) { return {j.at(0), j.at(1), j.at(2)}; }
+
+}  // namespace
+
+json to_json(const RockSetup& setup) {
+  json scales = json::array();
+  for (const auto& s : setup.scales) {
+    const Quaterniond& R = s.X_WS.R;
+    scales.push_back({{"name", s.name},
+                      {"body", s.body},
+                      {"p_WS", array(s.X_WS.p)},
+                      {"R_WS", {R.w(), R.x(), R.y(), R.z()}},
+                      {"min_m", array(s.min_m)},
+                      {"max_m", array(s.max_m)}});
+  }
+  return {{"deck", setup.deck},     {"variables", setup.variables}, {"log", setup.log},
+          {"screen", setup.screen}, {"bodies", setup.bodies},       {"resumed", setup.resumed},
+          {"scales", scales},       {"first_step", setup.first_step}};
+}
+
+RockSetup rock_setup_from(const json& j) {
+  RockSetup setup;
+  setup.deck = j.at("deck");
+  setup.variables = j.at("variables").get<decltype(setup.variables)>();
+  setup.log = j.at("log");
+  setup.screen = j.at("screen");
+  setup.bodies = j.at("bodies").get<std::vector<std::string>>();
+  setup.resumed = j.at("resumed");
+  setup.first_step = j.at("first_step");
+  for (const auto& s : j.at("scales")) {
+    const auto& R = s.at("R_WS");
+    setup.scales.push_back({s.at("name"),
+                            s.at("body"),
+                            {{R.at(0), R.at(1), R.at(2), R.at(3)}, vector(s.at("p_WS"))},
+                            vector(s.at("min_m")),
+                            vector(s.at("max_m"))});
+  }
+  return setup;
+}
+
+}  // namespace dipper

@@ -1,0 +1,128 @@
+#include "coupler/record/record.hpp"
+
+#include <hdf5.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace dipper {
+namespace {
+
+/// Rows a chunk: large, so that between flushes only raw data grows and the index stays as it is.
+constexpr hsize_t kChunkRows = 4096;
+
+void write_text(hid_t object, const std::string& name, const std::string& text) {
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, text.empty() ? 1 : text.size());
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  const hid_t space = H5Screate(H5S_SCALAR);
+  // An attribute holds at most 64 KiB in the compact form all readers know.
+  const hid_t attribute = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
+  if (attribute >= 0) {
+    H5Awrite(attribute, type, text.c_str());
+    H5Aclose(attribute);
+  }
+  H5Sclose(space);
+  H5Tclose(type);
+}
+
+}  // namespace
+
+void Record::fail(const std::string& what) const {
+  const int cause = errno;
+  throw std::runtime_error("cannot " + what + " " + file_.string() +
+                           (cause != 0 ? std::string(": ") + std::strerror(cause) : ""));
+}
+
+Record::Record(const std::filesystem::path& file,
+               const std::map<std::string, std::string>& attributes)
+    : file_(file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
+  errno = 0;
+  id_ = H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (id_ < 0) fail("create");
+  for (const auto& [name, text] : attributes) write_text(id_, name, text);
+}
+
+Record::Record(const std::filesystem::path& file, std::size_t rows)
+    : file_(file), resumed_(true), rows_(rows) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  errno = 0;
+  id_ = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  if (id_ < 0) fail("open");
+}
+
+Record::~Record() {
+  try {
+    if (pending_ > 0) flush();
+  } catch (const std::exception&) {  // the run has reported the cause already
+  }
+  for (const auto& d : datasets_) H5Dclose(d.id);
+  if (id_ >= 0) H5Fclose(id_);
+}
+
+std::size_t Record::add(const std::string& name, const std::string& unit, const std::string& frame,
+                        std::size_t columns) {
+  const int rank = columns == 1 ? 1 : 2;
+  errno = 0;
+  hid_t id = -1;
+  if (resumed_) {
+    id = H5Dopen2(id_, name.c_str(), H5P_DEFAULT);
+    const hsize_t size[2] = {rows_, columns};
+    if (id < 0 || H5Dset_extent(id, size) < 0) fail("continue dataset '" + name + "' in");
+  } else {
+    const hsize_t size[2] = {0, columns};
+    const hsize_t limit[2] = {H5S_UNLIMITED, columns};
+    const hsize_t chunk[2] = {kChunkRows, columns};
+    const hid_t space = H5Screate_simple(rank, size, limit);
+    const hid_t layout = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(layout, rank, chunk);
+    const hid_t groups = H5Pcreate(H5P_LINK_CREATE);
+    H5Pset_create_intermediate_group(groups, 1);
+    id = H5Dcreate2(id_, name.c_str(), H5T_IEEE_F64LE, space, groups, layout, H5P_DEFAULT);
+    H5Pclose(groups);
+    H5Pclose(layout);
+    H5Sclose(space);
+    if (id < 0) fail("add dataset '" + name + "' to");
+    write_text(id, "unit", unit);
+    write_text(id, "frame", frame);
+  }
+  datasets_.push_back({name, id, columns, std::vector<double>(columns, 0.0), {}});
+  return datasets_.size() - 1;
+}
+
+void Record::put(std::size_t channel, const double* values) {
+  auto& d = datasets_.at(channel);
+  d.row.assign(values, values + d.columns);
+}
+
+void Record::next() {
+  for (auto& d : datasets_) d.buffer.insert(d.buffer.end(), d.row.begin(), d.row.end());
+  ++pending_;
+}
+
+void Record::flush() {
+  errno = 0;
+  for (auto& d : datasets_) {
+    const int rank = d.columns == 1 ? 1 : 2;
+    const hsize_t size[2] = {rows_ + pending_, d.columns};
+    const hsize_t start[2] = {rows_, 0};
+    const hsize_t count[2] = {pending_, d.columns};
+    if (H5Dset_extent(d.id, size) < 0) fail("extend dataset '" + d.name + "' in");
+    const hid_t file_space = H5Dget_space(d.id);
+    H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr);
+    const hid_t memory_space = H5Screate_simple(rank, count, nullptr);
+    const herr_t status =
+        H5Dwrite(d.id, H5T_NATIVE_DOUBLE, memory_space, file_space, H5P_DEFAULT, d.buffer.data());
+    H5Sclose(memory_space);
+    H5Sclose(file_space);
+    if (status < 0) fail("write dataset '" + d.name + "' to");
+    d.buffer.clear();
+  }
+  rows_ += pending_;
+  pending_ = 0;
+  if (H5Fflush(id_, H5F_SCOPE_GLOBAL) < 0) fail("flush");
+}
+
+}  // namespace dipper

@@ -1,0 +1,175 @@
+#include "coupler/transport/codec.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "dipper_msg/command_t.hpp"
+#include "dipper_msg/status_t.hpp"
+#include "dipper_msg/target_motion_t.hpp"
+#include "dipper_msg/wall_wrench_t.hpp"
+
+namespace dipper {
+namespace {
+
+using namespace dipper_msg;
+
+void put(const Vector3d& v, double (&out)[3]) { std::copy_n(v.data(), 3, out); }
+void put(const Quaterniond& q, double (&out)[4]) {
+  out[0] = q.w();
+  out[1] = q.x();
+  out[2] = q.y();
+  out[3] = q.z();
+}
+
+Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+Quaterniond rotation(const double (&v)[4]) { return {v[0], v[1], v[2], v[3]}; }
+
+header_t pack(const Envelope& e) {
+  header_t h;
+  h.run_token = e.run_token;
+  h.run_id = e.run_id;
+  h.case_hash = e.case_hash;
+  h.step_index = e.step_index;
+  h.sequence = e.sequence;
+  h.t_ns = e.t_ns;
+  return h;
+}
+
+Envelope unpack(const header_t& h) {
+  return {h.run_token, h.run_id, h.case_hash, h.step_index, h.sequence, h.t_ns};
+}
+
+target_motion_t pack(const TargetMotion& m) {
+  target_motion_t t;
+  t.n_steps = m.n_steps;
+  t.n_bodies = static_cast<std::int32_t>(m.bodies.size());
+  for (const auto& b : m.bodies) {
+    body_motion_t& out = t.bodies.emplace_back();
+    put(b.X_WB.p, out.p_WBo_W);
+    put(b.X_WB.R, out.R_WB);
+    put(b.V_WB_W.w, out.w_WB_W);
+    put(b.V_WB_W.v, out.v_WBo_W);
+  }
+  t.n_channels = static_cast<std::int32_t>(m.channels.size());
+  t.channels = m.channels;
+  return t;
+}
+
+TargetMotion unpack(const target_motion_t& t) {
+  TargetMotion m;
+  m.n_steps = t.n_steps;
+  for (const auto& b : t.bodies) {
+    m.bodies.push_back({{rotation(b.R_WB), vector(b.p_WBo_W)},
+                        {vector(b.w_WB_W), vector(b.v_WBo_W)}});
+  }
+  m.channels = t.channels;
+  return m;
+}
+
+wall_wrench_t pack(const WallWrench& m) {
+  wall_wrench_t t;
+  t.dem_step = m.dem_step;
+  t.commit = m.commit;
+  t.n_bodies = static_cast<std::int32_t>(m.bodies.size());
+  for (const auto& b : m.bodies) {
+    body_wrench_t& out = t.bodies.emplace_back();
+    put(b.mean.torque, out.mean_torque_Bo_W);
+    put(b.mean.force, out.mean_force_Bo_W);
+    put(b.end.torque, out.end_torque_Bo_W);
+    put(b.end.force, out.end_force_Bo_W);
+    put(b.X_WB.p, out.p_WBo_W);
+    put(b.X_WB.R, out.R_WB);
+  }
+  t.n_channels = static_cast<std::int32_t>(m.channels.size());
+  t.channels = m.channels;
+  return t;
+}
+
+WallWrench unpack(const wall_wrench_t& t) {
+  WallWrench m;
+  m.dem_step = t.dem_step;
+  m.commit = t.commit != 0;
+  for (const auto& b : t.bodies) {
+    m.bodies.push_back({{vector(b.mean_torque_Bo_W), vector(b.mean_force_Bo_W)},
+                        {vector(b.end_torque_Bo_W), vector(b.end_force_Bo_W)},
+                        {rotation(b.R_WB), vector(b.p_WBo_W)}});
+  }
+  m.channels = t.channels;
+  return m;
+}
+
+command_t pack(const Command& m) {
+  command_t t;
+  t.action = static_cast<std::int32_t>(m.action);
+  t.file = m.file;
+  return t;
+}
+
+Command unpack(const command_t& t) {
+  if (t.action < 1 || t.action > 6) {
+    throw DecodeError(fmt::format("unknown command {}", t.action));
+  }
+  return {static_cast<Action>(t.action), t.file};
+}
+
+status_t pack(const Status& m) {
+  status_t t;
+  t.ok = m.ok;
+  t.text = m.text;
+  return t;
+}
+
+Status unpack(const status_t& t) { return {t.ok != 0, t.text}; }
+
+/// LCM puts an 8-byte fingerprint of the type in front, big-endian.
+std::int64_t fingerprint(const std::string& bytes) {
+  std::int64_t hash = 0;
+  for (int k = 0; k < 8; ++k) hash = (hash << 8) | static_cast<unsigned char>(bytes[k]);
+  return hash;
+}
+
+template <class Type>
+bool decode_as(const std::string& bytes, Message& m) {
+  if (fingerprint(bytes) != Type::getHash()) return false;
+  Type t;
+  int used = -1;
+  try {
+    used = t.decode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  } catch (const std::exception&) {  // a count that no memory holds
+  }
+  if (used != static_cast<int>(bytes.size())) {
+    throw DecodeError(fmt::format("a {} of {} bytes is {}", Type::getTypeName(), bytes.size(),
+                                  used < 0 ? "cut short" : "too long"));
+  }
+  m.envelope = unpack(t.header);
+  m.body = unpack(t);
+  return true;
+}
+
+}  // namespace
+
+std::string encode(const Message& m) {
+  return std::visit(
+      [&](const auto& body) {
+        auto t = pack(body);
+        t.header = pack(m.envelope);
+        std::string bytes(t.getEncodedSize(), '\0');
+        t.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+        return bytes;
+      },
+      m.body);
+}
+
+Message decode(const std::string& bytes) {
+  if (bytes.size() < 8) throw DecodeError("a message of less than 8 bytes");
+  Message m;
+  if (decode_as<target_motion_t>(bytes, m) || decode_as<wall_wrench_t>(bytes, m) ||
+      decode_as<command_t>(bytes, m) || decode_as<status_t>(bytes, m)) {
+    return m;
+  }
+  throw DecodeError("a message of a type this version does not know");
+}
+
+}  // namespace dipper

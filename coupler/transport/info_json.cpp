@@ -1,0 +1,31 @@
+#include "coupler/transport/info_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace dipper {
+
+std::string to_json(const ServerInfo& info) {
+  auto channels = nlohmann::json::array();
+  for (const auto& c : info.channels) {
+    channels.push_back({{"name", c.name}, {"unit", c.unit}, {"frame", c.frame}});
+  }
+  return nlohmann::json{{"version", info.version},
+                        {"bodies", info.bodies},
+                        {"timestep_s", info.timestep_s},
+                        {"channels", channels}}
+      .dump();
+}
+
+ServerInfo info_from_json(const std::string& text) {
+  const auto j = nlohmann::json::parse(text);
+  ServerInfo info;
+  info.version = j.at("version");
+  info.bodies = j.at("bodies").get<std::vector<std::string>>();
+  info.timestep_s = j.at("timestep_s");
+  for (const auto& c : j.at("channels")) {
+    info.channels.push_back({c.at("name"), c.at("unit"), c.at("frame")});
+  }
+  return info;
+}
+
+}  // namespace dipper

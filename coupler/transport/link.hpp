@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coupler/core/protocol.hpp"
+#include "coupler/transport/transport.hpp"
+
+namespace dipper {
+
+/// One side of the pair failed. `side` is "dem" or "mbs"; what() is its own message.
+struct PeerError : std::runtime_error {
+  PeerError(std::string failed_side, const std::string& message)
+      : std::runtime_error(message), side(std::move(failed_side)) {}
+  std::string side;
+};
+
+/// How long to wait, and what to look after meanwhile.
+struct LinkOptions {
+  std::chrono::milliseconds resend{500};
+  std::chrono::milliseconds timeout{60000};
+  /// Called at least every 50 ms while waiting; throws when waiting has become pointless
+  /// (a process ended, the user wants to stop).
+  std::function<void()> watch = [] {};
+};
+
+/// The asking end: sends a request until its reply comes.
+class Link {
+ public:
+  Link(std::string side, Transport& transport, std::string to, std::string from,
+       Envelope identity, LinkOptions options);
+
+  /// Throws PeerError when the other side says it failed or says nothing until the timeout.
+  Body ask(Body request, std::int64_t step_index, std::int64_t t_ns);
+
+  /// Sends the last request of all, without waiting: after "stop" the other side is gone.
+  void tell(Body request, std::int64_t step_index, std::int64_t t_ns);
+
+  const std::string& side() const { return side_; }
+  const LinkCounts& counts() const { return requester_.counts(); }
+  /// Names for messages about bodies; known once the other side has said hello.
+  std::vector<std::string> bodies;
+
+ private:
+  std::string side_;
+  Transport& transport_;
+  std::string to_, from_;
+  Requester requester_;
+  LinkOptions options_;
+};
+
+}  // namespace dipper

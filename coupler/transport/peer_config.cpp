@@ -1,0 +1,43 @@
+#include "coupler/transport/peer_config.hpp"
+
+#include <sys/prctl.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+#include <stdexcept>
+
+namespace dipper {
+
+using nlohmann::json;
+
+void write_peer_config(const std::filesystem::path& file, const PeerConfig& config) {
+  const mode_t old = umask(077);
+  std::ofstream out(file);
+  umask(old);
+  out << json{{"lcm_url", config.lcm_url},
+              {"run_token", config.identity.run_token},
+              {"run_id", config.identity.run_id},
+              {"case_hash", config.identity.case_hash},
+              {"settings", config.settings}}
+             .dump(2)
+      << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+PeerConfig read_peer_config(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  const json j = json::parse(in);
+  PeerConfig c;
+  c.lcm_url = j.at("lcm_url");
+  c.identity.run_token = j.at("run_token");
+  c.identity.run_id = j.at("run_id");
+  c.identity.case_hash = j.at("case_hash");
+  c.settings = j.at("settings");
+  return c;
+}
+
+void die_with_parent() { prctl(PR_SET_PDEATHSIG, SIGKILL); }
+
+}  // namespace dipper

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "coupler/core/message.hpp"
+
+namespace dipper {
+
+/// What the launcher tells a side: where to listen, who it is, and the side's own settings. Written
+/// to a file that only its owner can read, because of the run token.
+struct PeerConfig {
+  std::string lcm_url;
+  Envelope identity;
+  nlohmann::json settings;
+};
+
+void write_peer_config(const std::filesystem::path& file, const PeerConfig& config);
+/// Throws std::runtime_error naming the file.
+PeerConfig read_peer_config(const std::filesystem::path& file);
+
+/// Ties this process to its parent: when the launcher goes, however it goes, so do we.
+void die_with_parent();
+
+}  // namespace dipper

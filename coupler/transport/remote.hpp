@@ -1,0 +1,47 @@
+// The two sides of a run when they live in other processes.
+#pragma once
+
+#include "coupler/core/server.hpp"
+#include "coupler/transport/link.hpp"
+
+namespace dipper {
+
+class RemoteMachine final : public Machine {
+ public:
+  explicit RemoteMachine(Link& link);
+  ServerInfo info() const override { return info_; }
+  MachineState state() override;
+  MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
+                    bool commit) override;
+  void save(const std::filesystem::path& file) override;
+  void load(const std::filesystem::path& file) override;
+  void stop();
+
+ private:
+  Link& link_;
+  ServerInfo info_;
+  std::int64_t step_index_ = 0;
+  std::int64_t t_ns_ = 0;
+};
+
+class RemoteRock final : public Rock {
+ public:
+  explicit RemoteRock(Link& link);
+  ServerInfo info() const override { return info_; }
+  RockState place(const std::vector<Pose>& X_WB) override;
+  RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
+  void save(const std::filesystem::path& file) override;
+  void load(const std::filesystem::path& file) override;
+  std::string state_hash() override;
+  void stop();
+
+ private:
+  RockState move(std::int64_t n_steps, const std::vector<Pose>& X_WB);
+  Link& link_;
+  ServerInfo info_;
+  std::int64_t dt_ns_ = 0;
+  std::int64_t step_index_ = 0;
+  std::int64_t t_ns_ = 0;
+};
+
+}  // namespace dipper

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "coupler/core/protocol.hpp"
+#include "coupler/core/server.hpp"
+#include "coupler/transport/transport.hpp"
+
+namespace dipper {
+
+/// What a side does with one request; the reply's body. Throws what the side throws.
+Body answer(Machine& machine, const Message& request);
+Body answer(Rock& rock, const Message& request);
+
+/// Answers requests on `in` with replies on `out` until "stop" or until `alive` says no.
+/// An exception from `handle` goes to the other side as a failed status and then to the caller.
+void serve(Transport& transport, const std::string& in, const std::string& out,
+           const Envelope& identity, const std::function<Body(const Message&)>& handle,
+           const std::function<bool()>& alive = [] { return true; });
+
+}  // namespace dipper
