@@ -41,12 +41,13 @@ Window Coupling::start() {
   return w;
 }
 
-void Coupling::resume(std::int64_t step_index, std::int64_t dem_step, std::vector<Wrench> held) {
+void Coupling::resume(std::int64_t step_index, std::int64_t dem_step, std::vector<Wrench> held,
+                      std::vector<Pose> X_WB_wall) {
   machine_state_ = machine_.state();
   step_index_ = step_index;
   dem_step_ = dem_step;
   held_ = std::move(held);
-  X_WB_wall_ = poses(machine_state_);
+  X_WB_wall_ = std::move(X_WB_wall);
 }
 
 Window Coupling::advance(std::int64_t n_steps) {

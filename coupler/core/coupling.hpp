@@ -36,7 +36,8 @@ class Coupling {
   Window start();
 
   /// Continues from a checkpoint: both sides have loaded theirs.
-  void resume(std::int64_t step_index, std::int64_t dem_step, std::vector<Wrench> held);
+  void resume(std::int64_t step_index, std::int64_t dem_step, std::vector<Wrench> held,
+              std::vector<Pose> X_WB_wall);
 
   /// One window of n_steps DEM steps.
   Window advance(std::int64_t n_steps);

@@ -47,8 +47,8 @@ ServerInfo LiggghtsRock::info() const {
   for (const auto& s : setup_.scales) info.channels.push_back({s.name, "kg", "-"});
   info.channels.push_back({"rock_mass", "kg", "-"});
   info.channels.push_back({"rock_kinetic_energy", "J", "-"});
-  info.channels.push_back({"spheres", "1", "-"});
-  info.channels.push_back({"rocks", "1", "-"});
+  info.channels.push_back({"rocks", "1", "-"});      // multispheres
+  info.channels.push_back({"particles", "1", "-"});  // spheres, those of the rocks included
   info.timestep_s = lmp_->update->dt;
   return info;
 }
@@ -65,13 +65,12 @@ RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
 void LiggghtsRock::start() {
   LAMMPS_NS::Update* update = lmp_->update;
   lmp_->input->one("run 0 post no");
-  first_step_ = update->ntimestep - setup_.first_step;
   // From here on the time loop is entered directly: `run N` would zero the wall velocity and
   // print a thermo block each window. The end of the run is put out of reach, so that dump and
   // thermo output follow their own intervals across windows.
   update->whichflag = 1;
-  update->firststep = update->beginstep = first_step_;
-  update->laststep = update->endstep = first_step_ + std::numeric_limits<int>::max();
+  update->firststep = update->beginstep = update->ntimestep;
+  update->laststep = update->endstep = update->ntimestep + std::numeric_limits<int>::max();
   lmp_->output->init();
   lmp_->output->setup(0);
 }
@@ -87,7 +86,7 @@ RockState LiggghtsRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB
 
 RockState LiggghtsRock::state() {
   RockState s;
-  s.step = lmp_->update->ntimestep - first_step_;
+  s.step = lmp_->update->ntimestep;  // the deck starts counting at the run's start
   for (std::size_t b = 0; b < walls_.size(); ++b) {
     s.bodies.push_back(walls_[b]->end_window());
     X_WB_[b] = s.bodies.back().X_WB;
@@ -106,7 +105,7 @@ std::vector<double> LiggghtsRock::weigh() const {
         inverse(body == setup_.bodies.end() ? s.X_WS : X_WB_[body - setup_.bodies.begin()]);
   }
   std::vector<double> sums(n + 4, 0.0);
-  const auto count = [&](const double* x, const double* v, double mass, std::size_t kind) {
+  const auto count = [&](const double* x, const double* v, double mass) {
     const Vector3d p_W = Eigen::Map<const Vector3d>(x);
     for (std::size_t k = 0; k < n; ++k) {
       const Vector3d p_S = X_SW[k] * p_W;
@@ -117,7 +116,6 @@ std::vector<double> LiggghtsRock::weigh() const {
     }
     sums[n] += mass;
     sums[n + 1] += 0.5 * mass * Eigen::Map<const Vector3d>(v).squaredNorm();
-    sums[n + 2 + kind] += 1;
   };
 
   auto* fix = lmp_->modify->find_fix_style("multisphere", 0);
@@ -125,18 +123,20 @@ std::vector<double> LiggghtsRock::weigh() const {
   const LAMMPS_NS::Atom* atom = lmp_->atom;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (rocks == nullptr || rocks->belongs_to(i) < 0) {
-      count(atom->x[i], atom->v[i], atom->rmass[i], 0);
+      count(atom->x[i], atom->v[i], atom->rmass[i]);
     }
   }
   if (rocks != nullptr) {
     auto& data = rocks->data();
+    sums[n + 2] = data.n_body();
     for (int b = 0; b < data.n_body(); ++b) {
       double x[3], v[3];
       data.xcm(x, b);
       data.vcm(v, b);
-      count(x, v, data.mass(b), 1);
+      count(x, v, data.mass(b));
     }
   }
+  sums[n + 3] = atom->nlocal;
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
                 comm_);
   return sums;

@@ -4,11 +4,11 @@
 #include <mpi.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "coupler/core/server.hpp"
+#include "coupler/dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -17,26 +17,6 @@ class LAMMPS;
 namespace dipper {
 
 class WallMotion;
-
-/// A box that rock is weighed in: fixed to a body, or to the world.
-struct Scale {
-  std::string name;  ///< the channel, in kg
-  std::string body;  ///< "" for a fixed box
-  Pose X_WS;         ///< the fixed box's frame; unused with a body
-  Vector3d min_m, max_m;
-};
-
-/// What dipper-dem is started with (written by the launcher as JSON).
-struct RockSetup {
-  std::string deck;                                            ///< LIGGGHTS input script
-  std::vector<std::pair<std::string, std::string>> variables;  ///< -var NAME VALUE
-  std::string log;                                             ///< LIGGGHTS log file
-  std::string screen;                                          ///< LIGGGHTS screen output
-  std::vector<std::string> bodies;                             ///< fix ids of the moving walls
-  std::vector<Scale> scales;
-  bool resumed = false;  ///< the deck reads a checkpoint: the walls are already in place
-  std::int64_t first_step = 0;  ///< DEM steps of the run already taken, at the checkpoint
-};
 
 /// Every method is collective: each rank of the communicator makes the same call.
 class LiggghtsRock final : public Rock {
@@ -62,7 +42,6 @@ class LiggghtsRock final : public Rock {
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::vector<WallMotion*> walls_;  // owned by LIGGGHTS
   std::vector<Pose> X_WB_;
-  std::int64_t first_step_ = 0;
 };
 
 }  // namespace dipper

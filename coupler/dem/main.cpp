@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "coupler/dem/liggghts_rock.hpp"
-#include "coupler/dem/setup_json.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/peer_config.hpp"

@@ -6,21 +6,19 @@
 
 #include "coupler/mesh/triangle_mesh.hpp"
 
-namespace dipper {
+namespace dipper::mesh {
 
-enum class MeshFaultKind { degenerate, duplicate, open_edge, flipped, crowded_edge, inverted };
-
+/// One fault, of one facet.
 struct MeshFault {
-  MeshFaultKind kind;
-  std::size_t facet;    ///< 1-based, in the order of the file; 0: the whole shell
-  std::string message;  ///< begins with "facet N" where there is one
+  enum class Kind { degenerate, duplicate, open_edge, crowded_edge, flipped, inverted };
+  Kind kind;
+  std::size_t facet;  ///< 1-based, in the order of the file
+  std::string message;
 };
 
 /// Every fault: facets without area, facets given twice, edges of one facet only (with their end
-/// points), neighbours that disagree on the outside, edges of more than two facets, and closed
-/// shells that face inwards. Several shells may share a mesh; a shell inside another must face
-/// inwards (a cavity), which is not told apart from a fault by depth but by the sign of the
-/// whole: only outermost shells are checked.
+/// points) or of an odd number, facets whose neighbours disagree with them on the outside, and
+/// closed shells that face inwards. Several shells are fine; a cavity is not (nothing reaches it).
 std::vector<MeshFault> check_mesh(const TriangleMesh& mesh);
 
-}  // namespace dipper
+}  // namespace dipper::mesh

@@ -12,7 +12,7 @@
 #include <map>
 #include <string_view>
 
-namespace dipper {
+namespace dipper::mesh {
 namespace {
 
 // Gives close vertices one number. A grid of cells as wide as the distance, and a look into the 27
@@ -127,7 +127,8 @@ TriangleMesh parse_ascii(std::string_view text, double weld) {
       words.expect("endfacet");
       mesh.triangles.push_back(triangle);
     }
-    if (word != "endsolid") words.fail(fmt::format("'{}' where 'facet' or 'endsolid' belongs", word));
+    if (word != "endsolid")
+      words.fail(fmt::format("'{}' where 'facet' or 'endsolid' belongs", word));
     words.skip_line();
     word = words.next();
   }
@@ -205,4 +206,4 @@ TriangleMesh read_stl(const std::filesystem::path& file, double weld) {
   return parse_stl(bytes, weld);
 }
 
-}  // namespace dipper
+}  // namespace dipper::mesh

@@ -7,7 +7,7 @@
 
 #include "coupler/mesh/triangle_mesh.hpp"
 
-namespace dipper {
+namespace dipper::mesh {
 
 /// An STL file that cannot be read. what() is the message alone.
 struct StlError : std::runtime_error {
@@ -25,4 +25,4 @@ TriangleMesh read_stl(const std::filesystem::path& file, double weld = 1e-6);
 /// The same from a file's bytes.
 TriangleMesh parse_stl(const std::string& bytes, double weld = 1e-6);
 
-}  // namespace dipper
+}  // namespace dipper::mesh

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-namespace dipper {
+namespace dipper::mesh {
 
 double facet_area(const TriangleMesh& mesh, std::size_t triangle) {
   const auto& t = mesh.triangles[triangle];
@@ -23,15 +23,15 @@ double volume(const TriangleMesh& mesh) {
   const Eigen::Vector3d& o = mesh.vertices[0];
   double sum = 0;
   for (const auto& t : mesh.triangles) {
-    sum += (mesh.vertices[t[0]] - o)
-               .dot((mesh.vertices[t[1]] - o).cross(mesh.vertices[t[2]] - o)) / 6;
+    sum +=
+        (mesh.vertices[t[0]] - o).dot((mesh.vertices[t[1]] - o).cross(mesh.vertices[t[2]] - o)) / 6;
   }
   return sum;
 }
 
-Box bounding_box(const TriangleMesh& mesh) {
+BoundingBox bounding_box(const TriangleMesh& mesh) {
   const double huge = std::numeric_limits<double>::infinity();
-  Box box{Eigen::Vector3d::Constant(huge), Eigen::Vector3d::Constant(-huge)};
+  BoundingBox box{Eigen::Vector3d::Constant(huge), Eigen::Vector3d::Constant(-huge)};
   for (const Eigen::Vector3d& v : mesh.vertices) {
     box.min = box.min.cwiseMin(v);
     box.max = box.max.cwiseMax(v);
@@ -39,4 +39,4 @@ Box bounding_box(const TriangleMesh& mesh) {
   return box;
 }
 
-}  // namespace dipper
+}  // namespace dipper::mesh

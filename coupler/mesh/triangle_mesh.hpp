@@ -1,4 +1,5 @@
 // A triangle mesh and what it measures.
+// In a namespace of its own: the decks have a mesh of their own, of loose facets.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace dipper {
+namespace dipper::mesh {
 
 /// Triangles over shared vertices [m]; the right-hand rule gives the outside.
 struct TriangleMesh {
@@ -15,7 +16,7 @@ struct TriangleMesh {
 };
 
 /// An axis-aligned box [m]. Empty (min > max) for a mesh without vertices.
-struct Box {
+struct BoundingBox {
   Eigen::Vector3d min;
   Eigen::Vector3d max;
 };
@@ -27,6 +28,6 @@ double area(const TriangleMesh& mesh);                              ///< [m2]
 /// face inwards, without meaning when the mesh is open.
 double volume(const TriangleMesh& mesh);
 
-Box bounding_box(const TriangleMesh& mesh);
+BoundingBox bounding_box(const TriangleMesh& mesh);
 
-}  // namespace dipper
+}  // namespace dipper::mesh

@@ -39,9 +39,10 @@ class Watch {
   void report(std::vector<std::string>& messages) const {
     if (worst_ <= kRoundOff) return;
     const bool below = value_ < low_;
-    messages.push_back(fmt::format("{} is {:.3f} {} at {:.3f} s, {} the limit of {:.3f} {} (from {:.3f} s)",
-                                   what_, value_ * factor_, unit_, t_s_, below ? "below" : "above",
-                                   (below ? low_ : high_) * factor_, unit_, first_s_));
+    messages.push_back(
+        fmt::format("{} is {:.3f} {} at {:.3f} s, {} the limit of {:.3f} {} (from {:.3f} s)", what_,
+                    value_ * factor_, unit_, t_s_, below ? "below" : "above",
+                    (below ? low_ : high_) * factor_, unit_, first_s_));
   }
 
  private:
@@ -60,10 +61,10 @@ ShovelKinematics::ShovelKinematics(const MachineData& machine, const Pose& X_W0,
 }
 
 double ShovelKinematics::rope_path(double saddle, double crowd) const {
-  const Pose X_HE = Pose{Quaterniond::Identity(), machine_.saddle.position} *
-                    Pose{elevate(saddle), Vector3d::Zero()} *
-                    Pose{Quaterniond::Identity(),
-                         Vector3d(machine_.handle.reach_at_zero_crowd + crowd, 0, 0)};
+  const Pose X_HE =
+      Pose{Quaterniond::Identity(), machine_.saddle.position} *
+      Pose{elevate(saddle), Vector3d::Zero()} *
+      Pose{Quaterniond::Identity(), Vector3d(machine_.handle.reach_at_zero_crowd + crowd, 0, 0)};
   const Vector3d p_HL = X_HE * (X_EB_ * machine_.dipper.bail);
   return sheave_path(in_plane(machine_.rope.drum - machine_.boom.point),
                      in_plane(p_HL - machine_.boom.point), machine_.boom.sheave_radius)
@@ -97,11 +98,11 @@ ShovelPose ShovelKinematics::pose(const Drives& drives) const {
 
 ShovelPose ShovelKinematics::pose(const Drives& drives, double saddle) const {
   const Quaterniond swing(Eigen::AngleAxisd(drives.swing, Vector3d::UnitZ()));
-  const Pose X_WB =
-      X_W0_ * Pose{swing, Vector3d::Zero()} * Pose{elevate(saddle), machine_.saddle.position} *
-      Pose{Quaterniond::Identity(),
-           Vector3d(machine_.handle.reach_at_zero_crowd + drives.crowd, 0, 0)} *
-      X_EB_;
+  const Pose X_WB = X_W0_ * Pose{swing, Vector3d::Zero()} *
+                    Pose{elevate(saddle), machine_.saddle.position} *
+                    Pose{Quaterniond::Identity(),
+                         Vector3d(machine_.handle.reach_at_zero_crowd + drives.crowd, 0, 0)} *
+                    X_EB_;
   const Pose X_BD{elevate(-drives.door), machine_.door.hinge};
   return {saddle, X_WB, X_WB * X_BD};
 }
@@ -139,14 +140,16 @@ std::vector<std::string> ShovelKinematics::check(const Motion& motion) const {
         for (const Vector3d& p_B : {Vector3d(0, side, -half.z()), Vector3d(tip, side, -half.z())}) {
           ground.see((X.X_WB * p_B).z() - X_W0_.p.z(), t_s);
         }
-        ground.see((X.X_WD * Vector3d(0, side, -machine_.dipper.inside.z())).z() - X_W0_.p.z(), t_s);
+        ground.see((X.X_WD * Vector3d(0, side, -machine_.dipper.inside.z())).z() - X_W0_.p.z(),
+                   t_s);
       }
     } catch (const std::domain_error& e) {
       if (reached) messages.push_back(fmt::format("at {:.3f} s {}", t_s, e.what()));
       reached = false;
     }
   }
-  for (const Watch* w : {&hoist, &crowd, &door, &hoist_speed, &crowd_speed, &swing_speed, &ground}) {
+  for (const Watch* w :
+       {&hoist, &crowd, &door, &hoist_speed, &crowd_speed, &swing_speed, &ground}) {
     w->report(messages);
   }
   return messages;

@@ -27,11 +27,10 @@ class Reader {
    public:
     Group(Reader& reader, YAML::Node node, std::string path)
         : reader_(reader), node_(std::move(node)), path_(std::move(path)) {
-      if (!node_.IsMap()) {
-        reader_.fault(node_.Mark(), path_ + " must be a mapping");
-        node_ = YAML::Node(YAML::NodeType::Map);
-        broken_ = true;
-      }
+      if (node_.IsMap()) return;
+      if (node_) reader_.fault(node_.Mark(), path_ + " must be a mapping");
+      node_ = YAML::Node(YAML::NodeType::Map);
+      broken_ = true;  // said once: its entries are not reported one by one
     }
     Group(const Group&) = delete;
     Group& operator=(const Group&) = delete;
@@ -45,10 +44,7 @@ class Reader {
       }
     }
 
-    Group group(const std::string& key) {
-      const YAML::Node child = find(key);
-      return {reader_, child ? child : YAML::Node(YAML::NodeType::Map), prefix() + key};
-    }
+    Group group(const std::string& key) { return {reader_, find(key), prefix() + key}; }
 
     std::string text(const std::string& key) {
       const YAML::Node value = entry(key, "-");
@@ -116,8 +112,9 @@ class Reader {
         }
       }
       if (node["unit"].as<std::string>("") != unit) {
-        reader_.fault(node["unit"].Mark(), fmt::format("{} has unit \"{}\"; it must be \"{}\"", name,
-                                                       node["unit"].as<std::string>(""), unit));
+        reader_.fault(node["unit"].Mark(),
+                      fmt::format("{} has unit \"{}\"; it must be \"{}\"", name,
+                                  node["unit"].as<std::string>(""), unit));
       }
       if (node["source"].as<std::string>("").empty()) {
         reader_.fault(node["source"].Mark(), name + " needs a source");
@@ -194,11 +191,11 @@ MachineData read(Reader& reader, const YAML::Node& file) {
   }
   {
     auto g = root.group("limits");
-    m.limits = {g.number("hoist_min", "m"),       g.number("hoist_max", "m"),
-                g.number("crowd_min", "m"),       g.number("crowd_max", "m"),
-                g.positive("hoist_speed", "m/s"), g.positive("crowd_speed", "m/s"),
+    m.limits = {g.number("hoist_min", "m"),         g.number("hoist_max", "m"),
+                g.number("crowd_min", "m"),         g.number("crowd_max", "m"),
+                g.positive("hoist_speed", "m/s"),   g.positive("crowd_speed", "m/s"),
                 g.positive("swing_speed", "deg/s"), g.number("door_min", "deg"),
-                g.number("door_max", "deg"),      g.number("saddle_min", "deg"),
+                g.number("door_max", "deg"),        g.number("saddle_min", "deg"),
                 g.number("saddle_max", "deg")};
   }
   return m;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "coupler/motion/input_error.hpp"
 
@@ -85,8 +86,9 @@ Motion Motion::parse(std::string_view text, const std::string& name) {
 
     const std::vector<Field> fields = split(line);
     if (fields.size() != kColumns.size()) {
-      fault(line_number, line.size() + 1,
-            fmt::format("{} columns; each row has {}: {}", fields.size(), kColumns.size(), kHeader));
+      fault(
+          line_number, line.size() + 1,
+          fmt::format("{} columns; each row has {}: {}", fields.size(), kColumns.size(), kHeader));
       continue;
     }
     std::array<double, 5> row{};
@@ -99,7 +101,8 @@ Motion Motion::parse(std::string_view text, const std::string& name) {
     }
     if (!good) continue;
     if (std::abs(row[0]) > kLongest_s) {
-      fault(line_number, 1, fmt::format("time_s is {}; it must be within {} s", row[0], kLongest_s));
+      fault(line_number, 1,
+            fmt::format("time_s is {}; it must be within {} s", row[0], kLongest_s));
       continue;
     }
     const std::int64_t t_ns = std::llround(row[0] * 1e9);
@@ -166,6 +169,11 @@ DriveState Motion::at(double t_s) const {
     a[j] = (2 * c2 + 6 * c3 * s) / (h * h);
   }
   return {drives(x), drives(v), drives(a)};
+}
+
+std::int64_t Motion::next_row_ns(std::int64_t t_ns) const {
+  const auto row = std::upper_bound(t_ns_.begin(), t_ns_.end(), t_ns);
+  return row == t_ns_.end() ? std::numeric_limits<std::int64_t>::max() : *row;
 }
 
 Drives Motion::value(std::int64_t t_ns) const {

@@ -48,6 +48,9 @@ class Motion {
   /// All three at a time in seconds, for an integrator's stages between ticks.
   DriveState at(double t_s) const;
 
+  /// The first row after a time, where the acceleration may jump; int64's maximum after the last.
+  std::int64_t next_row_ns(std::int64_t t_ns) const;
+
   std::int64_t start_ns() const { return t_ns_.front(); }
   std::int64_t end_ns() const { return t_ns_.back(); }
 

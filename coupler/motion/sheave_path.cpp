@@ -19,8 +19,8 @@ Tangent tangent(const Vector2d& end, double radius, double side) {
   const double distance = end.norm();
   if (!(distance > radius)) {
     throw std::domain_error(fmt::format(
-        "the rope's end is {:.3f} m from the sheave's axis, inside its radius of {:.3f} m", distance,
-        radius));
+        "the rope's end is {:.3f} m from the sheave's axis, inside its radius of {:.3f} m",
+        distance, radius));
   }
   const double angle = std::atan2(end.y(), end.x()) + side * std::acos(radius / distance);
   const double length = std::sqrt(distance * distance - radius * radius);

@@ -103,6 +103,7 @@ void Record::next() {
 }
 
 void Record::flush() {
+  if (pending_ == 0) return;
   errno = 0;
   for (auto& d : datasets_) {
     const int rank = d.columns == 1 ? 1 : 2;
@@ -123,6 +124,34 @@ void Record::flush() {
   rows_ += pending_;
   pending_ = 0;
   if (H5Fflush(id_, H5F_SCOPE_GLOBAL) < 0) fail("flush");
+}
+
+std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
+                                 std::size_t column) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t dataset = id < 0 ? -1 : H5Dopen2(id, name.c_str(), H5P_DEFAULT);
+  if (dataset < 0) {
+    if (id >= 0) H5Fclose(id);
+    throw std::runtime_error("cannot read dataset '" + name + "' of " + file.string());
+  }
+  const hid_t space = H5Dget_space(dataset);
+  hsize_t size[2] = {0, 1};
+  H5Sget_simple_extent_dims(space, size, nullptr);
+  std::vector<double> values(size[0]);
+  const hsize_t start[2] = {0, column};
+  const hsize_t count[2] = {size[0], 1};
+  H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr);
+  const hid_t memory = H5Screate_simple(1, size, nullptr);
+  const herr_t status =
+      size[0] == 0 ? 0
+                   : H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data());
+  H5Sclose(memory);
+  H5Sclose(space);
+  H5Dclose(dataset);
+  H5Fclose(id);
+  if (status < 0) throw std::runtime_error("cannot read dataset '" + name + "' of " + file.string());
+  return values;
 }
 
 }  // namespace dipper

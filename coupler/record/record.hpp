@@ -52,4 +52,8 @@ class Record {
   std::size_t pending_ = 0;  // in memory
 };
 
+/// Reads one column of a dataset of a record. Throws std::runtime_error naming file and dataset.
+std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
+                                 std::size_t column = 0);
+
 }  // namespace dipper

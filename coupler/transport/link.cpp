@@ -22,6 +22,8 @@ Body Link::ask(Body request, std::int64_t step_index, std::int64_t t_ns) {
   transport_.publish(to_, bytes);
   const auto start = Clock::now();
   auto sent = start;
+  // Until the other side has answered once it may still be starting: ask often, and count nothing.
+  auto patience = established_ ? options_.resend : std::chrono::milliseconds(100);
   while (true) {
     options_.watch();
     const auto packet = transport_.receive(std::chrono::milliseconds(50));
@@ -32,6 +34,7 @@ Body Link::ask(Body request, std::int64_t step_index, std::int64_t t_ns) {
           require_sound(reply, side_, bodies);
           const auto* status = std::get_if<Status>(&reply.body);
           if (status != nullptr && !status->ok) throw PeerError(side_, status->text);
+          established_ = true;
           return std::move(reply.body);
         }
       } catch (const DecodeError&) {
@@ -44,10 +47,12 @@ Body Link::ask(Body request, std::int64_t step_index, std::int64_t t_ns) {
       throw PeerError(side_, fmt::format("no answer for {} s",
                                          static_cast<double>(options_.timeout.count()) * 1e-3));
     }
-    if (now - sent > options_.resend) {
+    if (now - sent > patience) {
       transport_.publish(to_, bytes);
-      requester_.count_resend();
       sent = now;
+      if (!established_) continue;
+      requester_.count_resend();
+      patience *= 2;  // a long window is no loss
     }
   }
 }

@@ -19,7 +19,7 @@ struct PeerError : std::runtime_error {
 
 /// How long to wait, and what to look after meanwhile.
 struct LinkOptions {
-  std::chrono::milliseconds resend{500};
+  std::chrono::milliseconds resend{1000};
   std::chrono::milliseconds timeout{60000};
   /// Called at least every 50 ms while waiting; throws when waiting has become pointless
   /// (a process ended, the user wants to stop).
@@ -49,6 +49,7 @@ class Link {
   std::string to_, from_;
   Requester requester_;
   LinkOptions options_;
+  bool established_ = false;
 };
 
 }  // namespace dipper

@@ -52,6 +52,11 @@ void RemoteMachine::load(const std::filesystem::path& file) {
 }
 void RemoteMachine::stop() { link_.tell(Command{Action::stop, ""}, step_index_, t_ns_); }
 
+void RemoteMachine::resume_at(std::int64_t step_index, std::int64_t t_ns) {
+  step_index_ = step_index;
+  t_ns_ = t_ns;
+}
+
 RemoteRock::RemoteRock(Link& link) : link_(link) {
   info_ = info_from_json(command(link_, Action::hello, "", 0, 0));
   link_.bodies = info_.bodies;
@@ -82,6 +87,10 @@ void RemoteRock::load(const std::filesystem::path& file) {
   command(link_, Action::load, file, step_index_, t_ns_);
 }
 std::string RemoteRock::state_hash() { return command(link_, Action::hash, "", step_index_, t_ns_); }
+void RemoteRock::resume_at(std::int64_t step_index, std::int64_t dem_step) {
+  step_index_ = step_index;
+  t_ns_ = dem_step * dt_ns_;
+}
 void RemoteRock::stop() { link_.tell(Command{Action::stop, ""}, step_index_, t_ns_); }
 
 }  // namespace dipper

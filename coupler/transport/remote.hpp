@@ -15,6 +15,8 @@ class RemoteMachine final : public Machine {
                     bool commit) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
+  /// For the headers of messages, after a checkpoint has been loaded.
+  void resume_at(std::int64_t step_index, std::int64_t t_ns);
   void stop();
 
  private:
@@ -33,6 +35,8 @@ class RemoteRock final : public Rock {
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
   std::string state_hash() override;
+  /// For the headers of messages, when the other side has started from a checkpoint.
+  void resume_at(std::int64_t step_index, std::int64_t dem_step);
   void stop();
 
  private:

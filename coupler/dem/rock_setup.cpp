@@ -1,4 +1,6 @@
-#include "coupler/dem/setup_json.hpp"
+#include "coupler/dem/rock_setup.hpp"
+
+#include <array>
 
 namespace dipper {
 
@@ -7,7 +9,10 @@ using nlohmann::json;
 namespace {
 
 json array(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Vector3d vector(const json& j) { return {j.at(0), j.at(1), j.at(2)}; }
+Vector3d vector(const json& j) {
+  const auto v = j.get<std::array<double, 3>>();
+  return {v[0], v[1], v[2]};
+}
 
 }  // namespace
 
@@ -24,7 +29,7 @@ json to_json(const RockSetup& setup) {
   }
   return {{"deck", setup.deck},     {"variables", setup.variables}, {"log", setup.log},
           {"screen", setup.screen}, {"bodies", setup.bodies},       {"resumed", setup.resumed},
-          {"scales", scales},       {"first_step", setup.first_step}};
+          {"scales", scales}};
 }
 
 RockSetup rock_setup_from(const json& j) {
@@ -35,12 +40,11 @@ RockSetup rock_setup_from(const json& j) {
   setup.screen = j.at("screen");
   setup.bodies = j.at("bodies").get<std::vector<std::string>>();
   setup.resumed = j.at("resumed");
-  setup.first_step = j.at("first_step");
   for (const auto& s : j.at("scales")) {
-    const auto& R = s.at("R_WS");
+    const auto R = s.at("R_WS").get<std::array<double, 4>>();
     setup.scales.push_back({s.at("name"),
                             s.at("body"),
-                            {{R.at(0), R.at(1), R.at(2), R.at(3)}, vector(s.at("p_WS"))},
+                            {Quaterniond(R[0], R[1], R[2], R[3]), vector(s.at("p_WS"))},
                             vector(s.at("min_m")),
                             vector(s.at("max_m"))});
   }

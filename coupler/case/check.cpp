@@ -1,0 +1,32 @@
+// check_case: what only the parts together tell.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "coupler/case/case.hpp"
+#include "coupler/case/check_parts.hpp"
+
+namespace fs = std::filesystem;
+
+namespace dipper {
+
+std::vector<Finding> check_case(const Case& c) {
+  std::vector<Finding> findings;
+  std::map<std::string, mesh::TriangleMesh> bodies;
+  for (const auto& [name, file] : c.bodies) {
+    if (auto body = check::load_sound_mesh(c, "bodies." + name, file, findings)) {
+      bodies.emplace(name, std::move(*body));
+    }
+  }
+  if (const auto truck = check::load_sound_mesh(c, "truck.mesh", c.truck.mesh, findings)) {
+    check::check_truck_in_domain(c, *truck, findings);
+  }
+  check::check_pile_in_domain(c, findings);
+  if (const auto motion = check::check_motion(c, bodies, findings)) {
+    check::check_windows(c, *motion, findings);
+  }
+  check::check_rock(c, findings);
+  return findings;
+}
+
+}  // namespace dipper

@@ -1,0 +1,43 @@
+#include "coupler/case/check_command.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "coupler/deck/deck.hpp"
+#include "coupler/motion/motion.hpp"
+
+namespace dipper {
+namespace {
+
+std::string summary(const Case& c) {
+  double rocks = 0;
+  for (const ClassCount& count : rock_counts(c)) rocks += count.rocks;
+  const double motion_s = static_cast<double>(Motion::load(c.machine.motion).end_ns()) * 1e-9;
+  const double end_s = c.end_s > 0 ? c.end_s : motion_s;
+  const double steps = std::ceil(end_s / c.dem.timestep_s - 1e-6);
+  const double settle_steps = std::ceil((c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s);
+  return fmt::format(
+      "about {:.0f} rocks, {:g} s simulated in {:.0f} steps and {:.0f} windows of {:g} ms, after "
+      "{:.0f} steps that settle the pile",
+      rocks, end_s, steps, std::ceil(steps / c.coupling.sync_steps),
+      c.coupling.sync_steps * c.dem.timestep_s * 1e3, settle_steps);
+}
+
+}  // namespace
+
+int check_command(const std::filesystem::path& folder, const std::vector<Override>& overrides,
+                  std::ostream& out) {
+  std::vector<Finding> findings;
+  const Case c = load_case(folder, overrides, findings);
+  if (findings.empty()) findings = check_case(c);
+  for (const Finding& finding : findings) out << to_string(finding) << '\n';
+  if (findings.empty()) {
+    out << c.name << " is sound: " << summary(c) << '\n';
+    return 0;
+  }
+  out << findings.size() << (findings.size() == 1 ? " error\n" : " errors\n");
+  return 2;
+}
+
+}  // namespace dipper

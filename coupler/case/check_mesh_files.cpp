@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "coupler/case/check_parts.hpp"
+#include "coupler/deck/pile_shape.hpp"
+#include "coupler/mesh/mesh_check.hpp"
+#include "coupler/mesh/stl.hpp"
+
+namespace fs = std::filesystem;
+
+namespace dipper::check {
+namespace {
+
+constexpr std::size_t faults_shown = 10;  // a file: the first few tell what is wrong with it
+constexpr double pi = 3.14159265358979323846;
+
+// "reaches y = 28.3 m, 0.3 m beyond the domain's 28", once a side of the box that is passed.
+void check_box(const Case& c, const std::string& key, const std::string& what,
+               const mesh::BoundingBox& box, Findings& findings) {
+  for (int i = 0; i < 3; ++i) {
+    const auto report = [&](double reached, double limit, const char* corner) {
+      findings.push_back(
+          finding_at(c, key,
+                     fmt::format("{} reaches {} = {:.4g} m, {:.3g} m outside of {}'s {:g}", what,
+                                 "xyz"[i], reached, std::abs(reached - limit), corner, limit)));
+    };
+    if (box.min[i] < c.domain.min_m[i]) report(box.min[i], c.domain.min_m[i], "domain.min_m");
+    if (box.max[i] > c.domain.max_m[i]) report(box.max[i], c.domain.max_m[i], "domain.max_m");
+  }
+}
+
+}  // namespace
+
+std::optional<mesh::TriangleMesh> load_sound_mesh(const Case& c, const std::string& key,
+                                                  const fs::path& file, Findings& findings) {
+  if (!fs::is_regular_file(file)) {
+    findings.push_back(finding_at(c, key, "no such file: " + file.string()));
+    return std::nullopt;
+  }
+  try {
+    mesh::TriangleMesh mesh = mesh::read_stl(file);
+    const auto faults = mesh::check_mesh(mesh);
+    for (std::size_t i = 0; i < faults.size() && i < faults_shown; ++i) {
+      findings.push_back({file, 0, key, faults[i].message});
+    }
+    if (faults.size() > faults_shown) {
+      findings.push_back(
+          {file, 0, key, fmt::format("and {} faults more", faults.size() - faults_shown)});
+    }
+    return mesh;
+  } catch (const mesh::StlError& e) {
+    const std::string where = e.byte >= 0 ? fmt::format("at byte {}: ", e.byte) : "";
+    findings.push_back({file, e.line, key, where + e.what()});
+    return std::nullopt;
+  }
+}
+
+void check_truck_in_domain(const Case& c, const mesh::TriangleMesh& truck, Findings& findings) {
+  mesh::TriangleMesh placed = truck;
+  const Eigen::AngleAxisd turn(c.truck.heading_deg * pi / 180, Eigen::Vector3d::UnitZ());
+  for (Eigen::Vector3d& v : placed.vertices) v = c.truck.position_m + turn * v;
+  check_box(c, "truck.position_m", "the truck", mesh::bounding_box(placed), findings);
+}
+
+// The bench from the toe to its rear wall, and the rock above it before it falls.
+void check_pile_in_domain(const Case& c, Findings& findings) {
+  const PileShape shape = pile_shape(c);
+  const double half = c.pile.width_m / 2;
+  check_box(c, "pile", "the pile",
+            {{c.pile.toe_x_m, -half, 0}, {shape.rear_x_m, half, c.pile.height_m}}, findings);
+  const double top = shape.pour_height_m;
+  if (c.pile.height_m <= c.domain.max_m.z() && top > c.domain.max_m.z()) {
+    findings.push_back(finding_at(
+        c, "domain.max_m",
+        fmt::format("z = {:g} is too low: the rock for this pile is poured up to z = {:.4g} m",
+                    c.domain.max_m.z(), top)));
+  }
+}
+
+}  // namespace dipper::check

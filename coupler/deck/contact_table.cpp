@@ -1,0 +1,85 @@
+#include "coupler/deck/contact_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace dipper {
+namespace {
+
+struct Pair {
+  double kn, meff, friction, rolling;
+};
+
+double damping(double share_of_critical, double stiffness, double meff) {
+  return 2 * share_of_critical * std::sqrt(stiffness / meff);
+}
+
+}  // namespace
+
+std::vector<RockClass> rock_classes(const Case& c) {
+  std::vector<RockClass> out;
+  for (const SizeClass& s : c.rock.classes) {
+    const auto spheres = std::count(s.shapes.begin(), s.shapes.end(), "sphere");
+    if (s.shapes.empty() || (spheres != 0 && s.shapes.size() != 1))
+      throw std::invalid_argument("rock.classes: " + s.name +
+                                  ": shapes must be [sphere] or names of rock shapes");
+    const double r = s.size_m * c.rock.coarse_graining / 2;
+    out.push_back({r, c.rock.density_kg_m3 * 4.0 / 3.0 * M_PI * r * r * r, spheres == 1});
+  }
+  return out;
+}
+
+AtomTypes atom_types(const Case& c) { return {static_cast<int>(c.rock.classes.size())}; }
+
+ContactTable contact_table(const Case& c) {
+  const std::vector<RockClass> rocks = rock_classes(c);
+  const AtomTypes types = atom_types(c);
+  const ContactCase& k = c.contact;
+  const double bulk = c.rock.youngs_modulus_Pa / (3 * (1 - 2 * c.rock.poisson_ratio));
+
+  ContactTable t;
+  for (Eigen::MatrixXd* m :
+       {&t.kn, &t.kt, &t.gamman, &t.gammat, &t.friction, &t.rolling, &t.meff_kg})
+    m->setZero(types.count(), types.count());
+  const auto set = [&](int a, int b, const Pair& p) {
+    for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
+      t.kn(i, j) = p.kn;
+      t.kt(i, j) = k.tangential_scale * p.kn;
+      t.gamman(i, j) = damping(k.normal_damping, p.kn, p.meff);
+      t.gammat(i, j) = damping(k.tangential_damping, k.tangential_scale * p.kn, p.meff);
+      t.friction(i, j) = p.friction;
+      t.rolling(i, j) = p.rolling;
+      t.meff_kg(i, j) = p.meff;
+    }
+  };
+
+  for (int i = 0; i < types.classes; ++i) {
+    const RockClass& a = rocks[static_cast<std::size_t>(i)];
+    for (int j = i; j < types.classes; ++j) {
+      const RockClass& b = rocks[static_cast<std::size_t>(j)];
+      const double r1 = a.radius_m, r2 = b.radius_m;
+      Pair p{k.normal_scale * bulk * r1 * r2 / (r1 + r2),
+             a.mass_kg * b.mass_kg / (a.mass_kg + b.mass_kg), k.friction_rock_rock, 0};
+      if (a.is_sphere && b.is_sphere) {
+        p.friction = k.friction_sphere_sphere;
+        p.rolling = k.rolling_friction_sphere * (1 + std::min(r1, r2) / std::max(r1, r2));
+      } else if (a.is_sphere || b.is_sphere) {
+        p.friction = k.friction_sphere_rock;
+        p.rolling = k.rolling_friction_sphere * (a.is_sphere ? 1 + r1 / r2 : 1 + r2 / r1);
+      }
+      set(i, j, p);
+    }
+    const double kn = k.normal_scale * bulk * a.radius_m;
+    const auto wall = [&](int type, double friction, double rolling) {
+      set(i, type - 1, {kn, a.mass_kg, friction, a.is_sphere ? rolling : 0});
+    };
+    wall(types.dipper(), k.friction_dipper, k.rolling_friction_sphere);
+    wall(types.ground(), k.friction_ground, k.rolling_friction_ground);
+    wall(types.truck(), k.friction_truck, k.rolling_friction_ground);
+    wall(types.sides(), 0, 0);
+  }
+  return t;
+}
+
+}  // namespace dipper

@@ -1,0 +1,64 @@
+// The paper's contact law (Svanberg et al. 2021, Eqs. 3-8) as LIGGGHTS coefficients.
+//
+// LIGGGHTS `model hooke/stiffness tangential history rolling_friction cdt limitForce on`, for a
+// pair of types, with m = m1 m2/(m1 + m2) of the two *bodies* (a sub-sphere counts with the mass
+// of its rock; against a wall m is the body's mass):
+//
+//   F_n = kn d_n - gamman m v_n        Eq. 3, so gamman = c_n/m = 2 D_n sqrt(kn/m)       (Eq. 6)
+//   F_t = kt s_t - gammat m v_t        kt = C_tan kn, gammat = 2 D_t sqrt(kt/m)
+//   M   = mu' r1 r2/(r1 + r2) kn d_n   rolling; against a wall mu' r kn d_n              (Eq. 8)
+//
+// limitForce keeps F_n >= 0: rock does not stick. While F_t is at its bound mu F_n (Eq. 7) the
+// damping term is left out, as LIGGGHTS does; below it the damping may exceed the bound.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper {
+
+/// All bodies of a class have one mass: size is the volume-equivalent diameter.
+struct RockClass {
+  double radius_m = 0;  ///< volume-equivalent, coarse-grained
+  double mass_kg = 0;
+  bool is_sphere = false;
+};
+
+/// One per case.rock.classes, in order. Throws std::invalid_argument for a class that mixes spheres
+/// and other shapes, or has no shape.
+std::vector<RockClass> rock_classes(const Case& c);
+
+/// The LIGGGHTS atom types: 1 ... n the size classes, then the walls.
+struct AtomTypes {
+  int classes = 0;
+  int dipper() const { return classes + 1; }
+  int ground() const { return classes + 2; }
+  int truck() const { return classes + 3; }
+  int sides() const { return classes + 4; }  ///< frictionless
+  int count() const { return classes + 4; }
+};
+AtomTypes atom_types(const Case& c);
+
+/// Symmetric; row and column are type - 1. Wall against wall never meets: zero.
+struct ContactTable {
+  Eigen::MatrixXd kn;        ///< N/m
+  Eigen::MatrixXd kt;        ///< N/m
+  Eigen::MatrixXd gamman;    ///< 1/s
+  Eigen::MatrixXd gammat;    ///< 1/s
+  Eigen::MatrixXd friction;  ///< mu, Eq. 7
+  Eigen::MatrixXd rolling;   ///< mu'
+  Eigen::MatrixXd meff_kg;   ///< m above; what gamman was computed with
+};
+
+/// K_n = C k1 r1 k2 r2/(k1 r1 + k2 r2), k = E/(3(1 - 2 nu)) (Eqs. 4, 5); a wall is the limit of the
+/// same k and an infinite radius, K_n = C k r.
+///
+/// Rolling: the paper's M = mu_r r F_n with the sphere's own radius r (the smaller of two). LIGGGHTS
+/// uses r1 r2/(r1 + r2), so mu' = mu_r (1 + r/R) with the partner's radius R: 2 mu_r for equal
+/// spheres, mu_r on walls. Against a rock R is its volume-equivalent radius (the sub-sphere that
+/// touches has another: approximate). Rocks among themselves and on walls have none.
+ContactTable contact_table(const Case& c);
+
+}  // namespace dipper

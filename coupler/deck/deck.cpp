@@ -1,0 +1,218 @@
+#include "coupler/deck/deck.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "coupler/deck/contact_table.hpp"
+#include "coupler/deck/pile_shape.hpp"
+#include "coupler/deck/pile_walls.hpp"
+#include "coupler/deck/rock_shape.hpp"
+
+namespace dipper {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+/// LIGGGHTS wants primes above 10,000; a different one for each stream k of a case.
+std::int64_t prime_seed(std::int64_t seed, int k) {
+  constexpr std::int64_t kSpan = 800'000;
+  const std::int64_t mixed = (seed * 104'729 + k * 7'919) % kSpan;
+  std::int64_t n = 10'007 + (mixed < 0 ? mixed + kSpan : mixed);
+  const auto prime = [](std::int64_t m) {
+    for (std::int64_t d = 2; d * d <= m; ++d)
+      if (m % d == 0) return false;
+    return true;
+  };
+  while (!prime(n)) ++n;
+  return n;
+}
+
+std::string case_in(const Case& c) {
+  const PileShape pile = pile_shape(c);
+  const AtomTypes types = atom_types(c);
+  std::string out = "# Written by dipper from the case: what dem_in/*.in needs of it.\n";
+  const auto var = [&](const std::string& name, double v, const char* note) {
+    out += fmt::format("variable {:<16} index {:.9g}   # {}\n", name, v, note);
+  };
+  const auto text = [&](const std::string& name, const std::string& v, const char* note) {
+    out += fmt::format("variable {:<16} index {}   # {}\n", name, v, note);
+  };
+  var("timestep", c.dem.timestep_s, "s");
+  const std::array<const char*, 3> axis = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) {
+    var(fmt::format("{}lo", axis[static_cast<std::size_t>(i)]), c.domain.min_m[i], "m, box");
+    var(fmt::format("{}hi", axis[static_cast<std::size_t>(i)]), c.domain.max_m[i], "m");
+  }
+  text("types", std::to_string(types.count()), "size classes, then the walls:");
+  text("dipper_type", std::to_string(types.dipper()), "");
+  text("ground_type", std::to_string(types.ground()), "");
+  text("truck_type", std::to_string(types.truck()), "");
+  text("sides_type", std::to_string(types.sides()), "frictionless");
+  var("toe", c.pile.toe_x_m, "m, x of the bench's toe");
+  var("rear", pile.rear_x_m, "m, x of the wall behind it");
+  var("height", c.pile.height_m, "m");
+  var("half_width", c.pile.width_m / 2, "m");
+  const double face = c.pile.face_angle_deg * M_PI / 180;
+  var("face_nx", -std::sin(face), "normal of the face, outwards");
+  var("face_nz", std::cos(face), "");
+  var("pour_height", pile.pour_height_m, "m");
+  var("pour_run", pile.crest_x_m - c.pile.toe_x_m, "m, x from the toe to the pour's crest");
+  var("pour_mass", pile.mass_kg, "kg");
+  var("settle_time", c.pile.settle_s, "s, with the sheet");
+  var("relax_time", c.pile.relax_s, "s, without");
+  text("pour_seed", std::to_string(prime_seed(c.seed, 0)), "");
+  text("dipper_mesh", c.bodies.at("dipper").generic_string(), "");
+  text("door_mesh", c.bodies.at("door").generic_string(), "");
+  text("truck_mesh", c.truck.mesh.generic_string(), "");
+  for (int i = 0; i < 3; ++i)
+    var(fmt::format("truck_{}", axis[static_cast<std::size_t>(i)]), c.truck.position_m[i], "m");
+  var("truck_heading", c.truck.heading_deg, "deg, about z");
+  return out;
+}
+
+std::string table(const std::string& name, const std::string& comment, const Eigen::MatrixXd& m) {
+  std::string out = fmt::format("\n# {}\nfix {} all property/global {} peratomtypepair {}", comment,
+                                name, name, m.rows());
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    out += " &\n ";
+    for (Eigen::Index j = 0; j < m.cols(); ++j) out += fmt::format(" {:>11.5e}", m(i, j));
+  }
+  return out + "\n";
+}
+
+std::string material_in(const Case& c) {
+  const ContactTable t = contact_table(c);
+  std::string out =
+      "# Written by dipper from the case. Svanberg et al. 2021, Eqs. 3-8 and Table 2, as\n"
+      "# coupler/deck/contact_table.hpp maps them. Row and column are atom types:\n#";
+  int type = 0;
+  for (const SizeClass& s : c.rock.classes) out += fmt::format(" {} {},", ++type, s.name);
+  out += fmt::format(" {} dipper, {} ground, {} truck, {} sides.\n", type + 1, type + 2, type + 3,
+                     type + 4);
+  out += table("kn", "K_n [N/m], Eqs. 4, 5", t.kn);
+  out += table("kt", "K_t = C_tan K_n [N/m]", t.kt);
+  out += table("gamman", "c_n/m [1/s], Eq. 6: 2 D_n sqrt(K_n/m)", t.gamman);
+  out += table("gammat", "c_t/m [1/s], Eq. 6: 2 D_t sqrt(K_t/m)", t.gammat);
+  out += table("coefficientFriction", "mu, Eq. 7", t.friction);
+  out += table("coefficientRollingFriction", "mu', Eq. 8", t.rolling);
+  return out;
+}
+
+struct Template {
+  std::string fix;
+  double mass_share;
+};
+
+std::string rocks_in(const Case& c, const std::map<std::string, RockShape>& shapes) {
+  const std::vector<RockClass> classes = rock_classes(c);
+  const double rho = c.rock.density_kg_m3;
+  std::string out =
+      "# Written by dipper from the case: one template a class and shape. Mass and inertia are the\n"
+      "# mesh's (use_density keeps them, and keeps LIGGGHTS from moving the centre of mass).\n"
+      "group spheres type 1\n";
+  std::vector<Template> templates;
+  int shape_type = 0;
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const SizeClass& s = c.rock.classes[i];
+    const double size = 2 * classes[i].radius_m;
+    for (const std::string& shape : s.shapes) {
+      const std::string fix = s.name + "_" + shape;
+      const auto seed = prime_seed(c.seed, 1 + static_cast<int>(templates.size()));
+      templates.push_back({fix, s.mass_percent / 100 / static_cast<double>(s.shapes.size())});
+      if (classes[i].is_sphere) {
+        out += fmt::format(
+            "\nfix {} spheres particletemplate/sphere {} atom_type {} density constant {:.9g} &\n"
+            "  radius constant {:.9g}\n",
+            fix, seed, i + 1, rho, classes[i].radius_m);
+        continue;
+      }
+      const RockShape& rock = shapes.at(shape);
+      const Eigen::Matrix3d J = rho * std::pow(size, 5) * rock.mass.inertia_m5;
+      out += fmt::format(
+          "\nfix {} all particletemplate/multisphere {} atom_type {} density constant {:.9g} &\n"
+          "  nspheres {} ntry 200000 spheres file ${{deck}}/{}.spheres scale {:.9g} &\n"
+          "  type {} mass {:.9g} use_density &\n"
+          "  inertia_tensor {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n",
+          fix, seed, i + 1, rho, rock.spheres.size(),
+          shape, size, ++shape_type,
+          classes[i].mass_kg, J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2));
+    }
+  }
+  out += fmt::format("\nfix grading all particledistribution/discrete/massbased {} {}",
+                     prime_seed(c.seed, 1 + static_cast<int>(templates.size())), templates.size());
+  for (const Template& t : templates) out += fmt::format(" &\n  {} {:.9g}", t.fix, t.mass_share);
+  return out + "\n";
+}
+
+std::string sphere_file(const RockShape& shape) {
+  std::string out = fmt::format("# {}: x y z radius, volume-equivalent diameter 1\n", shape.name);
+  for (const Sphere& s : shape.spheres)
+    out += fmt::format("{:.6f} {:.6f} {:.6f} {:.6f}\n", s.centre_m.x(), s.centre_m.y(),
+                       s.centre_m.z(), s.radius_m);
+  return out;
+}
+
+}  // namespace
+
+PileShape pile_shape(const Case& c) {
+  const PileCase& p = c.pile;
+  PileShape s;
+  const double run = p.height_m / std::tan(p.face_angle_deg * M_PI / 180);
+  s.crest_x_m = p.toe_x_m + run;
+  s.rear_x_m = s.crest_x_m + p.crest_depth_m;
+  s.volume_m3 = p.width_m * p.height_m * (run / 2 + p.crest_depth_m);
+  s.mass_kg = kSpare * kSettledFraction * c.rock.density_kg_m3 * s.volume_m3;
+  s.pour_height_m = p.height_m * kSpare * kSettledFraction / kPouredFraction;
+  return s;
+}
+
+std::vector<ClassCount> rock_counts(const Case& c) {
+  const std::vector<RockClass> classes = rock_classes(c);
+  const double mass = pile_shape(c).mass_kg;
+  std::vector<ClassCount> out;
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    out.push_back({c.rock.classes[i].name,
+                   mass * c.rock.classes[i].mass_percent / 100 / classes[i].mass_kg});
+  return out;
+}
+
+void write_deck(const Case& c, const fs::path& shapes, const fs::path& folder) {
+  std::set<std::string> bodies;
+  for (const auto& [name, mesh] : c.bodies) bodies.insert(name);
+  if (bodies != std::set<std::string>{"dipper", "door"})
+    throw std::invalid_argument("bodies: dem_in/dig.in loads exactly dipper and door");
+  for (const ClassCount& k : rock_counts(c))
+    if (k.rocks < 1)
+      throw std::invalid_argument(
+          fmt::format("rock.classes: {}: the pile holds {:.2f} rocks of this class; make the pile "
+                      "larger or the class smaller",
+                      k.name, k.rocks));
+
+  std::map<std::string, RockShape> used;
+  for (const SizeClass& s : c.rock.classes)
+    for (const std::string& name : s.shapes)
+      if (name != "sphere" && used.count(name) == 0)
+        used[name] = read_rock_shape(shapes / (name + ".yaml"));
+
+  fs::create_directories(folder);
+  write(folder / "case.in", case_in(c));
+  write(folder / "material.in", material_in(c));
+  write(folder / "rocks.in", rocks_in(c, used));
+  for (const auto& [name, shape] : used) write(folder / (name + ".spheres"), sphere_file(shape));
+  write(folder / "funnel.stl", to_stl("funnel", funnel_walls(c)));
+  write(folder / "sides.stl", to_stl("sides", bench_walls(c)));
+}
+
+}  // namespace dipper

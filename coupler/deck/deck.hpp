@@ -1,0 +1,33 @@
+// The files a LIGGGHTS run of a case reads (besides dem_in/*.in and the wall meshes).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper {
+
+/// How many rocks of one class the pour holds.
+struct ClassCount {
+  std::string name;
+  double rocks = 0;  ///< expected, before rounding
+};
+std::vector<ClassCount> rock_counts(const Case& c);
+
+/// Writes into `folder` (created):
+///   case.in      variables: box, step, walls, pile, truck, body meshes, ranks
+///   material.in  type-pair tables (contact_table.hpp)
+///   rocks.in     templates of the classes and their distribution by mass
+///   NAME.spheres one per rock shape, diameter 1 m
+///   funnel.stl   frictionless walls while the rock settles: sides, rear, retaining sheet
+///   sides.stl    the same sides and rear cut down along the bench, for the dig
+/// `shapes` is the folder with NAME.yaml of every shape (meshes/rocks). Paths of meshes are written
+/// as the case has them: relative ones are seen from where LIGGGHTS starts. The folder can be moved.
+/// Throws std::invalid_argument naming the key for a case that gives no deck (a body other than
+/// dipper and door, a class with less than one rock), std::runtime_error for files.
+void write_deck(const Case& c, const std::filesystem::path& shapes,
+                const std::filesystem::path& folder);
+
+}  // namespace dipper

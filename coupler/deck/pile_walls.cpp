@@ -1,0 +1,90 @@
+#include "coupler/deck/pile_walls.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>  // cross
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "coupler/deck/pile_shape.hpp"
+
+namespace dipper {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kFacet_m = 1.2;
+constexpr double kMargin_m = 1.0;  // of the walls over the bench, and in front of the toe
+// Walls reach below the ground: a rock at the foot must not find the edge of a facet.
+constexpr double kFoot_m = 0.3;
+
+/// Facets of a rectangle with sides u, v and outward normal u x v, where `keep` (of the facet's
+/// corner nearest the origin corner) says so.
+void add_rectangle(TriangleMesh& mesh, const Vector3d& corner, const Vector3d& u, const Vector3d& v,
+                   const std::function<bool(const Vector3d&)>& keep) {
+  const int nu = std::max(1, static_cast<int>(std::lround(u.norm() / kFacet_m)));
+  const int nv = std::max(1, static_cast<int>(std::lround(v.norm() / kFacet_m)));
+  for (int i = 0; i < nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      const auto at = [&](int a, int b) {
+        return Vector3d(corner + u * (static_cast<double>(i + a) / nu) +
+                        v * (static_cast<double>(j + b) / nv));
+      };
+      if (!keep(at(0, 0)) && !keep(at(1, 0))) continue;
+      mesh.push_back({at(0, 0), at(1, 0), at(1, 1)});
+      mesh.push_back({at(0, 0), at(1, 1), at(0, 1)});
+    }
+}
+
+/// Sides and rear over x0 ... rear, up to `top`.
+TriangleMesh sides_and_rear(const Case& c, double x0, double top,
+                            const std::function<bool(const Vector3d&)>& keep) {
+  const double y = c.pile.width_m / 2, x1 = pile_shape(c).rear_x_m, z0 = -kFoot_m;
+  const Vector3d along(x1 - x0, 0, 0), across(0, 2 * y, 0), up(0, 0, top - z0);
+  TriangleMesh mesh;
+  add_rectangle(mesh, {x0, y, z0}, along, up, keep);        // normal -y
+  TriangleMesh right;
+  add_rectangle(right, {x0, -y, z0}, along, up, keep);      // normal -y: turned
+  for (const Triangle& t : right) mesh.push_back({t[0], t[2], t[1]});
+  TriangleMesh rear;
+  add_rectangle(rear, {x1, -y, z0}, across, up, keep);      // normal +x: turned
+  for (const Triangle& t : rear) mesh.push_back({t[0], t[2], t[1]});
+  return mesh;
+}
+
+}  // namespace
+
+TriangleMesh funnel_walls(const Case& c) {
+  const PileShape p = pile_shape(c);
+  const double y = c.pile.width_m / 2, x0 = c.pile.toe_x_m;
+  const auto all = [](const Vector3d&) { return true; };
+  TriangleMesh mesh = sides_and_rear(c, x0 - kMargin_m, p.pour_height_m + kMargin_m, all);
+  // Through the toe line, as steep as the pour's front; continued to both ends.
+  const Vector3d slope(p.crest_x_m - x0, 0, p.pour_height_m);
+  const Vector3d below = -slope * (kFoot_m / slope.z()), foot(x0, -y, 0);
+  add_rectangle(mesh, foot + below, slope - below, {0, 2 * y, 0}, all);
+  return mesh;
+}
+
+TriangleMesh bench_walls(const Case& c) {
+  const double rise = std::tan(c.pile.face_angle_deg * M_PI / 180), toe = c.pile.toe_x_m;
+  return sides_and_rear(c, toe - kMargin_m, c.pile.height_m + kMargin_m, [&](const Vector3d& p) {
+    return p.z() < std::max(0.0, rise * (p.x() - toe)) + kMargin_m;
+  });
+}
+
+std::string to_stl(const std::string& name, const TriangleMesh& mesh) {
+  std::string out = "solid " + name + "\n";
+  for (const Triangle& t : mesh) {
+    const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]).normalized() + Vector3d::Zero();
+    out += fmt::format(" facet normal {:.6g} {:.6g} {:.6g}\n  outer loop\n", n.x() + 0.0,
+                       n.y() + 0.0, n.z() + 0.0);
+    for (const Vector3d& p : t)
+      out += fmt::format("   vertex {:.7g} {:.7g} {:.7g}\n", p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);
+    out += "  endloop\n endfacet\n";
+  }
+  return out + "endsolid " + name + "\n";
+}
+
+}  // namespace dipper

@@ -1,0 +1,24 @@
+#include "coupler/deck/stable_timestep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dipper {
+
+double critical_step(double omega, double zeta) {
+  return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / omega;
+}
+
+double stable_timestep(const Case& c) {
+  const ContactTable t = contact_table(c);
+  const double n = std::sqrt(static_cast<double>(kContacts));
+  double step = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < t.kn.size(); ++i)
+    if (t.kn(i) > 0)
+      step = std::min(step, critical_step(n * std::sqrt(t.kn(i) / t.meff_kg(i)),
+                                          n * c.contact.normal_damping));
+  return step;
+}
+
+}  // namespace dipper

@@ -1,0 +1,27 @@
+// How long a DEM step may be.
+#pragma once
+
+#include "coupler/deck/contact_table.hpp"
+
+namespace dipper {
+
+/// The longest step [s] at which one damped contact of angular frequency omega = sqrt(K/m) [1/s]
+/// and damping ratio zeta stays bounded in LIGGGHTS's velocity Verlet. There the force is computed
+/// from the half-step velocity, which lags: with u the half-step velocity,
+///   u' = u (1 - 2 zeta W) - omega W x,  x' = x + dt u',  W = omega dt,
+/// whose eigenvalues stay in the unit circle for W < 2 (sqrt(1 + zeta^2) - zeta). Without damping
+/// that is the familiar 2; at zeta = 0.9 it is 0.89.
+double critical_step(double omega, double zeta);
+
+/// The step [s] that keeps the bulk bounded: critical_step of the fastest pair of the table with
+/// kContacts contacts working on the same motion, which multiplies stiffness and damping:
+/// omega sqrt(n), zeta sqrt(n). For equal spheres and D_n = 0.9 it is 0.125 sqrt(m/K_n); the paper
+/// ran 4.5e-5 s = 0.11 sqrt(m/K_n) (section 4). The mass in a contact is the whole rock's, so light
+/// sub-spheres do not shorten the step.
+double stable_timestep(const Case& c);
+
+/// Six: a neighbour on every side. Measured on a settling pile (tests/deck), where 2.2 times this
+/// step is where the pile heats up.
+inline constexpr int kContacts = 6;
+
+}  // namespace dipper

@@ -1,0 +1,36 @@
+// What dipper-dem is started with: the launcher writes it, LiggghtsRock reads it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coupler/core/frames.hpp"
+
+namespace dipper {
+
+/// A box that rock is weighed in: fixed to a body, or to the world.
+struct Scale {
+  std::string name;  ///< the channel, in kg
+  std::string body;  ///< "" for a fixed box
+  Pose X_WS;         ///< the fixed box's frame; unused with a body
+  Vector3d min_m, max_m;
+};
+
+/// What dipper-dem is started with (written by the launcher as JSON).
+struct RockSetup {
+  std::string deck;                                            ///< LIGGGHTS input script
+  std::vector<std::pair<std::string, std::string>> variables;  ///< -var NAME VALUE
+  std::string log;                                             ///< LIGGGHTS log file
+  std::string screen;                                          ///< LIGGGHTS screen output
+  std::vector<std::string> bodies;                             ///< fix ids of the moving walls
+  std::vector<Scale> scales;
+  bool resumed = false;  ///< the deck reads a checkpoint: the walls are already in place
+};
+
+/// As JSON, and back.
+nlohmann::json to_json(const RockSetup& setup);
+RockSetup rock_setup_from(const nlohmann::json& j);
+
+}  // namespace dipper

@@ -1,0 +1,91 @@
+#include "coupler/run/checkpoint.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace dipper {
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+json to_json(const Wrench& F) {
+  return {F.torque.x(), F.torque.y(), F.torque.z(), F.force.x(), F.force.y(), F.force.z()};
+}
+json to_json(const Pose& X) {
+  return {X.p.x(), X.p.y(), X.p.z(), X.R.w(), X.R.x(), X.R.y(), X.R.z()};
+}
+
+/// Whole checkpoints, oldest first.
+std::vector<fs::path> list(const fs::path& checkpoints) {
+  std::vector<fs::path> found;
+  if (!fs::exists(checkpoints)) return found;
+  for (const auto& entry : fs::directory_iterator(checkpoints)) {
+    if (fs::exists(entry.path() / "coupling.json") && entry.path().extension() != ".part") {
+      found.push_back(entry.path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, Rock& rock,
+                           Machine& machine) {
+  const fs::path place = checkpoints / fmt::format("{:09d}", c.step_index);
+  c.folder = place.string() + ".part";
+  fs::remove_all(c.folder);
+  fs::create_directories(c.folder);
+  rock.save(c.rock());
+  machine.save(c.machine());
+  json held = json::array(), walls = json::array();
+  for (const auto& F : c.held) held.push_back(to_json(F));
+  for (const auto& X : c.X_WB_wall) walls.push_back(to_json(X));
+  std::ofstream out(c.folder / "coupling.json");
+  out << json{{"step_index", c.step_index},   {"dem_step", c.dem_step},
+              {"held", held},                 {"walls", walls},
+              {"record_rows", c.record_rows}, {"rock_work_J", c.rock_work_J},
+              {"machine_work_J", c.machine_work_J}, {"dem_cpu_s", c.dem_cpu_s},
+              {"mbs_cpu_s", c.mbs_cpu_s}}
+             .dump(1);
+  if (!out.flush()) throw std::runtime_error("cannot write " + (c.folder / "coupling.json").string());
+  out.close();
+  fs::remove_all(place);
+  fs::rename(c.folder, place);
+  c.folder = place;
+  const auto all = list(checkpoints);
+  for (std::size_t i = 0; i + 2 < all.size(); ++i) fs::remove_all(all[i]);
+  return c;
+}
+
+std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
+  const auto all = list(checkpoints);
+  if (all.empty()) return std::nullopt;
+  std::ifstream in(all.back() / "coupling.json");
+  const json j = json::parse(in);
+  Checkpoint c;
+  c.folder = all.back();
+  c.step_index = j.at("step_index");
+  c.dem_step = j.at("dem_step");
+  for (const auto& f : j.at("held")) {
+    const auto v = f.get<std::array<double, 6>>();
+    c.held.push_back({Vector3d(v[0], v[1], v[2]), Vector3d(v[3], v[4], v[5])});
+  }
+  for (const auto& x : j.at("walls")) {
+    const auto v = x.get<std::array<double, 7>>();
+    c.X_WB_wall.push_back({Quaterniond(v[3], v[4], v[5], v[6]), Vector3d(v[0], v[1], v[2])});
+  }
+  c.record_rows = j.at("record_rows");
+  c.rock_work_J = j.at("rock_work_J");
+  c.machine_work_J = j.at("machine_work_J");
+  c.dem_cpu_s = j.at("dem_cpu_s");
+  c.mbs_cpu_s = j.at("mbs_cpu_s");
+  return c;
+}
+
+}  // namespace dipper

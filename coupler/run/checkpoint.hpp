@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "coupler/core/coupling.hpp"
+
+namespace dipper {
+
+/// Where a run can go on from: one folder under checkpoints/, whole or not there at all.
+struct Checkpoint {
+  std::filesystem::path folder;
+  std::int64_t step_index = 0;
+  std::int64_t dem_step = 0;
+  std::vector<Wrench> held;      ///< by the machine, into the next window
+  std::vector<Pose> X_WB_wall;   ///< the walls as LIGGGHTS has them
+  std::size_t record_rows = 0;
+  double rock_work_J = 0, machine_work_J = 0;
+  double dem_cpu_s = 0, mbs_cpu_s = 0;
+
+  std::filesystem::path rock() const { return folder / "rock.restart"; }
+  std::filesystem::path machine() const { return folder / "machine.state"; }
+};
+
+/// Has both sides save, then adds coupling.json and moves the folder into place; older checkpoints
+/// but the last are removed. Returns it with `folder` set.
+Checkpoint save_checkpoint(const std::filesystem::path& checkpoints, Checkpoint c, Rock& rock,
+                           Machine& machine);
+
+/// The newest whole checkpoint, if any.
+std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& checkpoints);
+
+}  // namespace dipper

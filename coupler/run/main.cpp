@@ -1,0 +1,111 @@
+// dipper: the command. Exit status: 0 done; 2 bad usage or input; 3 a run failed; 4 interrupted.
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "coupler/case/check_command.hpp"
+#include "coupler/run/installation.hpp"
+#include "coupler/run/interrupt.hpp"
+#include "coupler/run/network.hpp"
+#include "coupler/run/paired_run.hpp"
+
+namespace dipper {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the words of the command line say.
+struct Words {
+  std::string folder;
+  std::string out;
+  std::vector<std::string> set;
+  int ranks = 0;
+  std::optional<long> seed;
+  bool resume = false;
+};
+
+std::vector<Override> overrides(const Words& words) {
+  std::vector<Override> all;
+  for (const auto& s : words.set) {
+    const auto equals = s.find('=');
+    if (equals == std::string::npos) {
+      throw CLI::ValidationError("--set " + s, "write key=value, as in --set coupling.scheme=serial");
+    }
+    all.push_back({s.substr(0, equals), s.substr(equals + 1)});
+  }
+  if (words.ranks > 0) all.push_back({"dem.ranks", std::to_string(words.ranks)});
+  if (words.seed) all.push_back({"seed", std::to_string(*words.seed)});
+  return all;
+}
+
+/// The folder asked for, or runs/NAME, runs/NAME-2, ...: a result is never written over.
+fs::path run_folder(const Words& words, const std::string& name) {
+  if (!words.out.empty()) return words.out;
+  fs::path folder = fs::path("runs") / name;
+  for (int k = 2; !words.resume && fs::exists(folder); ++k) {
+    folder = fs::path("runs") / fmt::format("{}-{}", name, k);
+  }
+  return folder;
+}
+
+int run_command(const Words& words) {
+  if (check_command(words.folder, overrides(words), std::cout) != 0) return 2;
+  std::vector<Finding> findings;
+  const Case c = load_case(words.folder, overrides(words), findings);
+  RunOptions options;
+  options.out = run_folder(words, c.name);
+  options.resume = words.resume;
+  const bool there = fs::exists(options.out / "record.h5");
+  if (there && !words.resume) {
+    fmt::print(stderr, "dipper: {} holds a run already; choose another --out, or --resume it\n",
+               options.out.string());
+    return 2;
+  }
+  if (words.resume && !there) {
+    fmt::print(stderr, "dipper: {} holds no run to resume; leave out --resume, or name the run's "
+               "folder with --out\n", options.out.string());
+    return 2;
+  }
+  catch_interrupts();
+  enter_private_network();
+  return static_cast<int>(paired_run(c, options));
+}
+
+int command_line(int argc, char** argv) {
+  CLI::App app{"Dipper: a mining rope shovel and the rock it digs, co-simulated.", "dipper"};
+  app.set_version_flag("--version", version());
+  app.require_subcommand(1);
+  Words words;
+  const auto add = [&](const char* name, const char* what) {
+    auto* sub = app.add_subcommand(name, what);
+    sub->add_option("CASE", words.folder, "a folder with a case.yaml")->required();
+    sub->add_option("--set", words.set, "KEY=VALUE instead of what the case says");
+    return sub;
+  };
+  auto* check = add("check", "check a case: every error at once");
+  auto* run = add("run", "run a case: LIGGGHTS digs, Simbody drives");
+  run->add_option("--out", words.out, "the run's folder (default: runs/NAME)");
+  run->add_option("--ranks", words.ranks, "MPI ranks of the rock side")->check(CLI::PositiveNumber);
+  run->add_option("--seed", words.seed, "seed of the pile");
+  run->add_flag("--resume", words.resume, "continue from the last checkpoint");
+  try {
+    app.parse(argc, argv);
+    if (*check) return check_command(words.folder, overrides(words), std::cout);
+    return run_command(words);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  }
+}
+
+}  // namespace
+}  // namespace dipper
+
+int main(int argc, char** argv) {
+  try {
+    return dipper::command_line(argc, argv);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "dipper: {}\n", e.what());
+    return 3;
+  }
+}

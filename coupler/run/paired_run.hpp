@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper {
+
+/// What `dipper run` was asked for.
+struct RunOptions {
+  std::filesystem::path out;  ///< the run's folder
+  bool resume = false;        ///< continue the run in `out` from its last checkpoint
+};
+
+/// How a run ended; the value is the program's exit status (design: Commands).
+enum class Outcome { complete = 0, failed = 3, interrupted = 4 };
+
+/// Runs a checked case: settles or finds the pile, starts both sides, steps them to the end, writes
+/// the run folder. Failures of a side end here, with a message on stderr.
+Outcome paired_run(const Case& c, const RunOptions& options);
+
+}  // namespace dipper

@@ -1,0 +1,92 @@
+#include "coupler/run/pile.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "coupler/core/sha256.hpp"
+#include "coupler/run/installation.hpp"
+#include "coupler/run/interrupt.hpp"
+#include "coupler/run/last_words.hpp"
+#include "coupler/run/process.hpp"
+
+namespace dipper {
+namespace fs = std::filesystem;
+namespace {
+
+std::string read_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// Everything the bench depends on: the case's keys about rock, its bench and the DEM, the deck
+/// that settles it, the files that deck includes, and the program that runs it.
+std::string pile_hash(const Case& c, const fs::path& deck) {
+  std::string all = "LIGGGHTS 3.8.0\n";
+  std::istringstream lines(c.text);
+  for (std::string line; std::getline(lines, line);) {
+    for (const char* section : {"rock.", "contact.", "pile.", "domain.", "dem.", "seed"}) {
+      // A path says where the shapes are, not what they are: their spheres are hashed below.
+      if (line.rfind(section, 0) == 0 && line.rfind("rock.shape_folder", 0) != 0) {
+        all += line + '\n';
+      }
+    }
+  }
+  all += read_file(source_folder() / "dem_in" / "settle.in");
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(deck)) {
+    if (entry.path().filename() != "case.in") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) all += file.filename().string() + '\n' + read_file(file);
+  return sha256(all);
+}
+
+}  // namespace
+
+Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
+  const fs::path entry = cache_folder() / "piles" / pile_hash(c, deck);
+  Pile pile{entry / "pile.restart", fs::exists(entry / "pile.restart"), 0};
+  if (pile.cached) return pile;
+
+  const auto began = std::chrono::steady_clock::now();
+  const fs::path work = entry.string() + fmt::format(".{}.part", getpid());
+  fs::create_directories(work);
+  const fs::path screen = logs / "settle.screen";
+  Process liggghts(
+      mpirun(c.dem.ranks,
+             {"liggghts", "-in", (source_folder() / "dem_in" / "settle.in").string(), "-log",
+              (logs / "settle.liggghts").string(), "-screen", screen.string(), "-var", "deck",
+              deck.string(), "-var", "out", work.string(), "-var", "ranks_y",
+              std::to_string(c.dem.ranks)}),
+      logs / "settle.log");
+  while (!liggghts.wait(std::chrono::milliseconds(100))) {
+    if (interrupts() > 0) {
+      liggghts.end();
+      fs::remove_all(work);
+      throw Interrupted();
+    }
+  }
+  if (!liggghts.succeeded() || !fs::exists(work / "pile.restart")) {
+    fs::remove_all(work);
+    throw std::runtime_error(fmt::format("settling the pile failed: {} ({})",
+                                         last_words(logs / "settle.log", screen),
+                                         *liggghts.ended()));
+  }
+  std::error_code lost_race;
+  fs::rename(work, entry, lost_race);
+  if (lost_race) fs::remove_all(work);  // another run was faster; its bench is the same
+  pile.wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return pile;
+}
+
+}  // namespace dipper

@@ -1,0 +1,91 @@
+#include "coupler/run/sides.hpp"
+
+#include <sys/random.h>
+
+#include <array>
+#include <chrono>
+#include <fmt/core.h>
+
+#include "coupler/run/installation.hpp"
+#include "coupler/run/interrupt.hpp"
+#include "coupler/run/last_words.hpp"
+#include "coupler/transport/peer_config.hpp"
+
+namespace dipper {
+namespace {
+
+constexpr const char* kLcmUrl = "udpm://239.255.76.67:7667?ttl=0";
+
+std::string random_token() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    throw std::runtime_error("the kernel gives no random bytes for a run token");
+  }
+  std::string token;
+  for (const auto b : bytes) token += fmt::format("{:02x}", b);
+  return token;
+}
+
+}  // namespace
+
+Sides::Sides(const SidesSetup& setup) : setup_(setup) {
+  const std::string url = kLcmUrl;
+  Envelope identity;
+  identity.run_token = random_token();
+  identity.run_id = setup.run_id;
+  identity.case_hash = setup.case_hash;
+
+  transport_ = std::make_unique<LcmTransport>(
+      url, std::vector<std::string>{Channels::from_dem, Channels::from_mbs});
+  const auto dem_config = setup.logs / "dem.json";
+  const auto mbs_config = setup.logs / "mbs.json";
+  write_peer_config(dem_config, {url, identity, setup.dem});
+  write_peer_config(mbs_config, {url, identity, setup.mbs});
+  dem_ = std::make_unique<Process>(
+      mpirun(setup.ranks, {program("dipper-dem"), dem_config.string()}), setup.logs / "dem.log");
+  mbs_ = std::make_unique<Process>(
+      std::vector<std::string>{program("dipper-mbs"), mbs_config.string()},
+      setup.logs / "mbs.log");
+
+  LinkOptions options;
+  options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * setup.timeout_s));
+  options.watch = [this] { watch(); };
+  // One transport hears both sides, one request is under way at a time.
+  dem_link_ = std::make_unique<Link>("dem", *transport_, Channels::to_dem, Channels::from_dem,
+                                     identity, options);
+  mbs_link_ = std::make_unique<Link>("mbs", *transport_, Channels::to_mbs, Channels::from_mbs,
+                                     identity, options);
+  machine_ = std::make_unique<RemoteMachine>(*mbs_link_);
+  rock_ = std::make_unique<RemoteRock>(*dem_link_);
+}
+
+Sides::~Sides() = default;  // the processes end with their handles
+
+void Sides::watch() {
+  check(*dem_, "dem", setup_.logs / "dem.log", setup_.dem_screen);
+  check(*mbs_, "mbs", setup_.logs / "mbs.log", {});
+  if (interrupts() > 1) throw Interrupted();
+}
+
+void Sides::check(Process& process, const std::string& side, const std::filesystem::path& log,
+                  const std::filesystem::path& screen) {
+  const auto end = process.ended();
+  if (!end) return;
+  const std::string words = last_words(log, screen);
+  throw PeerError(side, words.empty() ? *end : fmt::format("{} ({})", words, *end));
+}
+
+void Sides::end() {
+  mbs_->end();
+  dem_->end();
+}
+
+void Sides::stop() {
+  machine_->stop();
+  rock_->stop();
+  for (auto* process : {mbs_.get(), dem_.get()}) {
+    if (!process->wait(std::chrono::seconds(20))) process->end();
+  }
+}
+
+}  // namespace dipper

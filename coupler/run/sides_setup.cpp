@@ -1,0 +1,80 @@
+#include "coupler/run/sides_setup.hpp"
+
+#include <fmt/core.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+
+#include "coupler/dem/rock_setup.hpp"
+#include "coupler/run/installation.hpp"
+
+namespace dipper {
+namespace fs = std::filesystem;
+namespace {
+
+Eigen::Vector3d vector(const YAML::Node& node) {
+  const auto v = node.as<std::array<double, 3>>();
+  return {v[0], v[1], v[2]};
+}
+
+Box box(const YAML::Node& node) { return {vector(node["min_m"]), vector(node["max_m"])}; }
+
+fs::path beside(fs::path mesh) { return mesh.replace_extension(".yaml"); }
+
+}  // namespace
+
+MeshFacts read_mesh_facts(const Case& c) {
+  MeshFacts facts;
+  fs::path file = beside(c.bodies.at("dipper"));
+  try {
+    const YAML::Node dipper = YAML::LoadFile(file);
+    facts.struck_volume_m3 = dipper["struck_volume_m3"].as<double>();
+    facts.dipper_load = box(dipper["cavity"]);
+    facts.dipper_load.max_m.x() += dipper["heap_height_m"].as<double>();
+    file = beside(c.truck.mesh);
+    facts.truck_bed = box(YAML::LoadFile(file)["bed"]);
+  } catch (const YAML::Exception& e) {
+    throw std::runtime_error(
+        fmt::format("{}:{}: {}; beside a dipper's mesh: struck_volume_m3, cavity: {{min_m, max_m}}, "
+                    "heap_height_m; beside a truck's: bed: {{min_m, max_m}}",
+                    file.string(), e.mark.line + 1, e.msg));
+  }
+  return facts;
+}
+
+nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::path& deck,
+                            const fs::path& dumps, const fs::path& logs, const fs::path& restart,
+                            std::optional<std::int64_t> dem_step) {
+  RockSetup setup;
+  setup.deck = (source_folder() / "dem_in" / "dig.in").string();
+  setup.log = (logs / "dem.liggghts").string();
+  setup.screen = (logs / "dem.screen").string();
+  setup.resumed = dem_step.has_value();
+  setup.variables = {
+      {"deck", deck.string()},
+      {"pile", restart.string()},
+      {"out", dumps.string()},
+      {"first_step", std::to_string(dem_step.value_or(0))},
+      {"run_steps", "0"},
+      {"dump_steps", std::to_string(std::llround(c.output.dump_every_s / c.dem.timestep_s))},
+      // The bodies are placed by their own poses, from their own frames.
+      {"dipper_x", "0"}, {"dipper_y", "0"}, {"dipper_z", "0"}, {"door_z", "0"}};
+  setup.bodies = {"dipper", "door"};
+  Pose X_WT;
+  X_WT.p = c.truck.position_m;
+  X_WT.R = from_rotation_vector({0, 0, c.truck.heading_deg * M_PI / 180});
+  setup.scales = {
+      {"mass_in_dipper", "dipper", Pose{}, facts.dipper_load.min_m, facts.dipper_load.max_m},
+      {"mass_in_truck", "", X_WT, facts.truck_bed.min_m, facts.truck_bed.max_m}};
+  return to_json(setup);
+}
+
+nlohmann::json mbs_settings(const Case& c) {
+  const auto& p = c.machine.base_position_m;
+  return {{"model", c.machine.model.string()},
+          {"motion", c.machine.motion.string()},
+          {"base_position_m", {p.x(), p.y(), p.z()}},
+          {"rake_angle_deg", c.machine.rake_angle_deg}};
+}
+
+}  // namespace dipper

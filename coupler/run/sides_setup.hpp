@@ -1,0 +1,38 @@
+// From a case to what each side is started with.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper {
+
+/// An axis-aligned box in a mesh's own frame.
+struct Box {
+  Eigen::Vector3d min_m, max_m;
+};
+
+/// What the YAML files beside the dipper's and the truck's mesh say.
+struct MeshFacts {
+  double struck_volume_m3 = 0;
+  Box dipper_load;  ///< in B: the cavity and the heap in front of the lip
+  Box truck_bed;    ///< in T
+};
+
+/// Reads meshes/NAME.yaml beside the meshes. Throws std::runtime_error naming file and key.
+MeshFacts read_mesh_facts(const Case& c);
+
+/// dipper-dem's settings. `dem_step` is set when `restart` is a checkpoint and not a settled pile.
+nlohmann::json dem_settings(const Case& c, const MeshFacts& facts,
+                            const std::filesystem::path& deck, const std::filesystem::path& dumps,
+                            const std::filesystem::path& logs,
+                            const std::filesystem::path& restart,
+                            std::optional<std::int64_t> dem_step);
+
+/// dipper-mbs's settings.
+nlohmann::json mbs_settings(const Case& c);
+
+}  // namespace dipper

@@ -1,0 +1,44 @@
+#include "mbs/prescribed.hpp"
+
+namespace dipper {
+namespace {
+
+class DriveMotion : public SimTK::Motion::Custom::Implementation {
+ public:
+  DriveMotion(std::shared_ptr<const Motion> motion, double Drives::*which, double scale)
+      : motion_(std::move(motion)), which_(which), scale_(scale) {}
+
+  DriveMotion* clone() const override { return new DriveMotion(*this); }
+  SimTK::Motion::Level getLevel(const SimTK::State&) const override {
+    return SimTK::Motion::Position;
+  }
+  void calcPrescribedPosition(const SimTK::State& s, int, double* q) const override {
+    q[0] = scale_ * (motion_->at(s.getTime()).position.*which_);
+  }
+  void calcPrescribedPositionDot(const SimTK::State& s, int, double* qdot) const override {
+    qdot[0] = scale_ * (motion_->at(s.getTime()).rate.*which_);
+  }
+  void calcPrescribedPositionDotDot(const SimTK::State& s, int, double* qdotdot) const override {
+    qdotdot[0] = scale_ * (motion_->at(s.getTime()).acceleration.*which_);
+  }
+
+ private:
+  std::shared_ptr<const Motion> motion_;
+  double Drives::*which_;
+  double scale_;
+};
+
+}  // namespace
+
+void prescribe(SimTK::MobilizedBody& joint, std::shared_ptr<const Motion> motion,
+               double Drives::*which, double scale) {
+  SimTK::Motion::Custom(joint, new DriveMotion(std::move(motion), which, scale));
+}
+
+SimTK::Vector drive_forces(const SimTK::SimbodyMatterSubsystem& matter, const SimTK::State& state) {
+  SimTK::Vector multipliers;
+  matter.findMotionForces(state, multipliers);
+  return -multipliers;  // Simbody's appear on the left of M udot + tau = f
+}
+
+}  // namespace dipper

@@ -1,0 +1,330 @@
+#include "mbs/shovel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "coupler/motion/kinematics.hpp"
+#include "mbs/prescribed.hpp"
+#include "mbs/shovel_model.hpp"
+#include "mbs/snapshot.hpp"
+#include "mbs/stepper.hpp"
+
+namespace dipper {
+namespace {
+
+using SimTK::SpatialVec;
+using SimTK::State;
+
+constexpr std::size_t kBodies = 2;  // dipper, door
+enum Work { kDriveWork, kInterfaceWork, kDissipated, kWorks };
+
+SimTK::Vec3 vec(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Vector3d vec(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Pose pose(const SimTK::Transform& X) {
+  const SimTK::Quaternion q = X.R().convertRotationToQuaternion();
+  return {Quaterniond(q[0], q[1], q[2], q[3]), vec(X.p())};
+}
+
+/// What the drives do at one instant.
+struct DriveReport {
+  RopeState left, right;
+  double hoist_force, crowd_force, swing_torque, door_torque;
+  double hoist_power, crowd_power, swing_power, door_power;
+  double interface_power, dissipated_power;
+};
+
+}  // namespace
+
+struct Shovel::Impl {
+  Impl(const MachineData& machine_data, Motion motion_in, const Pose& X_W0, double rake,
+       std::int64_t max_substep)
+      : machine(machine_data),
+        motion(std::make_shared<const Motion>(std::move(motion_in))),
+        model(machine, motion, X_W0, rake),
+        max_substep_ns(max_substep),
+        scratch(model.initial) {
+    if (max_substep_ns <= 0) throw std::invalid_argument("shovel: the sub-step must be positive");
+    if (motion->start_ns() != 0) {
+      throw std::invalid_argument(fmt::format(
+          "shovel: the motion starts at {} ns; it must start at 0", motion->start_ns()));
+    }
+    find_equilibrium(ShovelKinematics(machine, X_W0, rake));
+    energy_at_start = energy(scratch);
+    remember(0, SimTK::Vector(kWorks, 0.0), {});
+  }
+
+  double energy(const State& s) const { return model.system.calcEnergy(s); }
+
+  const SimTK::MobilizedBody& body(std::size_t i) const {
+    return i == 0 ? model.dipper : model.door;
+  }
+
+  void remember(std::int64_t t_ns, const SimTK::Vector& works,
+                const std::array<Wrench, kBodies>& F_Bo_W) {
+    committed = {t_ns, scratch.getQ(), scratch.getU(), works, F_Bo_W};
+    scratch_is_committed = true;
+  }
+
+  /// Puts a snapshot into the scratch State. Where it is already (the usual case after a commit),
+  /// what was realized from q and u stays.
+  void recall(const Snapshot& snapshot) {
+    hold(snapshot.F_Bo_W);
+    if (scratch_is_committed) return;
+    scratch.setTime(static_cast<double>(snapshot.t_ns) * 1e-9);
+    scratch.updQ() = snapshot.q;
+    scratch.updU() = snapshot.u;
+  }
+
+  void hold(const std::array<Wrench, kBodies>& F_Bo_W) {
+    held = F_Bo_W;
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      model.rock.setOneBodyForce(scratch, body(i),
+                                 SpatialVec(vec(F_Bo_W[i].torque), vec(F_Bo_W[i].force)));
+    }
+  }
+
+  double saddle_acceleration(double angle) {
+    scratch.updU() = 0;
+    model.saddle.setOneQ(scratch, 0, angle);
+    // Before the motion starts the drives stand still where they will be at t = 0; an acceleration
+    // in the first interval must not tilt the equilibrium.
+    realize_at(model.system, scratch, -1.0);
+    return model.saddle.getOneUDot(scratch, 0);
+  }
+
+  void find_equilibrium(const ShovelKinematics& rigid) {
+    hold({});
+    const Drives at_rest = motion->value(0);
+    double high = rigid.saddle_angle(at_rest.hoist, at_rest.crowd);  // rope just slack: falls
+    double low = high - 1e-3;
+    while (saddle_acceleration(low) <= 0) {  // until the stretched rope pulls it up
+      low -= 1e-3;
+      if (high - low > 0.2) {
+        throw std::runtime_error("the hoist ropes do not hold the dipper at t = 0");
+      }
+    }
+    while (true) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      (saddle_acceleration(middle) > 0 ? low : high) = middle;
+    }
+    realize_at(model.system, scratch, 0.0);
+  }
+
+  DriveReport drives(const State& s) const {
+    DriveReport d{};
+    const SimTK::Vector tau = drive_forces(model.matter, s);
+    const auto of = [&](const SimTK::MobilizedBody& joint) { return tau[joint.getFirstUIndex(s)]; };
+    const auto speed = [&](const SimTK::MobilizedBody& joint) { return joint.getOneU(s, 0); };
+    d.left = model.rope_left->evaluate(s);
+    d.right = model.rope_right->evaluate(s);
+    // The sheaves' inertia sits between the rope and its winch.
+    d.hoist_force =
+        d.left.tension + d.right.tension - of(model.sheaves) / machine.boom.sheave_radius;
+    d.hoist_power =
+        d.left.winch_power + d.right.winch_power + of(model.sheaves) * speed(model.sheaves);
+    d.crowd_force = of(model.handle);
+    d.crowd_power = d.crowd_force * speed(model.handle);
+    d.swing_torque = of(model.house);
+    d.swing_power = d.swing_torque * speed(model.house);
+    d.door_torque = of(model.door);
+    d.door_power = d.door_torque * speed(model.door);
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      const SpatialVec& V = body(i).getBodyVelocity(s);
+      d.interface_power += held[i].torque.dot(vec(V[0])) + held[i].force.dot(vec(V[1]));
+    }
+    const double saddle_rate = speed(model.saddle);
+    d.dissipated_power = d.left.dissipation + d.right.dissipation +
+                         machine.saddle.damping * saddle_rate * saddle_rate;
+    return d;
+  }
+
+  SimTK::Vector powers(const State& s) const {
+    const DriveReport d = drives(s);
+    SimTK::Vector p(kWorks);
+    p[kDriveWork] = d.hoist_power + d.crowd_power + d.swing_power + d.door_power;
+    p[kInterfaceWork] = d.interface_power;
+    p[kDissipated] = d.dissipated_power;
+    return p;
+  }
+
+  /// Of the scratch State, realized to Acceleration.
+  MachineState report(std::int64_t t_ns, const SimTK::Vector& works) const;
+
+  [[noreturn]] void fail(std::int64_t t0_ns, std::int64_t t1_ns, const std::string& what) const {
+    throw std::runtime_error(fmt::format(
+        "shovel: {} while stepping from {:.6f} to {:.6f} s (saddle at {:.4f} rad, {:.4f} "
+        "rad/s when it began)",
+        what, static_cast<double>(t0_ns) * 1e-9, static_cast<double>(t1_ns) * 1e-9,
+        committed.q[model.saddle.getFirstQIndex(scratch)],
+        committed.u[model.saddle.getFirstUIndex(scratch)]));
+  }
+
+  MachineData machine;
+  std::shared_ptr<const Motion> motion;
+  ShovelModel model;
+  std::int64_t max_substep_ns;
+  State scratch;
+  bool scratch_is_committed = false;  ///< scratch's t, q, u are committed's, realized
+  std::array<Wrench, kBodies> held;
+  Snapshot committed;
+  double energy_at_start = 0;
+};
+
+Shovel::Shovel(const MachineData& machine, Motion motion, const Pose& X_W0, double rake,
+               std::int64_t max_substep_ns)
+    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns)) {}
+
+Shovel::~Shovel() = default;
+
+ServerInfo Shovel::info() const {
+  int major = 0, minor = 0, build = 0;
+  SimTK_version_simbody(&major, &minor, &build);
+  ServerInfo info;
+  info.version = fmt::format("dipper-mbs, Simbody {}.{}.{}", major, minor, build);
+  info.bodies = {"dipper", "door"};
+  info.timestep_s = static_cast<double>(impl_->max_substep_ns) * 1e-9;
+  // In the order of Impl::report.
+  info.channels = {
+      {"swing", "rad", "W"},
+      {"swing_rate", "rad/s", "W"},
+      {"saddle_pitch", "rad", "H"},
+      {"saddle_rate", "rad/s", "H"},
+      {"crowd", "m", "-"},
+      {"crowd_rate", "m/s", "-"},
+      {"door", "rad", "B"},
+      {"door_rate", "rad/s", "B"},
+      {"hoist", "m", "-"},
+      {"hoist_rate", "m/s", "-"},
+      {"rope_tension_left", "N", "-"},
+      {"rope_tension_right", "N", "-"},
+      {"hoist_force", "N", "-"},
+      {"crowd_force", "N", "-"},
+      {"swing_torque", "N m", "W"},
+      {"door_torque", "N m", "B"},
+      {"hoist_power", "W", "-"},
+      {"crowd_power", "W", "-"},
+      {"swing_power", "W", "-"},
+      {"door_power", "W", "-"},
+      {"kinetic_energy", "J", "-"},
+      {"potential_energy", "J", "-"},
+      {"interface_power", "W", "-"},
+      {"dissipated_power", "W", "-"},
+      {"drive_work", "J", "-"},
+      {"interface_work", "J", "-"},
+      {"dissipated_energy", "J", "-"},
+      {"energy_residual", "J", "-"},
+  };
+  return info;
+}
+
+MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& works) const {
+  const State& s = scratch;
+  MachineState out;
+  out.t_ns = t_ns;
+  for (std::size_t i = 0; i < kBodies; ++i) {
+    const SpatialVec& V = body(i).getBodyVelocity(s);
+    out.bodies.push_back({pose(body(i).getBodyTransform(s)), {vec(V[0]), vec(V[1])}});
+  }
+  const DriveReport d = drives(s);
+  const DriveState drive = motion->at(static_cast<double>(t_ns) * 1e-9);
+  const double kinetic = model.system.calcKineticEnergy(s);
+  const double potential = model.system.calcPotentialEnergy(s);
+  const double residual = kinetic + potential - energy_at_start - works[kDriveWork] -
+                          works[kInterfaceWork] + works[kDissipated];
+  out.channels = {
+      drive.position.swing,
+      drive.rate.swing,
+      model.saddle.getOneQ(s, 0),
+      model.saddle.getOneU(s, 0),
+      drive.position.crowd,
+      drive.rate.crowd,
+      drive.position.door,
+      drive.rate.door,
+      drive.position.hoist,
+      drive.rate.hoist,
+      d.left.tension,
+      d.right.tension,
+      d.hoist_force,
+      d.crowd_force,
+      d.swing_torque,
+      d.door_torque,
+      d.hoist_power,
+      d.crowd_power,
+      d.swing_power,
+      d.door_power,
+      kinetic,
+      potential,
+      d.interface_power,
+      d.dissipated_power,
+      works[kDriveWork],
+      works[kInterfaceWork],
+      works[kDissipated],
+      residual,
+  };
+  return out;
+}
+
+MachineState Shovel::state() {
+  impl_->recall(impl_->committed);
+  realize_at(impl_->model.system, impl_->scratch,
+             static_cast<double>(impl_->committed.t_ns) * 1e-9);
+  impl_->scratch_is_committed = true;
+  return impl_->report(impl_->committed.t_ns, impl_->committed.works);
+}
+
+MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W, bool commit) {
+  const std::int64_t t0_ns = impl_->committed.t_ns;
+  if (t_end_ns <= t0_ns) {
+    throw std::invalid_argument(fmt::format(
+        "shovel: a window must go forward; it is at {} ns and asked for {} ns", t0_ns, t_end_ns));
+  }
+  if (F_Bo_W.size() != kBodies) {
+    throw std::invalid_argument(
+        fmt::format("shovel: {} wrenches; there must be {}: dipper, door", F_Bo_W.size(), kBodies));
+  }
+  for (std::size_t i = 0; i < kBodies; ++i) {
+    if (!is_finite(F_Bo_W[i])) {
+      impl_->fail(t0_ns, t_end_ns,
+                  fmt::format("the wrench on the {} is not finite", i == 0 ? "dipper" : "door"));
+    }
+  }
+
+  Snapshot from = impl_->committed;
+  from.F_Bo_W = {F_Bo_W[0], F_Bo_W[1]};
+  SimTK::Vector works = from.works;
+  try {
+    impl_->recall(from);
+    impl_->scratch_is_committed = false;
+    // One stretch for each piece of the motion, so that no jump of acceleration is inside a step.
+    for (std::int64_t t_ns = t0_ns; t_ns < t_end_ns;) {
+      const std::int64_t next_ns = std::min(t_end_ns, impl_->motion->next_row_ns(t_ns));
+      advance(
+          impl_->model.system, impl_->scratch, t_ns, next_ns, impl_->max_substep_ns,
+          [this](const State& s) { return impl_->powers(s); }, works);
+      t_ns = next_ns;
+    }
+  } catch (const std::exception& e) {
+    impl_->fail(t0_ns, t_end_ns, e.what());
+  }
+  if (!is_finite(impl_->scratch.getQ()) || !is_finite(impl_->scratch.getU()) || !is_finite(works)) {
+    impl_->fail(t0_ns, t_end_ns, "the state is not finite");
+  }
+  MachineState result = impl_->report(t_end_ns, works);
+  if (commit) impl_->remember(t_end_ns, works, from.F_Bo_W);
+  return result;
+}
+
+void Shovel::save(const std::filesystem::path& file) { dipper::save(impl_->committed, file); }
+
+void Shovel::load(const std::filesystem::path& file) {
+  impl_->committed = load_snapshot(file, impl_->committed);
+  impl_->scratch_is_committed = false;
+}
+
+}  // namespace dipper

@@ -1,0 +1,49 @@
+// The shovel as the master sees it: wrenches of the rock in, motion of dipper and door out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "coupler/core/server.hpp"
+#include "coupler/motion/machine_data.hpp"
+#include "coupler/motion/motion.hpp"
+
+namespace dipper {
+
+/// Bodies "dipper" (frame B) and "door" (frame D); the pose of each is X_WB, X_WD.
+///
+/// At construction the shovel stands still with the drives as at t = 0 and the saddle angle at
+/// which the stretched ropes carry the weight.
+///
+/// Powers: a drive's is positive when it puts energy into the machine. Works (drive_work,
+/// interface_work, dissipated_energy) are integrated from t = 0 along with the motion, and
+/// energy_residual = energy gained - drive_work - interface_work + dissipated_energy is what the
+/// integrator got wrong.
+///
+/// Errors: std::runtime_error naming what, where, when if a wrench or the result is not finite,
+/// or a joint leaves the range in which the ropes' path exists; std::invalid_argument for a wrong
+/// number of wrenches or a window that does not go forward.
+class Shovel : public Machine {
+ public:
+  /// \param X_W0 pose of the crawlers' ring (the house at swing 0) in W
+  /// \param rake handle centre line to dipper floor, rad
+  /// \param max_substep_ns the longest integrator step; windows are cut into equal ones.
+  ///        The stiffest mode, the empty dipper on the ropes, has a period of about 200 ms.
+  Shovel(const MachineData& machine, Motion motion, const Pose& X_W0, double rake,
+         std::int64_t max_substep_ns = 2'000'000);
+  ~Shovel() override;
+
+  ServerInfo info() const override;
+  MachineState state() override;
+  MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W, bool commit) override;
+  void save(const std::filesystem::path& file) override;
+  void load(const std::filesystem::path& file) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dipper

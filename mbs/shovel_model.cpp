@@ -1,0 +1,101 @@
+#include "mbs/shovel_model.hpp"
+
+#include "mbs/prescribed.hpp"
+
+namespace dipper {
+namespace {
+
+using SimTK::Rotation;
+using SimTK::Transform;
+using SimTK::Vec3;
+
+Vec3 vec(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Transform transform(const Pose& X) {
+  return {Rotation(SimTK::Quaternion(X.R.w(), X.R.x(), X.R.y(), X.R.z())), vec(X.p)};
+}
+
+/// Simbody's hinge turns about its frame's z: these turn that z to y and to -y, keeping x.
+Rotation z_to_y() { return Rotation(-SimTK::Pi / 2, SimTK::XAxis); }
+Rotation z_to_minus_y() { return Rotation(SimTK::Pi / 2, SimTK::XAxis); }
+
+/// Mass properties about a body's origin from those about its mass centre.
+SimTK::MassProperties solid(double mass, const Vec3& center, const Vec3& central_inertia) {
+  return {mass, center, SimTK::Inertia(central_inertia).shiftFromMassCenter(center, mass)};
+}
+
+}  // namespace
+
+ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> motion,
+                         const Pose& X_W0, double rake)
+    : matter(system), forces(system) {
+  forces.setNumberOfThreads(1);  // one order of summation, and nothing here is worth a thread
+  SimTK::Force::UniformGravity(forces, matter, Vec3(0, 0, -kGravity));
+
+  house = SimTK::MobilizedBody::Pin(
+      matter.Ground(), transform(X_W0),
+      SimTK::Body::Rigid(solid(m.house.mass, Vec3(0), Vec3(m.house.swing_inertia))), Transform());
+  prescribe(house, motion, &Drives::swing);
+
+  // The upper rope is rigid, so the sheaves turn with the rope paid out.
+  sheaves = SimTK::MobilizedBody::Pin(
+      house, Transform(z_to_y(), vec(m.boom.point)),
+      SimTK::Body::Rigid(solid(m.boom.sheave_mass, Vec3(0), Vec3(m.boom.sheave_inertia))),
+      Transform(z_to_y()));
+  prescribe(sheaves, motion, &Drives::hoist, 1 / m.boom.sheave_radius);
+
+  saddle = SimTK::MobilizedBody::Pin(
+      house, Transform(z_to_minus_y(), vec(m.saddle.position)),
+      SimTK::Body::Rigid(solid(m.saddle.mass, Vec3(0), Vec3(m.saddle.inertia))),
+      Transform(z_to_minus_y()));
+  SimTK::Force::MobilityLinearDamper(forces, saddle, SimTK::MobilizerUIndex(0), m.saddle.damping);
+
+  handle = SimTK::MobilizedBody::Slider(
+      saddle, Transform(Vec3(m.handle.reach_at_zero_crowd, 0, 0)),
+      SimTK::Body::Rigid(
+          solid(m.handle.mass, Vec3(m.handle.mass_center, 0, 0), vec(m.handle.inertia))),
+      Transform());
+  prescribe(handle, motion, &Drives::crowd);
+
+  const Rotation R_EB(-rake, SimTK::YAxis);
+  dipper = SimTK::MobilizedBody::Weld(
+      handle, Transform(R_EB, -(R_EB * vec(m.dipper.handle_end))),
+      SimTK::Body::Rigid(solid(m.dipper.mass, vec(m.dipper.mass_center), vec(m.dipper.inertia))),
+      Transform());
+
+  door = SimTK::MobilizedBody::Pin(
+      dipper, Transform(z_to_y(), vec(m.door.hinge)),
+      SimTK::Body::Rigid(solid(m.door.mass, vec(m.door.mass_center), vec(m.door.inertia))),
+      Transform(z_to_y()));
+  prescribe(door, motion, &Drives::door);
+
+  const auto hang = [&](double side) {
+    const Vec3 mirror(1, side, 1);
+    RopeSpec spec;
+    spec.sheave_body = house;
+    spec.sheave_center = vec(m.boom.point);
+    spec.sheave_radius = m.boom.sheave_radius;
+    spec.body_a = house;
+    spec.station_a = vec(m.rope.drum).elementwiseMultiply(mirror);
+    spec.body_b = dipper;
+    spec.station_b = vec(m.dipper.bail).elementwiseMultiply(mirror);
+    spec.axial_stiffness = m.rope.axial_stiffness;
+    spec.elastic_fraction = m.rope.elastic_fraction;
+    spec.damping = m.rope.damping;
+    const double at_zero = m.rope.length_at_zero_hoist;
+    auto* rope = new Rope(spec, [motion, at_zero](double t_s) {
+      const DriveState s = motion->at(t_s);
+      return FreeLength{at_zero + s.position.hoist, s.rate.hoist};
+    });
+    SimTK::Force::Custom(forces, rope);  // takes ownership
+    return rope;
+  };
+  rope_left = hang(+1);
+  rope_right = hang(-1);
+
+  rock = SimTK::Force::DiscreteForces(forces, matter);
+  initial = system.realizeTopology();
+  system.realizeModel(initial);
+}
+
+}  // namespace dipper

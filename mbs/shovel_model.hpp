@@ -1,0 +1,42 @@
+// The Simbody bodies, joints and forces of the shovel (Svanberg et al. 2021, Table 3).
+#pragma once
+
+#include <Simbody.h>
+
+#include <memory>
+
+#include "coupler/core/frames.hpp"
+#include "coupler/motion/machine_data.hpp"
+#include "coupler/motion/motion.hpp"
+#include "mbs/rope.hpp"
+
+namespace dipper {
+
+constexpr double kGravity = 9.81;  ///< m/s^2, along W's -z; the decks' value
+
+/// One object, built once, not copied: Simbody's handles point into each other.
+///
+///   crawlers (ground) - swing, hinge about z, prescribed - house
+///   house - boom top, hinge about y, turned by the rigid upper rope - sheaves
+///   house - saddle, hinge about -y, free - saddle block
+///   saddle block - crowd, slider along x, prescribed - handle
+///   handle - weld - dipper (frame B)
+///   dipper - hinge about y, prescribed - door (frame D)
+///   two ropes from the house over the sheaves to the dipper's bail
+struct ShovelModel {
+  ShovelModel(const MachineData& machine, std::shared_ptr<const Motion> motion, const Pose& X_W0,
+              double rake);
+  ShovelModel(const ShovelModel&) = delete;
+  ShovelModel& operator=(const ShovelModel&) = delete;
+
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter;
+  SimTK::GeneralForceSubsystem forces;
+  SimTK::MobilizedBody house, sheaves, saddle, handle, dipper, door;
+  SimTK::Force::DiscreteForces rock;  ///< the wrenches on dipper and door
+  const Rope* rope_left = nullptr;    ///< owned by `forces`
+  const Rope* rope_right = nullptr;   ///< owned by `forces`
+  SimTK::State initial;               ///< realized to Model
+};
+
+}  // namespace dipper

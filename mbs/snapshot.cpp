@@ -1,0 +1,91 @@
+#include "mbs/snapshot.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+namespace dipper {
+namespace {
+
+// The file: these 8 bytes, the sizes of q, u and works, then time, q, u, works and wrenches as
+// they are in memory: a checkpoint stays on the kind of machine that wrote it.
+constexpr char kMagic[] = "DIPMBS01";
+
+template <typename T>
+void put(std::ostream& out, const T& value) {
+  out.write(reinterpret_cast<const char*>(&value), sizeof value);
+}
+template <typename T>
+void get(std::istream& in, T& value) {
+  in.read(reinterpret_cast<char*>(&value), sizeof value);
+}
+
+/// Calls f with every number of the snapshot, in the file's order.
+template <typename S, typename F>
+void each_number(S& s, F f) {
+  for (auto* v : {&s.q, &s.u, &s.works}) {
+    for (int i = 0; i < v->size(); ++i) f((*v)[i]);
+  }
+  for (auto& F_Bo_W : s.F_Bo_W) {
+    for (int i = 0; i < 3; ++i) f(F_Bo_W.torque[i]);
+    for (int i = 0; i < 3; ++i) f(F_Bo_W.force[i]);
+  }
+}
+
+std::array<std::int64_t, 3> sizes(const Snapshot& s) {
+  return {s.q.size(), s.u.size(), s.works.size()};
+}
+
+}  // namespace
+
+bool is_finite(const SimTK::Vector& v) {
+  for (int i = 0; i < v.size(); ++i) {
+    if (!std::isfinite(v[i])) return false;
+  }
+  return true;
+}
+
+void save(const Snapshot& s, const std::filesystem::path& file) {
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out.write(kMagic, 8);
+  put(out, sizes(s));
+  put(out, s.t_ns);
+  each_number(s, [&](const double& x) { put(out, x); });
+  out.flush();
+  if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like) {
+  const auto fail = [&](const std::string& what) {
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), what));
+  };
+  std::ifstream in(file, std::ios::binary);
+  if (!in) fail("cannot be opened");
+  char magic[8] = {};
+  in.read(magic, sizeof magic);
+  if (!in || std::memcmp(magic, kMagic, sizeof magic) != 0) {
+    fail(fmt::format("is not a saved shovel: it does not begin with {}", kMagic));
+  }
+  std::array<std::int64_t, 3> n{};
+  get(in, n);
+  if (!in || n != sizes(like)) {
+    fail(fmt::format("holds {} coordinates, {} speeds and {} works; this shovel has {}, {} and {}",
+                     n[0], n[1], n[2], like.q.size(), like.u.size(), like.works.size()));
+  }
+  Snapshot s = like;
+  bool finite = true;
+  get(in, s.t_ns);
+  each_number(s, [&](double& x) {
+    get(in, x);
+    finite = finite && std::isfinite(x);
+  });
+  if (!in) fail("ends too early");
+  if (in.peek() != std::ifstream::traits_type::eof()) fail("is longer than a saved shovel");
+  if (s.t_ns < 0 || !finite) fail("holds a negative time or numbers that are not finite");
+  return s;
+}
+
+}  // namespace dipper

@@ -1,0 +1,252 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "coupler/case/check_command.hpp"
+#include "tests/case/checkout.hpp"
+
+namespace dipper {
+namespace {
+
+using test::Checkout;
+using test::expect_findings;
+using test::read_text;
+using test::write_text;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+namespace fs = std::filesystem;
+
+std::vector<Finding> check(const Checkout& checkout, const std::vector<Override>& set = {}) {
+  std::vector<Finding> findings;
+  const Case c = load_case(checkout.folder(), set, findings);
+  expect_findings(findings, {});
+  return check_case(c);
+}
+
+TEST(CheckCase, QuickIsSound) {
+  const Checkout checkout;
+  expect_findings(check(checkout), {});
+}
+
+TEST(CheckCase, EveryMissingFileAtOnce) {
+  const Checkout checkout;
+  for (const char* file : {"meshes/dipper.stl", "meshes/door.stl", "meshes/truck.stl",
+                           "mbs/bucyrus495.yaml", "cases/quick/motion.csv"}) {
+    fs::remove(checkout.root / file);
+  }
+  fs::remove_all(checkout.root / "meshes/rocks");
+  const auto file = checkout.file();
+  expect_findings(
+      check(checkout),
+      {{file, checkout.line("dipper:"), "bodies.dipper", "no such file: "},
+       {file, checkout.line("door:"), "bodies.door", "no such file: "},
+       {file, checkout.line("mesh:"), "truck.mesh", "no such file: "},
+       {file, checkout.line("model:"), "machine.model", "no such file: "},
+       {file, checkout.line("motion:"), "machine.motion", "no such file: "},
+       {file, checkout.line("shape_folder:"), "rock.shape_folder", "no such folder: "}});
+}
+
+TEST(CheckCase, BrokenMeshes) {
+  const Checkout checkout;
+  // A closed tetrahedron inside the dipper's reach, its fourth facet missing.
+  const fs::path dipper = checkout.root / "meshes/dipper.stl";
+  const auto facet = [](const char* a, const char* b, const char* c) {
+    return std::string("facet normal 0 0 0\nouter loop\nvertex ") + a + "\nvertex " + b +
+           "\nvertex " + c + "\nendloop\nendfacet\n";
+  };
+  const std::string open = "solid t\n" + facet("0 0 0", "0 1 0", "1 0 0") +
+                           facet("0 0 0", "1 0 0", "0 0 1") + facet("0 0 0", "0 0 1", "0 1 0");
+  write_text(dipper, open + "endsolid\n");
+  const fs::path door = checkout.root / "meshes/door.stl";
+  std::string text = read_text(door);
+  text.replace(text.find("vertex") + 7, 1, "x");
+  write_text(door, text);
+  const fs::path truck = checkout.root / "meshes/truck.stl";
+  write_text(truck, std::string(80, ' ') + std::string("\x02\0\0\0", 4));
+
+  int line = 1;
+  for (std::size_t i = 0; i < text.find("vertex"); ++i) line += text[i] == '\n';
+  expect_findings(
+      check(checkout),
+      {{dipper, 0, "bodies.dipper",
+        "facet 1: not closed: the edge (0, 1, 0) to (1, 0, 0) has no second facet"},
+       {dipper, 0, "bodies.dipper",
+        "facet 2: not closed: the edge (1, 0, 0) to (0, 0, 1) has no second facet"},
+       {dipper, 0, "bodies.dipper",
+        "facet 3: not closed: the edge (0, 1, 0) to (0, 0, 1) has no second facet"},
+       {door, line, "bodies.door", "where a number belongs"},
+       {truck, 0, "truck.mesh", "at byte 84: the header says 2 facets, which takes 184 bytes"}});
+}
+
+TEST(CheckCase, InvertedTruck) {
+  const Checkout checkout;
+  const fs::path truck = checkout.root / "meshes/truck.stl";
+  const std::string tetrahedron = [] {
+    std::string text = "solid t\n";
+    for (const char* f :
+         {"0 0 0\nvertex 1 0 0\nvertex 0 1 0", "0 0 0\nvertex 0 0 1\nvertex 1 0 0",
+          "0 0 0\nvertex 0 1 0\nvertex 0 0 1", "1 0 0\nvertex 0 0 1\nvertex 0 1 0"}) {
+      text += std::string("facet normal 0 0 0\nouter loop\nvertex ") + f + "\nendloop\nendfacet\n";
+    }
+    return text + "endsolid\n";
+  }();
+  write_text(truck, tetrahedron);
+  expect_findings(check(checkout), {{truck, 0, "truck.mesh",
+                                     "facet 1: its shell of 4 facets faces inwards (volume "
+                                     "-0.166667 m3)"}});
+}
+
+TEST(CheckCase, MotionFileWithTimeRunningBackwards) {
+  const Checkout checkout;
+  const fs::path motion = checkout.folder() / "motion.csv";
+  write_text(motion,
+             "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,0,0,0,0\n2,0,0,0,0\n1,0,0,0,0\n"
+             "3,0,zero,0,0\n");
+  expect_findings(check(checkout),
+                  {{motion, 4, "machine.motion", "time_s is 1, not after the row before (2 s)"},
+                   {motion, 5, "machine.motion", "crowd_m is \"zero\""}});
+}
+
+TEST(CheckCase, MotionBeyondRopeAndCrowd) {
+  Checkout checkout;
+  const fs::path motion = checkout.folder() / "motion.csv";
+  write_text(motion, "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,90,0,0,0\n50,90,25,0,0\n");
+  std::string all;
+  for (const Finding& f : check(checkout)) {
+    EXPECT_EQ(f.file, motion);
+    EXPECT_EQ(f.key, "machine.motion");
+    all += f.message + "\n";
+  }
+  EXPECT_THAT(all, HasSubstr("hoist is 90.000 m at 0.000 s, above the limit of"));
+  EXPECT_THAT(all, HasSubstr("crowd is 25.000 m at 50.000 s, above the limit of"));
+}
+
+TEST(CheckCase, BrokenMachine) {
+  const Checkout checkout;
+  const fs::path model = checkout.root / "mbs/bucyrus495.yaml";
+  write_text(model, "machine: nothing\n");
+  const auto findings = check(checkout);
+  ASSERT_FALSE(findings.empty());
+  for (const Finding& f : findings) {
+    EXPECT_EQ(f.file, model) << to_string(f);
+    EXPECT_EQ(f.key, "machine.model");
+    EXPECT_GT(f.line, 0) << to_string(f);
+  }
+}
+
+TEST(CheckCase, StepAboveTheStabilityLimit) {
+  Checkout checkout;
+  const int line = checkout.replace("timestep_s", "timestep_s: 1.0e-3");
+  const auto findings = check(checkout);
+  expect_findings(findings, {{checkout.file(), line, "dem.timestep_s",
+                              "0.001 s is above the stability limit of "}});
+  EXPECT_THAT(findings[0].message, MatchesRegex(".* limit of 0\\.000[0-9]+ s .*"));
+}
+
+TEST(CheckCase, StepOfAFractionOfANanosecond) {
+  Checkout checkout;
+  const int line = checkout.replace("timestep_s", "timestep_s: 1.23456789e-4");
+  expect_findings(check(checkout), {{checkout.file(), line, "dem.timestep_s",
+                                     "is not a whole number of nanoseconds; write 0.000123456"}});
+}
+
+TEST(CheckCase, BodiesTruckAndPileLeaveTheBox) {
+  Checkout checkout;
+  const auto file = checkout.file();
+  const int top = checkout.replace("max_m", "max_m: [25, 20, 24]");
+  const auto findings = check(checkout);
+  expect_findings(
+      findings, {{file, checkout.line("position_m"), "truck.position_m", "the truck reaches y = "},
+                 {file, checkout.line("pile"), "pile", "the pile reaches x = "},
+                 {file, top, "domain.max_m", "the dipper leaves the box at "},
+                 {file, top, "domain.max_m", "the door leaves the box at "}});
+  for (const Finding& f : findings) {
+    EXPECT_THAT(f.message, MatchesRegex(".* reaches [xy] = [0-9.]+ m, [0-9.]+ m outside of .*"));
+  }
+}
+
+TEST(CheckCase, NoRoomToPour) {
+  Checkout checkout;
+  checkout.replace("height_m", "height_m: 15");
+  expect_findings(check(checkout, {{"domain.max_m", "[45, 28, 18]"}}),
+                  {{"--set", 0, "domain.max_m", "the rock for this pile is poured up to z = "}});
+}
+
+TEST(CheckCase, Shapes) {
+  Checkout checkout;
+  const int mixed = checkout.replace(
+      "name: d300", "- {name: d300, size_m: 0.30, mass_percent: 10, shapes: [block, sphere]}");
+  const int unknown = checkout.replace(
+      "name: d400",
+      "- name: d400\n  size_m: 0.40\n  mass_percent: 9\n  shapes:\n    - block\n    - bolder");
+  write_text(checkout.root / "meshes/rocks/slab.yaml", "name: slab\n");
+  expect_findings(
+      check(checkout),
+      {{checkout.file(), mixed, "rock.classes.1.shapes", "mixes spheres and other shapes"},
+       {checkout.file(), unknown + 5, "rock.classes.2.shapes.1",
+        "no shape 'bolder'; there are block, slab, sphere, wedge"},
+       {checkout.root / "meshes/rocks/slab.yaml", 0, "rock.shape_folder", ""}});
+}
+
+TEST(CheckCase, ClassWithoutARock) {
+  Checkout checkout;
+  const int line = checkout.replace(
+      "name: d850", "- {name: d850, size_m: 9.5, mass_percent: 25, shapes: [block]}");
+  expect_findings(check(checkout), {{checkout.file(), line, "rock.classes.4.mass_percent",
+                                     "rocks of d850; for one write a size_m below "}});
+}
+
+TEST(CheckCase, WindowLongerThanTheRun) {
+  Checkout checkout;
+  const int sync = checkout.replace("sync_steps", "sync_steps: 100000");
+  expect_findings(check(checkout, {{"end_s", "5"}, {"dem.timestep_s", "1e-4"}}),
+                  {{checkout.file(), sync, "coupling.sync_steps",
+                    "a window of 100000 steps takes 10 s, longer than the 5 s simulated; at most "
+                    "50000 steps"}});
+}
+
+TEST(CheckCase, EndBeforeTheMotion) {
+  Checkout checkout;
+  const fs::path motion = checkout.folder() / "motion.csv";
+  std::string text = read_text(motion);
+  const auto first = text.find("\n0.000,");
+  ASSERT_NE(first, std::string::npos);
+  text.replace(first, 7, "\n0.200,");
+  write_text(motion, text);
+  const int line = checkout.replace("seed", "seed: 1\nend_s: 0.1") + 1;
+  expect_findings(check(checkout), {{checkout.file(), line, "end_s",
+                                     "0.1 s is before the motion starts, at 0.2 s"}});
+}
+
+TEST(CheckCase, BodiesThatTheMachineDoesNotHave) {
+  Checkout checkout;
+  const int line = checkout.replace("dipper:", "bucket: ../../meshes/dipper.stl");
+  expect_findings(check(checkout), {{checkout.file(), line, "bodies.bucket",
+                                     "the machine moves no such body; it has dipper and door"},
+                                    {checkout.file(), checkout.line("bodies"), "bodies.dipper",
+                                     "missing key; without it nothing digs"}});
+}
+
+TEST(CheckCommand, SoundCase) {
+  const Checkout checkout;
+  std::ostringstream out;
+  EXPECT_EQ(check_command(checkout.folder(), {}, out), 0);
+  EXPECT_THAT(out.str(),
+              MatchesRegex("quick is sound: about [0-9]+ rocks, [0-9.]+ s simulated in [0-9]+ "
+                           "steps and [0-9]+ windows of [0-9.]+ ms, after [0-9]+ steps that settle "
+                           "the pile\n"));
+}
+
+TEST(CheckCommand, PrintsEveryFindingAndTheirNumber) {
+  Checkout checkout;
+  const int line = checkout.replace("ranks", "ranks: none");
+  std::ostringstream out;
+  EXPECT_EQ(check_command(checkout.folder(), {{"dem.timestep_s", "-1"}}, out), 2);
+  EXPECT_EQ(out.str(), "--set: dem.timestep_s: -1 is out of range; allowed is > 0 and <= 0.1 s\n" +
+                           checkout.file().string() + ":" + std::to_string(line) +
+                           ": dem.ranks: is 'none'; write a whole number\n2 errors\n");
+}
+
+}  // namespace
+}  // namespace dipper

@@ -1,0 +1,56 @@
+// The meshes of these tests: boxes, and their STL text.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <cstring>
+#include <string>
+
+#include "coupler/mesh/triangle_mesh.hpp"
+
+namespace dipper::mesh::test {
+
+/// A closed box from `low` to `high` [m]: 12 facets, facing outwards. Facets 1 and 2 are the floor.
+inline TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.vertices.emplace_back(i & 1 ? high.x() : low.x(), i & 2 ? high.y() : low.y(),
+                               i & 4 ? high.z() : low.z());
+  }
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+/// 7 lines a facet after the first; facet N's vertices are in lines 7 N - 3 to 7 N - 1.
+inline std::string ascii_stl(const TriangleMesh& mesh) {
+  std::string text = "solid box of a test\n";
+  for (const auto& t : mesh.triangles) {
+    text += "  facet normal 0 0 0\n    outer loop\n";
+    for (const std::size_t i : t) {
+      const auto& v = mesh.vertices[i];
+      text += fmt::format("      vertex {} {} {}\n", v.x(), v.y(), v.z());
+    }
+    text += "    endloop\n  endfacet\n";
+  }
+  return text + "endsolid\n";
+}
+
+inline std::string binary_stl(const TriangleMesh& mesh) {
+  std::string bytes(80, ' ');
+  const auto put = [&](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  put(static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) put(0.0f);
+    for (const std::size_t i : t) {
+      for (int k = 0; k < 3; ++k) put(static_cast<float>(mesh.vertices[i][k]));
+    }
+    put(std::uint16_t{0});
+  }
+  return bytes;
+}
+
+}  // namespace dipper::mesh::test
