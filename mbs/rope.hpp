@@ -10,12 +10,12 @@ namespace dipper {
 /// Where a rope runs and what it is made of.
 struct RopeSpec {
   SimTK::MobilizedBody sheave_body;  ///< carries the sheave; its x-z plane is the sheave's
-  SimTK::Vec3 sheave_center;         ///< m, in sheave_body
+  SimTK::Vec3 sheave_center{0};      ///< m, in sheave_body
   double sheave_radius = 0;          ///< m
   SimTK::MobilizedBody body_a;       ///< end a: the rope runs clockwise over the sheave from here
-  SimTK::Vec3 station_a;             ///< m, in body_a
+  SimTK::Vec3 station_a{0};          ///< m, in body_a
   SimTK::MobilizedBody body_b;       ///< end b
-  SimTK::Vec3 station_b;             ///< m, in body_b
+  SimTK::Vec3 station_b{0};          ///< m, in body_b
   double axial_stiffness = 0;        ///< EA, N
   double elastic_fraction = 1;       ///< of the free length that stretches; the rest is rigid
   double damping = 0;                ///< N s/m on the rate of stretch, while taut

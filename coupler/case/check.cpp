@@ -1,12 +1,8 @@
 // check_case: what only the parts together tell.
-#include <fmt/format.h>
-
 #include <map>
 
 #include "coupler/case/case.hpp"
 #include "coupler/case/check_parts.hpp"
-
-namespace fs = std::filesystem;
 
 namespace dipper {
 

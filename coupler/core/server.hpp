@@ -55,7 +55,8 @@ class Machine {
 
 /// What a body felt over one window, and where it really is at the window's end.
 struct BodyLoad {
-  Wrench mean;  ///< mean over the window's DEM steps, about the body's origin, world axes
+  Wrench mean;  ///< over the window's DEM steps by the trapezoidal rule, so that mean * H is the
+                ///< impulse velocity Verlet gave the rock; about the body's origin, world axes
   Wrench end;   ///< at the last DEM step
   Pose X_WB;    ///< read back from the wall mesh
 };

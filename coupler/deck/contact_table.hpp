@@ -55,10 +55,10 @@ struct ContactTable {
 /// K_n = C k1 r1 k2 r2/(k1 r1 + k2 r2), k = E/(3(1 - 2 nu)) (Eqs. 4, 5); a wall is the limit of the
 /// same k and an infinite radius, K_n = C k r.
 ///
-/// Rolling: the paper's M = mu_r r F_n with the sphere's own radius r (the smaller of two). LIGGGHTS
-/// uses r1 r2/(r1 + r2), so mu' = mu_r (1 + r/R) with the partner's radius R: 2 mu_r for equal
-/// spheres, mu_r on walls. Against a rock R is its volume-equivalent radius (the sub-sphere that
-/// touches has another: approximate). Rocks among themselves and on walls have none.
+/// Rolling: the paper's M = mu_r r F_n with the sphere's own radius r (the smaller of two).
+/// LIGGGHTS uses r1 r2/(r1 + r2), so mu' = mu_r (1 + r/R) with the partner's radius R: 2 mu_r for
+/// equal spheres, mu_r on walls. Against a rock R is its volume-equivalent radius (the sub-sphere
+/// that touches has another: approximate). Rocks among themselves and on walls have none.
 ContactTable contact_table(const Case& c);
 
 }  // namespace dipper

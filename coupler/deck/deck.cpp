@@ -119,7 +119,8 @@ std::string rocks_in(const Case& c, const std::map<std::string, RockShape>& shap
   const std::vector<RockClass> classes = rock_classes(c);
   const double rho = c.rock.density_kg_m3;
   std::string out =
-      "# Written by dipper from the case: one template a class and shape. Mass and inertia are the\n"
+      "# Written by dipper from the case: one template a class and shape. Mass and inertia are "
+      "the\n"
       "# mesh's (use_density keeps them, and keeps LIGGGHTS from moving the centre of mass).\n"
       "group spheres type 1\n";
   std::vector<Template> templates;
@@ -145,9 +146,8 @@ std::string rocks_in(const Case& c, const std::map<std::string, RockShape>& shap
           "  nspheres {} ntry 200000 spheres file ${{deck}}/{}.spheres scale {:.9g} &\n"
           "  type {} mass {:.9g} use_density &\n"
           "  inertia_tensor {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n",
-          fix, seed, i + 1, rho, rock.spheres.size(),
-          shape, size, ++shape_type,
-          classes[i].mass_kg, J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2));
+          fix, seed, i + 1, rho, rock.spheres.size(), shape, size, ++shape_type, classes[i].mass_kg,
+          J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2));
     }
   }
   out += fmt::format("\nfix grading all particledistribution/discrete/massbased {} {}",
@@ -183,8 +183,8 @@ std::vector<ClassCount> rock_counts(const Case& c) {
   const double mass = pile_shape(c).mass_kg;
   std::vector<ClassCount> out;
   for (std::size_t i = 0; i < classes.size(); ++i)
-    out.push_back({c.rock.classes[i].name,
-                   mass * c.rock.classes[i].mass_percent / 100 / classes[i].mass_kg});
+    out.push_back(
+        {c.rock.classes[i].name, mass * c.rock.classes[i].mass_percent / 100 / classes[i].mass_kg});
   return out;
 }
 

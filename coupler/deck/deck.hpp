@@ -24,9 +24,9 @@ std::vector<ClassCount> rock_counts(const Case& c);
 ///   funnel.stl   frictionless walls while the rock settles: sides, rear, retaining sheet
 ///   sides.stl    the same sides and rear cut down along the bench, for the dig
 /// `shapes` is the folder with NAME.yaml of every shape (meshes/rocks). Paths of meshes are written
-/// as the case has them: relative ones are seen from where LIGGGHTS starts. The folder can be moved.
-/// Throws std::invalid_argument naming the key for a case that gives no deck (a body other than
-/// dipper and door, a class with less than one rock), std::runtime_error for files.
+/// as the case has them: relative ones are seen from where LIGGGHTS starts. The folder can be
+/// moved. Throws std::invalid_argument naming the key for a case that gives no deck (a body other
+/// than dipper and door, a class with less than one rock), std::runtime_error for files.
 void write_deck(const Case& c, const std::filesystem::path& shapes,
                 const std::filesystem::path& folder);
 

@@ -43,12 +43,12 @@ TriangleMesh sides_and_rear(const Case& c, double x0, double top,
   const double y = c.pile.width_m / 2, x1 = pile_shape(c).rear_x_m, z0 = -kFoot_m;
   const Vector3d along(x1 - x0, 0, 0), across(0, 2 * y, 0), up(0, 0, top - z0);
   TriangleMesh mesh;
-  add_rectangle(mesh, {x0, y, z0}, along, up, keep);        // normal -y
+  add_rectangle(mesh, {x0, y, z0}, along, up, keep);  // normal -y
   TriangleMesh right;
-  add_rectangle(right, {x0, -y, z0}, along, up, keep);      // normal -y: turned
+  add_rectangle(right, {x0, -y, z0}, along, up, keep);  // normal -y: turned
   for (const Triangle& t : right) mesh.push_back({t[0], t[2], t[1]});
   TriangleMesh rear;
-  add_rectangle(rear, {x1, -y, z0}, across, up, keep);      // normal +x: turned
+  add_rectangle(rear, {x1, -y, z0}, across, up, keep);  // normal +x: turned
   for (const Triangle& t : rear) mesh.push_back({t[0], t[2], t[1]});
   return mesh;
 }

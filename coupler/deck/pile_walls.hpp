@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "coupler/deck/triangle_mesh.hpp"
 #include "coupler/case/case.hpp"
+#include "coupler/deck/triangle_mesh.hpp"
 
 namespace dipper {
 

@@ -14,11 +14,11 @@ namespace dipper {
 /// rho: lengths times s, mass rho s^3 V, inertia rho s^5 J.
 struct RockShape {
   std::string name;
-  MassProperties mass;          ///< of the mesh, exact
-  std::vector<Sphere> spheres;  ///< what contacts see
-  double aspect_ratio = 1;      ///< longest by middle side of the box along the principal axes
-  double flatness = 1;          ///< shortest by middle side of that box
-  double sphericity = 1;        ///< area of the sphere of the same volume by area (Wadell)
+  MassProperties mass;              ///< of the mesh, exact
+  std::vector<Sphere> spheres;      ///< what contacts see
+  double aspect_ratio = 1;          ///< longest by middle side of the box along the principal axes
+  double flatness = 1;              ///< shortest by middle side of that box
+  double sphericity = 1;            ///< area of the sphere of the same volume by area (Wadell)
   double union_volume_error = 0;    ///< (union - mesh) / mesh
   double symmetric_difference = 0;  ///< volume in just one of them, by the mesh's
 };

@@ -87,7 +87,9 @@ std::vector<Sphere> greedy(const Grid& g, int count, double r_min) {
 void climb(const Grid& g, double diameter, double r_min, std::vector<Sphere>& spheres) {
   constexpr int kTries = 4000;
   std::mt19937 random(1);
-  const auto symmetric = [&] { return 2.0 * static_cast<double>(random()) / std::mt19937::max() - 1.0; };
+  const auto symmetric = [&] {
+    return 2.0 * static_cast<double>(random()) / std::mt19937::max() - 1.0;
+  };
   int best = mismatch(g, spheres);
   for (int k = 0; k < kTries; ++k) {
     const double step = 0.12 * diameter * (1.0 - static_cast<double>(k) / kTries);

@@ -16,8 +16,8 @@ double stable_timestep(const Case& c) {
   double step = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < t.kn.size(); ++i)
     if (t.kn(i) > 0)
-      step = std::min(step, critical_step(n * std::sqrt(t.kn(i) / t.meff_kg(i)),
-                                          n * c.contact.normal_damping));
+      step = std::min(
+          step, critical_step(n * std::sqrt(t.kn(i) / t.meff_kg(i)), n * c.contact.normal_damping));
   return step;
 }
 

@@ -88,7 +88,8 @@ TriangleMesh read_stl(const std::filesystem::path& file) {
   // The length alone tells: binary files may begin with "solid" too.
   const bool binary = count > 0 && bytes.size() == kBinaryHeader + count * kBinaryFacet;
   TriangleMesh mesh = binary ? parse_binary(bytes, count) : parse_ascii(bytes);
-  if (mesh.empty()) throw std::runtime_error(file.string() + ": no triangles; expected an STL file");
+  if (mesh.empty())
+    throw std::runtime_error(file.string() + ": no triangles; expected an STL file");
   return mesh;
 }
 

@@ -55,7 +55,7 @@ ServerInfo LiggghtsRock::info() const {
 
 RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
   for (std::size_t b = 0; b < walls_.size(); ++b) {
-    setup_.resumed ? walls_[b]->adopt(X_WB[b]) : walls_[b]->place(X_WB[b]);
+    setup_.resumed ? walls_[b]->adopt(X_WB[b], setup_.resumed->at(b)) : walls_[b]->place(X_WB[b]);
   }
   X_WB_ = X_WB;
   start();

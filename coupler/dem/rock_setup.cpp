@@ -27,8 +27,13 @@ json to_json(const RockSetup& setup) {
                       {"min_m", array(s.min_m)},
                       {"max_m", array(s.max_m)}});
   }
+  json resumed;  // null: not resumed
+  if (setup.resumed) {
+    resumed = json::array();
+    for (const auto& F : *setup.resumed) resumed.push_back({array(F.torque), array(F.force)});
+  }
   return {{"deck", setup.deck},     {"variables", setup.variables}, {"log", setup.log},
-          {"screen", setup.screen}, {"bodies", setup.bodies},       {"resumed", setup.resumed},
+          {"screen", setup.screen}, {"bodies", setup.bodies},       {"resumed", resumed},
           {"scales", scales}};
 }
 
@@ -39,7 +44,10 @@ RockSetup rock_setup_from(const json& j) {
   setup.log = j.at("log");
   setup.screen = j.at("screen");
   setup.bodies = j.at("bodies").get<std::vector<std::string>>();
-  setup.resumed = j.at("resumed");
+  if (const auto& resumed = j.at("resumed"); !resumed.is_null()) {
+    setup.resumed.emplace();
+    for (const auto& F : resumed) setup.resumed->push_back({vector(F.at(0)), vector(F.at(1))});
+  }
   for (const auto& s : j.at("scales")) {
     const auto R = s.at("R_WS").get<std::array<double, 4>>();
     setup.scales.push_back({s.at("name"),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,7 +27,8 @@ struct RockSetup {
   std::string screen;                                          ///< LIGGGHTS screen output
   std::vector<std::string> bodies;                             ///< fix ids of the moving walls
   std::vector<Scale> scales;
-  bool resumed = false;  ///< the deck reads a checkpoint: the walls are already in place
+  /// Set when the deck reads a checkpoint, with the walls in place: the loads of its last step.
+  std::optional<std::vector<Wrench>> resumed;
 };
 
 /// As JSON, and back.

@@ -57,11 +57,12 @@ void WallMotion::place(const Pose& X_WB) {
   X_WB_ = X_WB;
 }
 
-void WallMotion::adopt(const Pose& X_WB) {
+void WallMotion::adopt(const Pose& X_WB, const Wrench& last) {
   const Pose X_BW = inverse(X_WB);
   for (auto& [element, nodes] : reference_) {
     for (auto& p : nodes) p = X_BW * p;
   }
+  last_ = last;
   X_WB_ = X_WB;
 }
 
@@ -69,13 +70,15 @@ void WallMotion::begin_window(const Pose& X_WB_target, long n_steps) {
   // Starting from the pose read back takes out what rounding the last window left.
   X_WB_ = pose_from_nodes();
   V_WB_W_ = twist_between(X_WB_, X_WB_target, static_cast<double>(n_steps) * update->dt);
-  sum_ = Wrench{};
+  // Velocity Verlet gives the rock half of the first force and half of the last: the mean that
+  // keeps the momentum balance is the trapezoidal one.
+  sum_ = 0.5 * last_;
   steps_ = 0;
 }
 
 BodyLoad WallMotion::end_window() {
-  const double n = steps_ > 0 ? static_cast<double>(steps_) : 1.0;
-  return {(1.0 / n) * sum_, last_, pose_from_nodes()};
+  if (steps_ == 0) return {last_, last_, pose_from_nodes()};
+  return {(1.0 / static_cast<double>(steps_)) * (sum_ + (-0.5) * last_), last_, pose_from_nodes()};
 }
 
 int WallMotion::setmask() {

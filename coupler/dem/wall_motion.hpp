@@ -35,8 +35,9 @@ class WallMotion : public LAMMPS_NS::Fix {
   /// Puts the mesh at X_WB; before the first step only.
   void place(const Pose& X_WB);
 
-  /// Instead of `place`, after a restart that brought the mesh back at X_WB.
-  void adopt(const Pose& X_WB);
+  /// Instead of `place`, after a restart that brought the mesh back at X_WB; `last` is the load of
+  /// the step before.
+  void adopt(const Pose& X_WB, const Wrench& last);
 
   /// From the next step on: moves at constant twist to reach X_WB_target after n_steps.
   void begin_window(const Pose& X_WB_target, long n_steps);

@@ -35,22 +35,25 @@ void Record::fail(const std::string& what) const {
                            (cause != 0 ? std::string(": ") + std::strerror(cause) : ""));
 }
 
-Record::Record(const std::filesystem::path& file,
-               const std::map<std::string, std::string>& attributes)
-    : file_(file) {
+Record::Record(std::filesystem::path file, const std::map<std::string, std::string>* attributes,
+               std::size_t rows)
+    : file_(std::move(file)), resumed_(attributes == nullptr), rows_(rows) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
   errno = 0;
-  id_ = H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  if (id_ < 0) fail("create");
-  for (const auto& [name, text] : attributes) write_text(id_, name, text);
+  id_ = resumed_ ? H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)
+                 : H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (id_ < 0) fail(resumed_ ? "open" : "create");
+  if (resumed_) return;
+  for (const auto& [name, text] : *attributes) write_text(id_, name, text);
 }
 
-Record::Record(const std::filesystem::path& file, std::size_t rows)
-    : file_(file), resumed_(true), rows_(rows) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  errno = 0;
-  id_ = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  if (id_ < 0) fail("open");
+Record Record::create(const std::filesystem::path& file,
+                      const std::map<std::string, std::string>& attributes) {
+  return Record(file, &attributes, 0);
+}
+
+Record Record::resume(const std::filesystem::path& file, std::size_t rows) {
+  return Record(file, nullptr, rows);
 }
 
 Record::~Record() {

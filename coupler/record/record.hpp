@@ -13,11 +13,12 @@ namespace dipper {
 class Record {
  public:
   /// Creates the file; `attributes` go onto its root group.
-  Record(const std::filesystem::path& file, const std::map<std::string, std::string>& attributes);
+  static Record create(const std::filesystem::path& file,
+                       const std::map<std::string, std::string>& attributes);
 
   /// Opens the file of an earlier leg and cuts every dataset back to `rows`. Channels must then be
   /// added again, in any order.
-  Record(const std::filesystem::path& file, std::size_t rows);
+  static Record resume(const std::filesystem::path& file, std::size_t rows);
   ~Record();
   Record(const Record&) = delete;
   Record& operator=(const Record&) = delete;
@@ -36,6 +37,8 @@ class Record {
   std::size_t rows() const { return rows_ + pending_; }
 
  private:
+  Record(std::filesystem::path file, const std::map<std::string, std::string>* attributes,
+         std::size_t rows);
   struct Dataset {
     std::string name;
     std::int64_t id;

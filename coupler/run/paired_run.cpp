@@ -142,7 +142,7 @@ class Leg {
     setup.logs = folder_.logs();
     setup.dem_screen = folder_.logs() / "dem.screen";
     setup.dem = dem_settings(case_, shovel_, folder_.deck(), folder_.dumps(), folder_.logs(),
-                             restart, from_ ? std::optional(from_->dem_step) : std::nullopt);
+                             restart, from_ ? std::optional(from_->loads) : std::nullopt);
     setup.mbs = mbs_settings(case_);
     sides_ = std::make_unique<Sides>(setup);
     rock_ = std::make_unique<TimedRock>(sides_->rock());
@@ -215,7 +215,11 @@ class Leg {
     facts_.particles = std::llround(w.rock.channels[channel(info, "particles")]);
     facts_.bodies = std::llround(w.rock.channels[channel(info, "rocks")]);
     walls_.clear();
-    for (const auto& b : w.rock.bodies) walls_.push_back(b.X_WB);
+    loads_.clear();
+    for (const auto& b : w.rock.bodies) {
+      walls_.push_back(b.X_WB);
+      loads_.push_back(b.end);
+    }
   }
 
   static std::size_t channel(const ServerInfo& info, const std::string& name) {
@@ -232,6 +236,7 @@ class Leg {
     c.dem_step = dem_step_;
     c.held = coupling.held();
     c.X_WB_wall = walls_;
+    c.loads = loads_;
     c.record_rows = record_->rows();
     c.rock_work_J = record_->interface_work_J();
     c.machine_work_J = record_->machine_work_J();
@@ -315,6 +320,7 @@ class Leg {
   std::unique_ptr<TimedRock> rock_;
   std::unique_ptr<RunRecord> record_;
   std::vector<Pose> walls_;
+  std::vector<Wrench> loads_;
 };
 
 }  // namespace

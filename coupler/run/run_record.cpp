@@ -5,12 +5,6 @@
 namespace dipper {
 namespace {
 
-Record open(const std::filesystem::path& file,
-            const std::map<std::string, std::string>& attributes, std::size_t rows) {
-  if (rows > 0) return Record(file, rows);
-  return Record(file, attributes);
-}
-
 std::array<double, 7> row(const Pose& X) {
   return {X.p.x(), X.p.y(), X.p.z(), X.R.w(), X.R.x(), X.R.y(), X.R.z()};
 }
@@ -25,7 +19,7 @@ std::array<double, 6> row(const Wrench& F) { return row(F.torque, F.force); }
 RunRecord::RunRecord(const std::filesystem::path& file, const ServerInfo& machine,
                      const ServerInfo& rock, const std::map<std::string, std::string>& attributes,
                      std::size_t rows)
-    : record_(open(file, attributes, rows)),
+    : record_(rows > 0 ? Record::resume(file, rows) : Record::create(file, attributes)),
       time_(record_.add("time_s", "s", "-")),
       step_(record_.add("step_index", "1", "-")),
       sync_(record_.add("sync_s", "s", "-")),

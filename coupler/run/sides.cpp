@@ -35,8 +35,9 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   identity.run_id = setup.run_id;
   identity.case_hash = setup.case_hash;
 
-  transport_ = std::make_unique<LcmTransport>(
-      url, std::vector<std::string>{Channels::from_dem, Channels::from_mbs});
+  using Names = std::vector<std::string>;
+  from_dem_ = std::make_unique<LcmTransport>(url, Names{Channels::from_dem});
+  from_mbs_ = std::make_unique<LcmTransport>(url, Names{Channels::from_mbs});
   const auto dem_config = setup.logs / "dem.json";
   const auto mbs_config = setup.logs / "mbs.json";
   write_peer_config(dem_config, {url, identity, setup.dem});
@@ -50,10 +51,9 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   LinkOptions options;
   options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * setup.timeout_s));
   options.watch = [this] { watch(); };
-  // One transport hears both sides, one request is under way at a time.
-  dem_link_ = std::make_unique<Link>("dem", *transport_, Channels::to_dem, Channels::from_dem,
+  dem_link_ = std::make_unique<Link>("dem", *from_dem_, Channels::to_dem, Channels::from_dem,
                                      identity, options);
-  mbs_link_ = std::make_unique<Link>("mbs", *transport_, Channels::to_mbs, Channels::from_mbs,
+  mbs_link_ = std::make_unique<Link>("mbs", *from_mbs_, Channels::to_mbs, Channels::from_mbs,
                                      identity, options);
   machine_ = std::make_unique<RemoteMachine>(*mbs_link_);
   rock_ = std::make_unique<RemoteRock>(*dem_link_);

@@ -47,7 +47,7 @@ class Sides {
              const std::filesystem::path& screen);
 
   SidesSetup setup_;
-  std::unique_ptr<LcmTransport> transport_;
+  std::unique_ptr<LcmTransport> from_dem_, from_mbs_;
   std::unique_ptr<Process> dem_, mbs_;
   std::unique_ptr<Link> dem_link_, mbs_link_;
   std::unique_ptr<RemoteMachine> machine_;

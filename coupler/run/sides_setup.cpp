@@ -44,17 +44,16 @@ MeshFacts read_mesh_facts(const Case& c) {
 
 nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::path& deck,
                             const fs::path& dumps, const fs::path& logs, const fs::path& restart,
-                            std::optional<std::int64_t> dem_step) {
+                            const std::optional<std::vector<Wrench>>& resumed) {
   RockSetup setup;
   setup.deck = (source_folder() / "dem_in" / "dig.in").string();
   setup.log = (logs / "dem.liggghts").string();
   setup.screen = (logs / "dem.screen").string();
-  setup.resumed = dem_step.has_value();
+  setup.resumed = resumed;
   setup.variables = {
       {"deck", deck.string()},
       {"pile", restart.string()},
       {"out", dumps.string()},
-      {"first_step", std::to_string(dem_step.value_or(0))},
       {"run_steps", "0"},
       {"dump_steps", std::to_string(std::llround(c.output.dump_every_s / c.dem.timestep_s))},
       // The bodies are placed by their own poses, from their own frames.

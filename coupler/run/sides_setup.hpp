@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "coupler/case/case.hpp"
+#include "coupler/core/frames.hpp"
 
 namespace dipper {
 
@@ -25,12 +26,13 @@ struct MeshFacts {
 /// Reads meshes/NAME.yaml beside the meshes. Throws std::runtime_error naming file and key.
 MeshFacts read_mesh_facts(const Case& c);
 
-/// dipper-dem's settings. `dem_step` is set when `restart` is a checkpoint and not a settled pile.
+/// dipper-dem's settings. `resumed`: when `restart` is a checkpoint and not a settled pile, the
+/// loads of its last step.
 nlohmann::json dem_settings(const Case& c, const MeshFacts& facts,
                             const std::filesystem::path& deck, const std::filesystem::path& dumps,
                             const std::filesystem::path& logs,
                             const std::filesystem::path& restart,
-                            std::optional<std::int64_t> dem_step);
+                            const std::optional<std::vector<Wrench>>& resumed);
 
 /// dipper-mbs's settings.
 nlohmann::json mbs_settings(const Case& c);

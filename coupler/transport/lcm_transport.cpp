@@ -1,5 +1,7 @@
 #include "coupler/transport/lcm_transport.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <stdexcept>
 
 namespace dipper {
@@ -21,8 +23,9 @@ void LcmTransport::publish(const std::string& channel, const std::string& bytes)
 }
 
 std::optional<Packet> LcmTransport::receive(std::chrono::milliseconds timeout) {
-  if (inbox_.empty() && lcm_.handleTimeout(static_cast<int>(timeout.count())) < 0) {
-    throw std::runtime_error("LCM cannot receive");
+  if (inbox_.empty() && lcm_.handleTimeout(static_cast<int>(timeout.count())) < 0 &&
+      errno != EINTR) {  // a signal, Ctrl-C say, only cuts the wait short
+    throw std::runtime_error(std::string("LCM cannot receive: ") + std::strerror(errno));
   }
   if (inbox_.empty()) return std::nullopt;
   Packet packet = std::move(inbox_.front());

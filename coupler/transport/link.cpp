@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "coupler/transport/codec.hpp"
 
 namespace dipper {
@@ -26,7 +28,7 @@ Body Link::ask(Body request, std::int64_t step_index, std::int64_t t_ns) {
   auto patience = established_ ? options_.resend : std::chrono::milliseconds(100);
   while (true) {
     options_.watch();
-    const auto packet = transport_.receive(std::chrono::milliseconds(50));
+    const auto packet = transport_.receive(std::min(patience, std::chrono::milliseconds(50)));
     if (packet && packet->channel == from_) {
       try {
         Message reply = decode(packet->bytes);

@@ -29,6 +29,7 @@ struct LinkOptions {
 /// The asking end: sends a request until its reply comes.
 class Link {
  public:
+  /// `transport` hears nothing but `from`: what is left over on it is counted here.
   Link(std::string side, Transport& transport, std::string to, std::string from,
        Envelope identity, LinkOptions options);
 

@@ -1,0 +1,56 @@
+// dem_in/default is what write_deck gives for quick_case(). DIPPER_UPDATE=1 writes it anew.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+
+#include "coupler/deck/deck.hpp"
+#include "tests/deck/liggghts_run.hpp"
+#include "tests/deck/quick_case.hpp"
+
+namespace dipper {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kSource = DIPPER_SOURCE;
+
+std::set<std::string> names(const fs::path& folder) {
+  std::set<std::string> out;
+  for (const auto& entry : fs::directory_iterator(folder)) out.insert(entry.path().filename());
+  return out;
+}
+
+TEST(DefaultDeck, IsUpToDate) {
+  const fs::path kept = kSource / "dem_in/default", shapes = kSource / "meshes/rocks";
+  if (std::getenv("DIPPER_UPDATE") != nullptr) {
+    fs::remove_all(kept);
+    write_deck(quick_case(), shapes, kept);
+  }
+  const fs::path fresh = fresh_folder("default");
+  write_deck(quick_case(), shapes, fresh);
+  EXPECT_EQ(names(fresh), names(kept));
+  for (const std::string& name : names(fresh))
+    EXPECT_EQ(read_text(fresh / name), read_text(kept / name)) << name;
+}
+
+TEST(DefaultDeck, ClassesHoldTheirShareOfTheMass) {
+  const Case c = quick_case();
+  double mass = 0;
+  for (const ClassCount& k : rock_counts(c)) mass += k.rocks;
+  EXPECT_GT(mass, 1000);
+  Case few = c;
+  few.rock.coarse_graining = 12;
+  EXPECT_THROW(write_deck(few, kSource / "meshes/rocks", fresh_folder("few")),
+               std::invalid_argument);
+}
+
+TEST(DefaultDeck, RefusesBodiesTheDeckDoesNotKnow) {
+  Case c = quick_case();
+  c.bodies["handle"] = "meshes/door.stl";
+  EXPECT_THROW(write_deck(c, kSource / "meshes/rocks", fresh_folder("bodies")),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dipper

@@ -1,0 +1,112 @@
+// The two decks under the plain binary: settle.in on one rank, then dig.in on one and two.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "coupler/deck/contact_table.hpp"
+#include "coupler/deck/deck.hpp"
+#include "tests/deck/liggghts_run.hpp"
+#include "tests/deck/quick_case.hpp"
+
+namespace dipper {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Atoms of a text dump by id, a row as its columns say.
+struct Dump {
+  std::map<std::string, std::size_t> column;
+  std::map<int, std::vector<double>> rows;
+  double get(const std::vector<double>& row, const std::string& name) const {
+    return row[column.at(name)];
+  }
+};
+
+Dump read_dump(const fs::path& file) {
+  Dump d;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind("ITEM: ATOMS ", 0) == 0) {
+      std::istringstream head(line.substr(12));
+      for (std::string name; head >> name;) d.column.emplace(name, d.column.size());
+    } else if (!d.column.empty()) {
+      std::istringstream words(line);
+      std::vector<double> row;
+      for (double v = 0; words >> v;) row.push_back(v);
+      d.rows[static_cast<int>(row[0])] = row;
+    }
+  }
+  return d;
+}
+
+class SettleAndDig : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = fresh_folder("settle_and_dig");
+    write_deck(tiny_case(), fs::path(DIPPER_SOURCE) / "meshes/rocks", folder / "deck");
+    fs::create_directories(folder / "settle");
+    status = run_liggghts("dem_in/settle.in", deck(), 1, folder / "settle");
+  }
+  static std::string deck() { return "-var deck '" + (folder / "deck").string() + "' "; }
+  static Dump dig(int ranks, int steps) {
+    const fs::path out = folder / fmt::format("dig{}", ranks);
+    fs::create_directories(out);
+    EXPECT_EQ(
+        run_liggghts("dem_in/dig.in",
+                     deck() + fmt::format("-var pile '{}' -var run_steps {} -var dump_steps {}",
+                                          (folder / "settle/pile.restart").string(), steps, steps),
+                     ranks, out),
+        0)
+        << read_text(out / "screen.txt");
+    EXPECT_TRUE(fs::exists(out / fmt::format("walls_{}.vtk", steps)));
+    return read_dump(out / fmt::format("rocks_{}.dump", steps));
+  }
+  static inline fs::path folder;
+  static inline int status = -1;
+};
+
+TEST_F(SettleAndDig, SettleWritesABenchOfTheWantedForm) {
+  ASSERT_EQ(status, 0) << read_text(folder / "settle/screen.txt");
+  const Case c = tiny_case();
+  const Dump d = dig(1, 1);
+  ASSERT_GT(d.rows.size(), 200U);
+  double top = 0;
+  std::map<int, int> by_type;
+  for (const auto& [id, row] : d.rows) {
+    EXPECT_GT(d.get(row, "x"), c.pile.toe_x_m);
+    EXPECT_LT(std::abs(d.get(row, "y")), c.pile.width_m / 2);
+    EXPECT_LT(d.get(row, "z"), c.pile.height_m + 0.01);
+    EXPECT_GT(d.get(row, "z") - d.get(row, "radius"), -0.03);
+    top = std::max(top, d.get(row, "z") + d.get(row, "radius"));
+    ++by_type[static_cast<int>(d.get(row, "type"))];
+  }
+  EXPECT_GT(top, 0.85 * c.pile.height_m);
+  EXPECT_EQ(by_type.size(), c.rock.classes.size());
+}
+
+TEST_F(SettleAndDig, RocksAreWhole) {
+  ASSERT_EQ(status, 0);
+  const Dump d = dig(1, 1);
+  std::map<int, int> spheres;
+  for (const auto& [id, row] : d.rows)
+    if (d.get(row, "type") > 1) ++spheres[static_cast<int>(d.get(row, "id_multisphere"))];
+  EXPECT_EQ(spheres.count(-1), 0U);
+  for (const auto& [body, n] : spheres) EXPECT_EQ(n, 6) << body;
+}
+
+TEST_F(SettleAndDig, OneAndTwoRanksAgree) {
+  ASSERT_EQ(status, 0);
+  const Dump one = dig(1, 50), two = dig(2, 50);
+  ASSERT_EQ(one.rows.size(), two.rows.size());
+  for (const auto& [id, row] : one.rows) {
+    ASSERT_EQ(two.rows.count(id), 1U) << id;
+    for (const char* k : {"x", "y", "z"})
+      EXPECT_NEAR(one.get(row, k), two.get(two.rows.at(id), k), 1e-6) << id;
+  }
+}
+
+}  // namespace
+}  // namespace dipper

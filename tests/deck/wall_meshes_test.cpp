@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+
+#include "coupler/deck/pile_shape.hpp"
+#include "coupler/deck/pile_walls.hpp"
+#include "coupler/deck/rock_shape.hpp"
+#include "coupler/deck/triangle_mesh.hpp"
+#include "tests/deck/quick_case.hpp"
+
+namespace dipper {
+namespace {
+
+using Eigen::Vector3d;
+const std::filesystem::path kMeshes = std::filesystem::path(DIPPER_SOURCE) / "meshes";
+
+TEST(WallMeshes, AreClosedAndMatchTheirYaml) {
+  for (const char* name : {"dipper", "door", "truck"}) {
+    const TriangleMesh mesh = read_stl(kMeshes / (std::string(name) + ".stl"));
+    const YAML::Node y = YAML::LoadFile(kMeshes / (std::string(name) + ".yaml"));
+    const MassProperties m = mass_properties(mesh);
+    EXPECT_TRUE(is_closed(mesh)) << name;
+    EXPECT_NEAR(m.volume_m3, y["solid_volume_m3"].as<double>(), 1e-4 * m.volume_m3) << name;
+    EXPECT_NEAR(m.area_m2, y["surface_area_m2"].as<double>(), 1e-4 * m.area_m2) << name;
+    for (const Triangle& t : mesh)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3d a = t[(k + 1) % 3] - t[k], b = t[(k + 2) % 3] - t[k];
+        EXPECT_GT(std::acos(a.normalized().dot(b.normalized())), 2 * M_PI / 180) << name;
+      }
+  }
+}
+
+TEST(WallMeshes, DipperHolds42CubicMetres) {
+  const YAML::Node y = YAML::LoadFile(kMeshes / "dipper.yaml");
+  EXPECT_DOUBLE_EQ(y["struck_volume_m3"].as<double>(), 42);
+  const auto lo = y["cavity"]["min_m"].as<std::vector<double>>();
+  const auto hi = y["cavity"]["max_m"].as<std::vector<double>>();
+  const TriangleMesh mesh = read_stl(kMeshes / "dipper.stl");
+  // The cavity is free, its walls are 0.18 m of solid: just inside, just outside, behind the plate.
+  const Vector3d c(1.5, (lo[1] + hi[1]) / 2, (lo[2] + hi[2]) / 2);
+  EXPECT_NEAR(signed_distance(mesh, c), -1.5, 1e-9);
+  for (const double side : {lo[2], hi[2]}) {
+    const double out = side < 0 ? -1 : 1;
+    EXPECT_GT(signed_distance(mesh, {1.5, 0, side + out * 0.09}), 0);
+    EXPECT_LT(signed_distance(mesh, {1.5, 0, side + out * 0.19}), 0);
+  }
+}
+
+TEST(WallMeshes, DoorLeavesNoGapForARock) {
+  // In B: the hinge is at (0, 0, 1.5). The gap to the rim is a fifth of a 0.1 m sphere's radius.
+  const TriangleMesh door = read_stl(kMeshes / "door.stl");
+  const Vector3d hinge(0, 0, 1.5);
+  for (const double y : {-2.1, 0.0, 2.1})
+    for (const double z : {-1.6, 0.0, 1.6})
+      EXPECT_NEAR(signed_distance(door, Vector3d(0, y, z) - hinge), -0.02, 1e-6);
+}
+
+TEST(RockFiles, MatchTheirMeshes) {
+  for (const char* name : {"block", "wedge", "slab"}) {
+    const RockShape s = read_rock_shape(kMeshes / "rocks" / (std::string(name) + ".yaml"));
+    const TriangleMesh mesh = read_stl(kMeshes / "rocks" / (std::string(name) + ".stl"));
+    const MassProperties m = mass_properties(mesh);
+    EXPECT_NEAR(m.volume_m3, M_PI / 6, 1e-6) << name;
+    EXPECT_LT(m.com_m.norm(), 1e-6) << name;
+    EXPECT_TRUE(s.mass.inertia_m5.isApprox(m.inertia_m5, 1e-6)) << name;
+    EXPECT_NEAR(union_volume(s.spheres, 400) / m.volume_m3, 1, 2e-3) << name;
+    EXPECT_NEAR(symmetric_difference(mesh, s.spheres), s.symmetric_difference, 1e-3) << name;
+  }
+}
+
+TEST(PileShape, IsTheTrapezoid) {
+  Case c = quick_case();
+  c.pile.face_angle_deg = 45;
+  const PileShape p = pile_shape(c);
+  EXPECT_NEAR(p.crest_x_m, 21, 1e-12);
+  EXPECT_NEAR(p.rear_x_m, 23, 1e-12);
+  EXPECT_NEAR(p.volume_m3, 8 * (8 * 8 / 2 + 8 * 2), 1e-9);
+}
+
+TEST(PileWalls, StayLowInFrontOfTheBench) {
+  const Case c = quick_case();
+  double front = 1e9, top_over_toe = 0, top = 0;
+  for (const Triangle& t : bench_walls(c))
+    for (const Vector3d& p : t) {
+      front = std::min(front, p.x());
+      top = std::max(top, p.z());
+      if (p.x() < c.pile.toe_x_m + 1) top_over_toe = std::max(top_over_toe, p.z());
+    }
+  EXPECT_NEAR(front, c.pile.toe_x_m - 1, 1e-9);
+  EXPECT_NEAR(top, c.pile.height_m + 1, 1e-9);
+  EXPECT_LT(top_over_toe, 4);
+}
+
+}  // namespace
+}  // namespace dipper

@@ -1,0 +1,43 @@
+// The real machine's data and small motions for the shovel's tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "coupler/motion/kinematics.hpp"
+#include "mbs/shovel.hpp"
+
+namespace dipper {
+
+constexpr std::int64_t kMillisecond = 1'000'000;
+
+class ShovelTest : public testing::Test {
+ protected:
+  static std::filesystem::path source() { return DIPPER_SOURCE; }
+
+  MachineData machine = load_machine(source() / "mbs/bucyrus495.yaml");
+  double rake = machine.dipper.base_rake;
+  std::vector<Wrench> no_rock = std::vector<Wrench>(2);
+
+  static Motion motion(const std::string& rows) {
+    return Motion::parse("time_s,hoist_m,crowd_m,swing_deg,door_deg\n" + rows, "m.csv");
+  }
+  static Motion still() { return motion("0,-4,0.5,0,0\n1,-4,0.5,0,0\n"); }
+  static Motion quick() { return Motion::load(source() / "cases/quick/motion.csv"); }
+
+  /// Channels by name.
+  static std::map<std::string, double> named(Shovel& shovel, const MachineState& s) {
+    const ServerInfo info = shovel.info();
+    EXPECT_EQ(info.channels.size(), s.channels.size());
+    std::map<std::string, double> out;
+    for (std::size_t i = 0; i < s.channels.size(); ++i) out[info.channels[i].name] = s.channels[i];
+    return out;
+  }
+};
+
+}  // namespace dipper

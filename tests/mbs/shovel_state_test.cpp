@@ -1,0 +1,149 @@
+// What the master relies on: predictions leave no trace, checkpoints lose nothing, faults are
+// named.
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+#include "tests/mbs/shovel_fixture.hpp"
+
+namespace dipper {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// Every number of a machine state, to compare bit by bit.
+std::vector<double> bits(const MachineState& s) {
+  std::vector<double> v = s.channels;
+  for (const BodyState& b : s.bodies) {
+    v.insert(v.end(), b.X_WB.R.coeffs().data(), b.X_WB.R.coeffs().data() + 4);
+    for (const Vector3d& x : {b.X_WB.p, b.V_WB_W.w, b.V_WB_W.v})
+      v.insert(v.end(), x.data(), x.data() + 3);
+  }
+  return v;
+}
+
+bool same(const MachineState& a, const MachineState& b) {
+  const auto x = bits(a), y = bits(b);
+  return a.t_ns == b.t_ns && x.size() == y.size() &&
+         std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
+}
+
+class ShovelState : public ShovelTest {
+ protected:
+  Shovel shovel{machine, quick(), Pose{}, rake};
+
+  static std::vector<Wrench> load(int i) {
+    return {Wrench{Vector3d(0, -1e5 - 100 * i, 0), Vector3d(-2e5, 1e3 * i, -3e5)},
+            Wrench{Vector3d::Zero(), Vector3d(-1e4, 0, 0)}};
+  }
+  static std::int64_t window(int i) { return 1'700'000LL * i; }  // not a divisor of anything
+
+  std::filesystem::path file(const std::string& name) const {
+    return std::filesystem::path(testing::TempDir()) / name;
+  }
+};
+
+TEST_F(ShovelState, AnnouncesBodiesAndChannels) {
+  const ServerInfo info = shovel.info();
+  EXPECT_THAT(info.bodies, ElementsAre("dipper", "door"));
+  EXPECT_THAT(info.version, HasSubstr("Simbody 3.7"));
+  const MachineState s = shovel.state();
+  EXPECT_EQ(s.t_ns, 0);
+  EXPECT_EQ(s.bodies.size(), info.bodies.size());
+  EXPECT_EQ(s.channels.size(), info.channels.size());
+  std::map<std::string, int> seen;
+  for (const Channel& c : info.channels) EXPECT_EQ(++seen[c.name], 1) << c.name;
+}
+
+TEST_F(ShovelState, APredictionLeavesTheCommittedStateAsItWas) {
+  for (int i = 1; i <= 300; ++i) shovel.step(window(i), load(i), true);
+  const MachineState before = shovel.state();
+  shovel.step(window(301), load(-900), false);
+  shovel.step(window(305), load(7), false);
+  EXPECT_TRUE(same(shovel.state(), before));
+}
+
+TEST_F(ShovelState, PredictionsDoNotChangeTheRun) {
+  Shovel plain(machine, quick(), Pose{}, rake);
+  for (int i = 1; i <= 600; ++i) {
+    shovel.step(window(i), load(i + 3), false);
+    const MachineState a = shovel.step(window(i), load(i), true);
+    const MachineState b = plain.step(window(i), load(i), true);
+    ASSERT_TRUE(same(a, b)) << i;
+  }
+}
+
+TEST_F(ShovelState, APredictionWithTheSameWrenchIsTheCommit) {
+  for (int i = 1; i <= 200; ++i) {
+    const MachineState predicted = shovel.step(window(i), load(i), false);
+    ASSERT_TRUE(same(predicted, shovel.step(window(i), load(i), true))) << i;
+  }
+}
+
+TEST_F(ShovelState, SaveAndLoadContinueBitIdentically) {
+  for (int i = 1; i <= 400; ++i) shovel.step(window(i), load(i), true);
+  shovel.save(file("shovel.bin"));
+  Shovel other(machine, quick(), Pose{}, rake);
+  other.load(file("shovel.bin"));
+  EXPECT_TRUE(same(shovel.state(), other.state()));
+  for (int i = 401; i <= 800; ++i) {
+    ASSERT_TRUE(same(shovel.step(window(i), load(i), true), other.step(window(i), load(i), true)));
+  }
+}
+
+// The door both rides on the dipper and is driven: its twist is checked against its poses.
+TEST_F(ShovelState, TwistIsTheRateOfThePose) {
+  for (int i = 1; i <= 2000; ++i) shovel.step(2 * i * kMillisecond, load(0), true);
+  const BodyState a = shovel.state().bodies[1];
+  const BodyState b = shovel.step(4001 * kMillisecond, load(0), true).bodies[1];
+  const Twist mean = twist_between(a.X_WB, b.X_WB, 1e-3);
+  EXPECT_LT((mean.v - 0.5 * (a.V_WB_W.v + b.V_WB_W.v)).norm(), 1e-5);
+  EXPECT_LT((mean.w - 0.5 * (a.V_WB_W.w + b.V_WB_W.w)).norm(), 1e-5);
+}
+
+TEST_F(ShovelState, RefusesWhatIsNotFinite) {
+  shovel.step(window(1), load(1), true);
+  std::vector<Wrench> bad = load(1);
+  bad[1].force.y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(
+      [&] { shovel.step(window(2), bad, true); },
+      ThrowsMessage<std::runtime_error>(testing::AllOf(
+          HasSubstr("the wrench on the door is not finite"), HasSubstr("0.001700 to 0.003400 s"))));
+  bad = load(1);
+  bad[0].force.z() = 1e300;
+  EXPECT_THAT([&] { shovel.step(window(2), bad, true); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("while stepping from 0.001700")));
+  // And it is still usable.
+  EXPECT_EQ(shovel.step(window(2), load(2), true).t_ns, window(2));
+}
+
+TEST_F(ShovelState, RefusesWrongCalls) {
+  EXPECT_THROW(shovel.step(0, load(0), true), std::invalid_argument);
+  EXPECT_THROW(shovel.step(window(1), {Wrench{}}, true), std::invalid_argument);
+  EXPECT_THROW(Shovel(machine, quick(), Pose{}, rake, 0), std::invalid_argument);
+  EXPECT_THROW(Shovel(machine, motion("1,-4,0,0,0\n2,-4,0,0,0\n"), Pose{}, rake),
+               std::invalid_argument);
+}
+
+TEST_F(ShovelState, RefusesAForeignOrBrokenFile) {
+  EXPECT_THROW(shovel.load(file("not-there.bin")), std::runtime_error);
+  std::ofstream(file("foreign.bin")) << "something else entirely";
+  EXPECT_THAT([&] { shovel.load(file("foreign.bin")); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("not a saved shovel")));
+  shovel.save(file("short.bin"));
+  const auto size = std::filesystem::file_size(file("short.bin"));
+  std::filesystem::resize_file(file("short.bin"), size - 8);
+  EXPECT_THAT([&] { shovel.load(file("short.bin")); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("ends too early")));
+  std::filesystem::resize_file(file("short.bin"), size + 8);
+  EXPECT_THROW(shovel.load(file("short.bin")), std::runtime_error);
+  EXPECT_EQ(shovel.state().t_ns, 0);
+}
+
+}  // namespace
+}  // namespace dipper

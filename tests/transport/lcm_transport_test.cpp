@@ -1,0 +1,31 @@
+// LCM itself, on the private network that a run makes.
+#include "coupler/transport/lcm_transport.hpp"
+
+#include <gtest/gtest.h>
+
+#include "coupler/run/network.hpp"
+
+namespace dipper {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(LcmTransport, CarriesBytesBetweenEndpointsOnThePrivateNetwork) {
+  ASSERT_TRUE(enter_private_network());
+  const std::string url = "udpm://239.255.76.67:7667?ttl=0";
+  LcmTransport a(url, {"TO_A"}), b(url, {"TO_B"});
+  const std::string bytes("with\0a zero", 11);
+  for (int i = 0; i < 1000; ++i) {
+    a.publish("TO_B", bytes);
+    const auto at_b = b.receive(1000ms);
+    ASSERT_TRUE(at_b) << i;
+    EXPECT_EQ(at_b->bytes, bytes);
+    EXPECT_EQ(at_b->channel, "TO_B");
+    b.publish("TO_A", "pong");
+    ASSERT_TRUE(a.receive(1000ms)) << i;
+  }
+  EXPECT_FALSE(a.receive(10ms));
+}
+
+}  // namespace
+}  // namespace dipper
