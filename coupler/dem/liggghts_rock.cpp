@@ -12,6 +12,7 @@
 #include <output.h>
 #include <universe.h>
 #include <update.h>
+#include <write_restart.h>
 
 #include <algorithm>
 #include <limits>
@@ -143,7 +144,10 @@ std::vector<double> LiggghtsRock::weigh() const {
 }
 
 void LiggghtsRock::save(const std::filesystem::path& file) {
-  lmp_->input->one(("write_restart " + file.string()).c_str());
+  // As LIGGGHTS's own periodic restarts do. The command write_restart would first move atoms
+  // between ranks, and the time loop would go on with neighbour lists that no longer hold.
+  std::string name = file.string();
+  LAMMPS_NS::WriteRestart(lmp_.get()).write(name.data());
 }
 
 void LiggghtsRock::load(const std::filesystem::path&) {

@@ -32,6 +32,9 @@ class LiggghtsRock final : public Rock {
   void load(const std::filesystem::path& file) override;
   std::string state_hash() override;
 
+  /// LIGGGHTS itself, for what no method gives: the tests read its meshes, contacts and momenta.
+  LAMMPS_NS::LAMMPS& liggghts() { return *lmp_; }
+
  private:
   void start();
   RockState state();

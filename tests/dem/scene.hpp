@@ -1,0 +1,70 @@
+// What the tests of the LIGGGHTS adapter start from: a folder, box meshes, a deck's set-up.
+#pragma once
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "coupler/dem/rock_setup.hpp"
+#include "tests/mesh/cube.hpp"
+
+namespace dipper::test {
+
+inline int rank() {
+  int r = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &r);
+  return r;
+}
+
+inline int ranks() {
+  int n = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &n);
+  return n;
+}
+
+/// A fresh folder that all ranks share and that goes when the scene goes. Collective.
+class Scene {
+ public:
+  explicit Scene(const std::string& name)
+      : folder_(std::filesystem::temp_directory_path() /
+                ("dipper_dem_" + name + "_" + std::to_string(ranks()))) {
+    if (rank() == 0) {
+      std::filesystem::remove_all(folder_);
+      std::filesystem::create_directories(folder_);
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+  ~Scene() {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rank() == 0) std::filesystem::remove_all(folder_);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  /// Writes NAME.stl, a mesh in the body frame; returns its path.
+  std::string stl(const std::string& name, const mesh::TriangleMesh& mesh) const {
+    const auto file = folder_ / (name + ".stl");
+    if (rank() == 0) std::ofstream(file) << mesh::test::ascii_stl(mesh);
+    MPI_Barrier(MPI_COMM_WORLD);
+    return file.string();
+  }
+
+  /// A deck of this folder, standing still; its log and screen go to the scene's folder.
+  RockSetup setup(const std::string& deck) const {
+    RockSetup s;
+    s.deck = DIPPER_DEM_TESTS "/" + deck;
+    s.log = (folder_ / "log.liggghts").string();
+    s.screen = (folder_ / "screen.liggghts").string();
+    s.variables = {{"folder", DIPPER_DEM_TESTS}, {"run_steps", "0"}};
+    return s;
+  }
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace dipper::test
