@@ -12,7 +12,6 @@
 #include <output.h>
 #include <universe.h>
 #include <update.h>
-#include <write_restart.h>
 
 #include <algorithm>
 #include <limits>
@@ -144,10 +143,10 @@ std::vector<double> LiggghtsRock::weigh() const {
 }
 
 void LiggghtsRock::save(const std::filesystem::path& file) {
-  // As LIGGGHTS's own periodic restarts do. The command write_restart would first move atoms
-  // between ranks, and the time loop would go on with neighbour lists that no longer hold.
-  std::string name = file.string();
-  LAMMPS_NS::WriteRestart(lmp_.get()).write(name.data());
+  lmp_->input->one(("write_restart " + file.string()).c_str());
+  // The command moves atoms between ranks, so lists and forces have to be set up again, just as
+  // they are in a run that goes on from the file.
+  start();
 }
 
 void LiggghtsRock::load(const std::filesystem::path&) {

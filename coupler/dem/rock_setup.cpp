@@ -30,7 +30,10 @@ json to_json(const RockSetup& setup) {
   json resumed;  // null: not resumed
   if (setup.resumed) {
     resumed = json::array();
-    for (const auto& F : *setup.resumed) resumed.push_back({array(F.torque), array(F.force)});
+    for (const auto& w : *setup.resumed) {
+      resumed.push_back({array(w.load.torque), array(w.load.force), array(w.V_WB_W.w),
+                         array(w.V_WB_W.v)});
+    }
   }
   return {{"deck", setup.deck},     {"variables", setup.variables}, {"log", setup.log},
           {"screen", setup.screen}, {"bodies", setup.bodies},       {"resumed", resumed},
@@ -46,7 +49,10 @@ RockSetup rock_setup_from(const json& j) {
   setup.bodies = j.at("bodies").get<std::vector<std::string>>();
   if (const auto& resumed = j.at("resumed"); !resumed.is_null()) {
     setup.resumed.emplace();
-    for (const auto& F : resumed) setup.resumed->push_back({vector(F.at(0)), vector(F.at(1))});
+    for (const auto& w : resumed) {
+      setup.resumed->push_back(
+          {{vector(w.at(0)), vector(w.at(1))}, {vector(w.at(2)), vector(w.at(3))}});
+    }
   }
   for (const auto& s : j.at("scales")) {
     const auto R = s.at("R_WS").get<std::array<double, 4>>();

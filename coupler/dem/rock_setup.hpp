@@ -11,6 +11,12 @@
 
 namespace dipper {
 
+/// What a wall remembers of its last step, beyond what LIGGGHTS's restart file holds.
+struct WallMemory {
+  Wrench load;
+  Twist V_WB_W;
+};
+
 /// A box that rock is weighed in: fixed to a body, or to the world.
 struct Scale {
   std::string name;  ///< the channel, in kg
@@ -27,8 +33,8 @@ struct RockSetup {
   std::string screen;                                          ///< LIGGGHTS screen output
   std::vector<std::string> bodies;                             ///< fix ids of the moving walls
   std::vector<Scale> scales;
-  /// Set when the deck reads a checkpoint, with the walls in place: the loads of its last step.
-  std::optional<std::vector<Wrench>> resumed;
+  /// Set, one a body, when the deck reads a checkpoint, with the walls in place.
+  std::optional<std::vector<WallMemory>> resumed;
 };
 
 /// As JSON, and back.

@@ -57,12 +57,13 @@ void WallMotion::place(const Pose& X_WB) {
   X_WB_ = X_WB;
 }
 
-void WallMotion::adopt(const Pose& X_WB, const Wrench& last) {
+void WallMotion::adopt(const Pose& X_WB, const WallMemory& remembered) {
   const Pose X_BW = inverse(X_WB);
   for (auto& [element, nodes] : reference_) {
     for (auto& p : nodes) p = X_BW * p;
   }
-  last_ = last;
+  last_ = remembered.load;
+  V_WB_W_ = remembered.V_WB_W;  // set-up computes forces, and damping needs the walls' velocity
   X_WB_ = X_WB;
 }
 
@@ -82,10 +83,11 @@ BodyLoad WallMotion::end_window() {
 }
 
 int WallMotion::setmask() {
-  return LAMMPS_NS::FixConst::INITIAL_INTEGRATE | LAMMPS_NS::FixConst::FINAL_INTEGRATE;
+  using namespace LAMMPS_NS::FixConst;
+  return INITIAL_INTEGRATE | PRE_FORCE | FINAL_INTEGRATE;
 }
 
-void WallMotion::setup(int) {
+void WallMotion::setup_pre_force(int) {
   auto& prop = mesh_->prop();
   if (prop.getElementProperty<NodeVelocity>("v") == nullptr) {
     prop.addElementProperty<NodeVelocity>("v", "comm_exchange_borders", "frame_invariant",

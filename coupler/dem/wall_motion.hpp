@@ -10,6 +10,7 @@
 
 #include "coupler/core/frames.hpp"
 #include "coupler/core/server.hpp"
+#include "coupler/dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class FixMeshSurface;
@@ -35,9 +36,8 @@ class WallMotion : public LAMMPS_NS::Fix {
   /// Puts the mesh at X_WB; before the first step only.
   void place(const Pose& X_WB);
 
-  /// Instead of `place`, after a restart that brought the mesh back at X_WB; `last` is the load of
-  /// the step before.
-  void adopt(const Pose& X_WB, const Wrench& last);
+  /// Instead of `place`, after a restart that brought the mesh back at X_WB.
+  void adopt(const Pose& X_WB, const WallMemory& remembered);
 
   /// From the next step on: moves at constant twist to reach X_WB_target after n_steps.
   void begin_window(const Pose& X_WB_target, long n_steps);
@@ -47,7 +47,7 @@ class WallMotion : public LAMMPS_NS::Fix {
 
   // What LIGGGHTS calls.
   int setmask() override;
-  void setup(int vflag) override;
+  void setup_pre_force(int vflag) override;
   void initial_integrate(int vflag) override;
   void final_integrate() override;
 

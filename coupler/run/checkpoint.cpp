@@ -20,13 +20,9 @@ json to_json(const Pose& X) {
   return {X.p.x(), X.p.y(), X.p.z(), X.R.w(), X.R.x(), X.R.y(), X.R.z()};
 }
 
-std::vector<Wrench> wrenches(const json& list) {
-  std::vector<Wrench> all;
-  for (const auto& f : list) {
-    const auto v = f.get<std::array<double, 6>>();
-    all.push_back({Vector3d(v[0], v[1], v[2]), Vector3d(v[3], v[4], v[5])});
-  }
-  return all;
+Wrench wrench(const json& j) {
+  const auto v = j.get<std::array<double, 6>>();
+  return {Vector3d(v[0], v[1], v[2]), Vector3d(v[3], v[4], v[5])};
 }
 
 /// Whole checkpoints, oldest first.
@@ -52,13 +48,15 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, Rock& rock
   fs::create_directories(c.folder);
   rock.save(c.rock());
   machine.save(c.machine());
-  json held = json::array(), walls = json::array(), loads = json::array();
-  for (const auto& F : c.loads) loads.push_back(to_json(F));
+  json held = json::array(), walls = json::array(), memory = json::array();
+  for (const auto& m : c.memory) {
+    memory.push_back({to_json(m.load), to_json(Wrench{m.V_WB_W.w, m.V_WB_W.v})});
+  }
   for (const auto& F : c.held) held.push_back(to_json(F));
   for (const auto& X : c.X_WB_wall) walls.push_back(to_json(X));
   std::ofstream out(c.folder / "coupling.json");
   out << json{{"step_index", c.step_index},   {"dem_step", c.dem_step},
-              {"held", held},                 {"walls", walls},   {"loads", loads},
+              {"held", held},                 {"walls", walls},   {"memory", memory},
               {"record_rows", c.record_rows}, {"rock_work_J", c.rock_work_J},
               {"machine_work_J", c.machine_work_J}, {"dem_cpu_s", c.dem_cpu_s},
               {"mbs_cpu_s", c.mbs_cpu_s}}
@@ -82,8 +80,11 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   c.folder = all.back();
   c.step_index = j.at("step_index");
   c.dem_step = j.at("dem_step");
-  c.held = wrenches(j.at("held"));
-  c.loads = wrenches(j.at("loads"));
+  for (const auto& f : j.at("held")) c.held.push_back(wrench(f));
+  for (const auto& m : j.at("memory")) {
+    const Wrench twist = wrench(m.at(1));
+    c.memory.push_back({wrench(m.at(0)), {twist.torque, twist.force}});
+  }
   for (const auto& x : j.at("walls")) {
     const auto v = x.get<std::array<double, 7>>();
     c.X_WB_wall.push_back({Quaterniond(v[3], v[4], v[5], v[6]), Vector3d(v[0], v[1], v[2])});

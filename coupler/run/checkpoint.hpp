@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupler/core/coupling.hpp"
+#include "coupler/dem/rock_setup.hpp"
 
 namespace dipper {
 
@@ -15,7 +16,7 @@ struct Checkpoint {
   std::int64_t dem_step = 0;
   std::vector<Wrench> held;      ///< by the machine, into the next window
   std::vector<Pose> X_WB_wall;   ///< the walls as LIGGGHTS has them
-  std::vector<Wrench> loads;     ///< of the walls at the last DEM step
+  std::vector<WallMemory> memory;  ///< of the walls
   std::size_t record_rows = 0;
   double rock_work_J = 0, machine_work_J = 0;
   double dem_cpu_s = 0, mbs_cpu_s = 0;

@@ -67,6 +67,11 @@ int run_command(const Words& words) {
                "folder with --out\n", options.out.string());
     return 2;
   }
+  if (words.resume) {
+    const auto changed = changed_since(options.out, c);
+    for (const auto& line : changed) fmt::print(stderr, "dipper: not as in {}: {}\n", options.out.string(), line);
+    if (!changed.empty()) return 2;
+  }
   catch_interrupts();
   enter_private_network();
   return static_cast<int>(paired_run(c, options));

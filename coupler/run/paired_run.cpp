@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <sstream>
 
 #include "coupler/case/case_hash.hpp"
 #include "coupler/core/coupling.hpp"
@@ -117,6 +120,7 @@ class Leg {
 
   void prepare() {
     write_deck(case_, case_.rock.shape_folder, folder_.deck());
+    std::ofstream(folder_.root / "case.txt") << case_.text;
     fmt::print("{}: {:.2f} s, {} windows of {} steps, {} rank{}\n", case_.name,
                static_cast<double>(end_step_) * case_.dem.timestep_s,
                (end_step_ + case_.coupling.sync_steps - 1) / case_.coupling.sync_steps,
@@ -142,7 +146,7 @@ class Leg {
     setup.logs = folder_.logs();
     setup.dem_screen = folder_.logs() / "dem.screen";
     setup.dem = dem_settings(case_, shovel_, folder_.deck(), folder_.dumps(), folder_.logs(),
-                             restart, from_ ? std::optional(from_->loads) : std::nullopt);
+                             restart, from_ ? std::optional(from_->memory) : std::nullopt);
     setup.mbs = mbs_settings(case_);
     sides_ = std::make_unique<Sides>(setup);
     rock_ = std::make_unique<TimedRock>(sides_->rock());
@@ -215,10 +219,10 @@ class Leg {
     facts_.particles = std::llround(w.rock.channels[channel(info, "particles")]);
     facts_.bodies = std::llround(w.rock.channels[channel(info, "rocks")]);
     walls_.clear();
-    loads_.clear();
-    for (const auto& b : w.rock.bodies) {
-      walls_.push_back(b.X_WB);
-      loads_.push_back(b.end);
+    memory_.clear();
+    for (std::size_t b = 0; b < w.rock.bodies.size(); ++b) {
+      walls_.push_back(w.rock.bodies[b].X_WB);
+      memory_.push_back({w.rock.bodies[b].end, w.V_WB_wall[b]});
     }
   }
 
@@ -236,7 +240,7 @@ class Leg {
     c.dem_step = dem_step_;
     c.held = coupling.held();
     c.X_WB_wall = walls_;
-    c.loads = loads_;
+    c.memory = memory_;
     c.record_rows = record_->rows();
     c.rock_work_J = record_->interface_work_J();
     c.machine_work_J = record_->machine_work_J();
@@ -320,10 +324,29 @@ class Leg {
   std::unique_ptr<TimedRock> rock_;
   std::unique_ptr<RunRecord> record_;
   std::vector<Pose> walls_;
-  std::vector<Wrench> loads_;
+  std::vector<WallMemory> memory_;
 };
 
 }  // namespace
+
+std::vector<std::string> changed_since(const fs::path& folder, const Case& c) {
+  const auto lines = [](std::istream& in) {
+    std::set<std::string> kept;
+    for (std::string line; std::getline(in, line);) {
+      const bool free = line.rfind("end_s", 0) == 0 || line.rfind("output.", 0) == 0 ||
+                        line.rfind("coupling.timeout_s", 0) == 0;
+      if (!free) kept.insert(line);
+    }
+    return kept;
+  };
+  std::ifstream file(folder / "case.txt");
+  std::istringstream text(c.text);
+  const auto before = lines(file), now = lines(text);
+  std::vector<std::string> changed;
+  std::set_symmetric_difference(before.begin(), before.end(), now.begin(), now.end(),
+                                std::back_inserter(changed));
+  return changed;
+}
 
 Outcome paired_run(const Case& c, const RunOptions& options) { return Leg(c, options).run(); }
 

@@ -44,7 +44,7 @@ MeshFacts read_mesh_facts(const Case& c) {
 
 nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::path& deck,
                             const fs::path& dumps, const fs::path& logs, const fs::path& restart,
-                            const std::optional<std::vector<Wrench>>& resumed) {
+                            const std::optional<std::vector<WallMemory>>& resumed) {
   RockSetup setup;
   setup.deck = (source_folder() / "dem_in" / "dig.in").string();
   setup.log = (logs / "dem.liggghts").string();

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "coupler/case/case.hpp"
-#include "coupler/core/frames.hpp"
+#include "coupler/dem/rock_setup.hpp"
 
 namespace dipper {
 
@@ -26,13 +26,13 @@ struct MeshFacts {
 /// Reads meshes/NAME.yaml beside the meshes. Throws std::runtime_error naming file and key.
 MeshFacts read_mesh_facts(const Case& c);
 
-/// dipper-dem's settings. `resumed`: when `restart` is a checkpoint and not a settled pile, the
-/// loads of its last step.
+/// dipper-dem's settings. `resumed`: when `restart` is a checkpoint and not a settled pile, what
+/// the walls remember.
 nlohmann::json dem_settings(const Case& c, const MeshFacts& facts,
                             const std::filesystem::path& deck, const std::filesystem::path& dumps,
                             const std::filesystem::path& logs,
                             const std::filesystem::path& restart,
-                            const std::optional<std::vector<Wrench>>& resumed);
+                            const std::optional<std::vector<WallMemory>>& resumed);
 
 /// dipper-mbs's settings.
 nlohmann::json mbs_settings(const Case& c);

@@ -17,11 +17,11 @@ namespace dipper::test {
 /// One row of `compute ... wall/gran/local pos id force torque`. LIGGGHTS documents `contactPoint`
 /// for the point, but fills it for pairs of spheres only; of a wall's rows, `pos` holds it.
 struct Contact {
-  int mesh;             ///< place in `wall/gran ... meshes`
-  Vector3d point;       ///< where the force acts [m]
-  Vector3d centre;      ///< of the sphere [m]
-  Vector3d force;       ///< of the wall on the sphere [N]
-  Vector3d torque;      ///< about the sphere's centre, rolling friction included [N m]
+  int mesh;         ///< place in `wall/gran ... meshes`
+  Vector3d point;   ///< where the force acts [m]
+  Vector3d centre;  ///< of the sphere [m]
+  Vector3d force;   ///< of the wall on the sphere [N]
+  Vector3d torque;  ///< about the sphere's centre, rolling friction included [N m]
 };
 
 /// Lists this rank's contacts in each step, after the walls' forces and before the velocities'

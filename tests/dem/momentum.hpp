@@ -12,11 +12,11 @@
 namespace dipper::test {
 
 struct Momentum {
-  double mass = 0;                         ///< [kg]
-  Vector3d moment = Vector3d::Zero();      ///< sum of m x [kg m]
-  Vector3d linear = Vector3d::Zero();      ///< [N s]
-  Vector3d angular = Vector3d::Zero();     ///< about W's origin, spin included [N m s]
-  double bodies = 0;                       ///< multispheres
+  double mass = 0;                      ///< [kg]
+  Vector3d moment = Vector3d::Zero();   ///< sum of m x [kg m]
+  Vector3d linear = Vector3d::Zero();   ///< [N s]
+  Vector3d angular = Vector3d::Zero();  ///< about W's origin, spin included [N m s]
+  double bodies = 0;                    ///< multispheres
 };
 
 /// Summed over all ranks. Collective.
@@ -29,8 +29,8 @@ inline Momentum momentum(LAMMPS_NS::LAMMPS& lmp) {
     sum.linear += m * v;
     sum.angular += m * x.cross(v) + spin;
   };
-  auto* multisphere = static_cast<LAMMPS_NS::FixMultisphere*>(
-      lmp.modify->find_fix_style("multisphere", 0));
+  auto* multisphere =
+      static_cast<LAMMPS_NS::FixMultisphere*>(lmp.modify->find_fix_style("multisphere", 0));
   const LAMMPS_NS::Atom& atom = *lmp.atom;
   for (int i = 0; i < atom.nlocal; ++i) {
     if (multisphere != nullptr && multisphere->belongs_to(i) >= 0) continue;

@@ -3,7 +3,8 @@
 //
 // Tangential damping is off here: LIGGGHTS damps a contact that sticks and not one that slides, and
 // its per-contact output evaluates the law a second time, when a sliding contact's displacement has
-// just been cut back to the limit: rounding then says whether it sticks. balance_test.cpp has it on.
+// just been cut back to the limit: rounding then says whether it sticks. balance_test.cpp has it
+// on.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -52,10 +53,10 @@ struct Worst {
   double force = 0, torque = 0;
   void add(const Wrench& is, const Wrench& should) {
     constexpr double floor = 100;
-    force = std::max(force, (is.force - should.force).norm() / std::max(should.force.norm(), floor));
-    torque = std::max(
-        torque, (is.torque - should.torque).norm() / std::max({should.torque.norm(),
-                                                               should.force.norm(), floor}));
+    force =
+        std::max(force, (is.force - should.force).norm() / std::max(should.force.norm(), floor));
+    torque = std::max(torque, (is.torque - should.torque).norm() /
+                                  std::max({should.torque.norm(), should.force.norm(), floor}));
   }
 };
 
@@ -72,7 +73,7 @@ TEST_P(WrenchOn, EachBodyIsTheSumOverItsContacts) {
   std::vector<Pose> from = test::Drum::poses(0);
   std::vector<Wrench> last(2);
   Worst end, mean;
-  int loaded[2] = {};
+  int loaded[2] = {}, here = 0;
   std::int64_t step = 0;
   const auto run = [&](int steps) {
     step += steps;
@@ -92,15 +93,18 @@ TEST_P(WrenchOn, EachBodyIsTheSumOverItsContacts) {
       loaded[b] += last[b].force.norm() > 0;
     }
     from = to;
+    here += !list_->steps.back().empty();
     list_->steps.clear();
   };
   constexpr int windows = 800;
   for (int k = 0; k < windows; ++k) run(k % 4 == 0 ? 1 : k % 23 + 1);
+  MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  EXPECT_GT(here, windows / 4) << "windows in which every rank had contacts";
   if (test::rank() == 0) {
-    fmt::print("{}: end off by {:.2e} force {:.2e} torque, mean by {:.2e} {:.2e}; {} and {} of {} "
-               "windows loaded\n",
-               GetParam(), end.force, end.torque, mean.force, mean.torque, loaded[0], loaded[1],
-               windows);
+    fmt::print(
+        "{}: end off by {:.2e} force {:.2e} torque, mean by {:.2e} {:.2e}; {} and {} of {} "
+        "windows loaded\n",
+        GetParam(), end.force, end.torque, mean.force, mean.torque, loaded[0], loaded[1], windows);
   }
   EXPECT_GT(loaded[0], windows / 2);
   EXPECT_GT(loaded[1], windows / 4);
@@ -153,7 +157,7 @@ TEST_P(WrenchOn, BodiesAndCouplesBalanceTheAngularMomentumOfTheRock) {
                GetParam(), worst, couples);
   }
   EXPECT_LT(worst, 1e-8);
-  EXPECT_LT(couples, 0.05);
+  EXPECT_LT(couples, 0.1);  // 0.1 R of rolling friction and some 0.01 R of overlap, at arms of 1 m
 }
 
 INSTANTIATE_TEST_SUITE_P(Rock, WrenchOn, testing::Values("spheres", "multispheres"),

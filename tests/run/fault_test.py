@@ -1,0 +1,129 @@
+"""Kill, stop or starve a side at any moment: a clear end within seconds, and no process left."""
+
+import os
+import pathlib
+import signal
+import time
+import unittest
+
+import h5py
+
+from runs import RunTest, processes
+
+
+class Faults(RunTest):
+    def pids(self, out, name):
+        return [pid for pid, program in processes(out) if program == name]
+
+    def assert_ended(self, process, out, status, *words, within=5.0):
+        """The run ends in time, says all the words on stderr, and leaves nobody behind."""
+        began = time.time()
+        try:
+            _, err = process.communicate(timeout=within)
+        except Exception:
+            process.kill()
+            raise
+        self.assertLess(time.time() - began, within)
+        self.assertEqual(process.returncode, status, err)
+        for word in words:
+            self.assertIn(word, err)
+        deadline = time.time() + 2
+        while processes(out) and time.time() < deadline:
+            time.sleep(0.05)
+        self.assertEqual(processes(out), [])
+        return err
+
+    def digging(self, name, *arguments, time_s=0.7):
+        out = self.folder / name
+        process = self.start(out, *arguments)
+        self.wait_until_digging(process, out, time_s)
+        return process, out
+
+    def test_a_killed_machine_side(self):
+        process, out = self.digging("mbs")
+        os.kill(self.pids(out, "dipper-mbs")[0], signal.SIGKILL)
+        self.assert_ended(process, out, 3, "the mbs side failed at t = ", "killed by signal 9",
+                          "last checkpoint", "--resume")
+        self.assertEqual(self.summary(out)["status"], "failed")
+        with h5py.File(out / "record.h5") as f:  # opens, with what had been flushed
+            self.assertGreater(len(f["time_s"]), 0)
+
+    def test_a_killed_rank(self):
+        process, out = self.digging("rank")
+        os.kill(self.pids(out, "dipper-dem")[-1], signal.SIGKILL)
+        self.assert_ended(process, out, 3, "the dem side failed at t = ", "signal 9")
+
+    def test_a_killed_mpirun(self):
+        process, out = self.digging("mpirun")
+        os.kill(self.pids(out, "mpirun")[0], signal.SIGKILL)
+        self.assert_ended(process, out, 3, "the dem side failed at t = ", "signal 9")
+
+    def test_a_killed_launcher_leaves_no_orphan(self):
+        process, out = self.digging("launcher")
+        process.kill()
+        process.communicate()
+        deadline = time.time() + 5
+        while processes(out) and time.time() < deadline:
+            time.sleep(0.05)
+        self.assertEqual(processes(out), [])
+
+    def test_a_side_that_hangs(self):
+        process, out = self.digging("hang", "--set", "coupling.timeout_s=2")
+        os.kill(self.pids(out, "dipper-mbs")[0], signal.SIGSTOP)
+        self.assert_ended(process, out, 3, "the mbs side failed at t = ", "no answer for 2 s",
+                          within=8)
+
+    def test_killed_while_starting(self):
+        out = self.folder / "early"
+        process = self.start(out)
+        deadline = time.time() + 60
+        while not self.pids(out, "dipper-mbs") and time.time() < deadline:
+            time.sleep(0.01)
+        os.kill(self.pids(out, "dipper-mbs")[0], signal.SIGKILL)
+        self.assert_ended(process, out, 3, "the mbs side failed at t = 0.0000 s")
+
+    def test_ctrl_c_ends_cleanly_and_can_be_resumed(self):
+        process, out = self.digging("interrupt")
+        process.send_signal(signal.SIGINT)
+        self.assert_ended(process, out, 4, "interrupted at t = ", "--resume")
+        self.assertEqual(self.summary(out)["status"], "interrupted")
+        self.run_case(out, "--resume")
+        self.assertEqual(self.summary(out)["status"], "complete")
+        self.assertEqual(self.summary(out)["dem"]["steps"], 7000)
+
+    def test_a_killed_run_resumes_from_its_last_checkpoint(self):
+        process, out = self.digging("killed", time_s=1.3)
+        os.kill(self.pids(out, "dipper-dem")[0], signal.SIGKILL)
+        self.assert_ended(process, out, 3, "t = 1.200 s")
+        self.run_case(out, "--resume")
+        with h5py.File(out / "record.h5") as f:
+            self.assertEqual(len(f["time_s"]), 701)
+
+    def test_a_liggghts_error_reaches_the_user_as_liggghts_wrote_it(self):
+        cache = self.folder / "cache"
+        os.environ["XDG_CACHE_HOME"] = str(cache)
+        self.addCleanup(os.environ.pop, "XDG_CACHE_HOME")
+        first = self.folder / "first"
+        self.run_case(first, "--set", "end_s=0.03", "--ranks", "1")
+        pile = next(cache.glob("dipper/piles/*/pile.restart"))
+        pile.write_bytes(b"this is no restart file" * 100)
+        process = self.start(self.folder / "second", "--set", "end_s=0.03", "--ranks", "1")
+        self.assert_ended(process, self.folder / "second", 3, "the dem side failed", "ERROR",
+                          within=10)
+
+    def test_a_full_disk(self):
+        # A file system of a few MiB, in a mount namespace of its own.
+        disk = self.folder / "disk"
+        disk.mkdir()
+        if os.geteuid() != 0 or os.system(f"mount -t tmpfs -o size=4m tmpfs {disk}") != 0:
+            self.skipTest("needs to mount a small file system")
+        self.addCleanup(os.system, f"umount -l {disk}")
+        process = self.start(disk / "run", "--ranks", "1", "--set", "output.dump_every_s=0.003")
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 3, err)
+        self.assertIn("dipper: ", err)
+        self.assertEqual(processes(disk), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

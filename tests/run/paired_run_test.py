@@ -1,0 +1,97 @@
+"""A short paired run through real LCM, LIGGGHTS and Simbody."""
+
+import json
+import unittest
+
+import h5py
+import numpy as np
+
+from runs import RunTest
+
+
+class PairedRun(RunTest):
+    def test_same_seed_same_state(self):
+        for name in ("a", "b"):
+            self.run_case(self.folder / name)
+        a, b = (self.summary(self.folder / name) for name in ("a", "b"))
+        self.assertEqual(a["status"], "complete")
+        self.assertEqual(len(a["state_hash"]), 64)
+        self.assertEqual(a["state_hash"], b["state_hash"])
+        self.assertEqual(a["coupling"]["foreign_messages"], 0)
+        self.assertEqual(a["dem"]["steps"], 7000)
+        self.assertEqual(a["coupling"]["syncs"], 700)
+        self.check_record(self.folder / "a")
+        self.check_dumps(self.folder / "a")
+
+    def check_record(self, run):
+        with h5py.File(run / "record.h5", "r") as f:
+            t = f["time_s"][:]
+            self.assertEqual(len(t), 701)
+            np.testing.assert_allclose(t, np.arange(701) * 3e-3, atol=1e-12)
+            for name in ("machine/hoist_force", "machine/crowd_force", "machine/rope_tension_left",
+                         "machine/swing", "rock/mass_in_dipper", "bodies/dipper/wrench_mean",
+                         "coupling/energy_residual"):
+                self.assertEqual(len(f[name]), 701, name)
+                self.assertTrue(f[name].attrs["unit"], name)
+                self.assertTrue(f[name].attrs["frame"], name)
+            self.assertIn(b"seed", f.attrs["case"])
+            # The walls are where the machine is, but for the correction of the last window.
+            for body in ("dipper", "door"):
+                off = f[f"bodies/{body}/pose"][:, :3] - f[f"bodies/{body}/wall_pose"][:, :3]
+                self.assertLess(np.abs(off).max(), 2e-3)
+            # The dipper has met rock, and the rock pushes back, away from the face.
+            force = f["bodies/dipper/wrench_mean"][:, 3:]
+            self.assertGreater(np.linalg.norm(force, axis=1).max(), 1e5)
+            self.assertLess(force[:, 0].min(), -1e5)
+
+    def check_dumps(self, run):
+        for series in ("rocks.vtp.series", "walls.vtk.series"):
+            frames = json.loads((run / "dumps" / series).read_text())["files"]
+            self.assertEqual([round(f["time"], 6) for f in frames],
+                             [round(0.3 * k, 6) for k in range(8)])
+            for f in frames:
+                self.assertTrue((run / "dumps" / f["name"]).stat().st_size > 0)
+
+    def test_serial_scheme_can_be_chosen(self):
+        self.run_case(self.folder / "s", "--set", "coupling.scheme=serial", "--ranks", "1")
+        self.assertEqual(self.summary(self.folder / "s")["coupling"]["scheme"], "serial")
+
+    def test_a_resumed_run_ends_like_an_uninterrupted_one(self):
+        self.run_case(self.folder / "whole")
+        self.run_case(self.folder / "parts", "--set", "end_s=1.8")
+        self.run_case(self.folder / "parts", "--resume")
+        whole, parts = self.folder / "whole", self.folder / "parts"
+        self.assertEqual(self.summary(parts)["dem"]["steps"], 7000)
+        with h5py.File(whole / "record.h5") as a, h5py.File(parts / "record.h5") as b:
+            np.testing.assert_array_equal(a["time_s"][:], b["time_s"][:])
+            np.testing.assert_array_equal(a["step_index"][:], b["step_index"][:])
+            # To the bit up to the checkpoint; then only the order of sums differs.
+            before = slice(0, np.searchsorted(b["time_s"][:], 1.8 + 1e-9))
+            for name in ("bodies/dipper/pose", "bodies/dipper/wrench_mean", "machine/crowd_force"):
+                np.testing.assert_array_equal(a[name][before], b[name][before], name)
+            np.testing.assert_allclose(a["bodies/dipper/pose"][:, :3], b["bodies/dipper/pose"][:, :3],
+                                       rtol=0, atol=1e-9)
+            force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
+            np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-5 * np.abs(force_a).max())
+
+    def test_bad_input_starts_nothing_and_writes_nothing(self):
+        out, err = self.run_case(self.folder / "x", "--set", "rock.density_t_m3=3.2",
+                                 "--set", "coupling.sync_steps=0", status=2)
+        self.assertIn("density_kg_m3", out)
+        self.assertIn("sync_steps", out)
+        self.assertFalse((self.folder / "x").exists())
+
+    def test_a_result_is_never_written_over(self):
+        self.run_case(self.folder / "once", "--set", "end_s=0.03", "--ranks", "1")
+        before = (self.folder / "once" / "record.h5").read_bytes()
+        _, err = self.run_case(self.folder / "once", status=2)
+        self.assertIn("holds a run already", err)
+        self.assertEqual((self.folder / "once" / "record.h5").read_bytes(), before)
+
+    def test_resuming_nothing_is_bad_usage(self):
+        _, err = self.run_case(self.folder / "none", "--resume", status=2)
+        self.assertIn("no run to resume", err)
+
+
+if __name__ == "__main__":
+    unittest.main()

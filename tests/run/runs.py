@@ -1,0 +1,69 @@
+"""What the tests of whole runs share: the program, the tiny case, and a folder of their own."""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+DIPPER = os.environ["DIPPER"]
+TINY = pathlib.Path(__file__).parent / "tiny"
+
+
+def processes(folder):
+    """(pid, name) of every living process of the run in `folder`, by the config file it was given."""
+    found = []
+    for entry in pathlib.Path("/proc").iterdir():
+        if not entry.name.isdigit():
+            continue
+        try:
+            words = (entry / "cmdline").read_bytes().split(b"\0")
+            state = (entry / "stat").read_text().rsplit(")", 1)[1].split()[0]
+        except OSError:  # it has just ended
+            continue
+        if state != "Z" and any(w.startswith(str(folder).encode()) for w in words[1:]):
+            found.append((int(entry.name), pathlib.Path(words[0].decode()).name))
+    return found
+
+
+class RunTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="dipper-test-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def start(self, out, *arguments):
+        return subprocess.Popen([DIPPER, "run", TINY, "--out", out, *arguments],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def run_case(self, out, *arguments, status=0):
+        """Runs to the end; returns (stdout, stderr)."""
+        process = self.start(out, *arguments)
+        try:
+            text = process.communicate(timeout=120)
+        finally:
+            process.kill()
+        self.assertEqual(process.returncode, status, text[0] + text[1])
+        return text
+
+    def wait_until_digging(self, process, out, time_s=0.5):
+        """Until the record shows that much simulated time."""
+        import h5py
+        deadline = time.time() + 90
+        while time.time() < deadline and process.poll() is None:
+            try:
+                with h5py.File(out / "record.h5", "r") as f:
+                    t = f["time_s"]
+                    if len(t) and t[-1] >= time_s:
+                        return
+            except (OSError, KeyError):  # not there yet, or just being written
+                pass
+            time.sleep(0.05)
+        process.send_signal(signal.SIGKILL)
+        self.fail(f"the run did not get to {time_s} s: {process.communicate()}")
+
+    def summary(self, out):
+        return json.loads((out / "summary.json").read_text())
