@@ -7,8 +7,8 @@
 namespace dipper {
 namespace {
 
-constexpr double kDoorOpen_rad = 0.02;       // about 1 degree: more than a drive's ripple
-constexpr double kFirstContact_N = 20e3;     // the weight of a 2 t rock: more than a stray stone
+constexpr double kDoorOpen_rad = 0.02;    // about 1 degree: more than a drive's ripple
+constexpr double kFirstContact_N = 20e3;  // the weight of a 2 t rock: more than a stray stone
 constexpr double kPayloadWindow_s = 1.0;
 
 Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::size_t end) {
@@ -54,8 +54,9 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     std::size_t end = dump;
     while (end + 1 < n && open(end)) ++end;
     // What follows the last dump without any digging is the way home, not a pass.
-    const bool dug = std::any_of(s.dipper_force_N.begin() + begin, s.dipper_force_N.begin() + dump + 1,
-                                 [](double f) { return f >= kFirstContact_N; });
+    const bool dug =
+        std::any_of(s.dipper_force_N.begin() + begin, s.dipper_force_N.begin() + dump + 1,
+                    [](double f) { return f >= kFirstContact_N; });
     if (!dug && !passes.empty() && end + 1 >= n) {
       passes.back().truck_kg += s.truck_mass_kg[end] - s.truck_mass_kg[begin];
       break;

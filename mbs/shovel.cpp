@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "coupler/motion/kinematics.hpp"
+#include "coupler/motion/seconds.hpp"
+#include "mbs/convert.hpp"
 #include "mbs/prescribed.hpp"
 #include "mbs/shovel_model.hpp"
 #include "mbs/snapshot.hpp"
@@ -21,14 +23,6 @@ using SimTK::State;
 
 constexpr std::size_t kBodies = 2;  // dipper, door
 enum Work { kDriveWork, kInterfaceWork, kDissipated, kWorks };
-
-SimTK::Vec3 vec(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Vector3d vec(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
-
-Pose pose(const SimTK::Transform& X) {
-  const SimTK::Quaternion q = X.R().convertRotationToQuaternion();
-  return {Quaterniond(q[0], q[1], q[2], q[3]), vec(X.p())};
-}
 
 /// What the drives do at one instant.
 struct DriveReport {
@@ -75,7 +69,7 @@ struct Shovel::Impl {
   void recall(const Snapshot& snapshot) {
     hold(snapshot.F_Bo_W);
     if (scratch_is_committed) return;
-    scratch.setTime(static_cast<double>(snapshot.t_ns) * 1e-9);
+    scratch.setTime(seconds(snapshot.t_ns));
     scratch.updQ() = snapshot.q;
     scratch.updU() = snapshot.u;
   }
@@ -160,8 +154,7 @@ struct Shovel::Impl {
     throw std::runtime_error(fmt::format(
         "shovel: {} while stepping from {:.6f} to {:.6f} s (saddle at {:.4f} rad, {:.4f} "
         "rad/s when it began)",
-        what, static_cast<double>(t0_ns) * 1e-9, static_cast<double>(t1_ns) * 1e-9,
-        committed.q[model.saddle.getFirstQIndex(scratch)],
+        what, seconds(t0_ns), seconds(t1_ns), committed.q[model.saddle.getFirstQIndex(scratch)],
         committed.u[model.saddle.getFirstUIndex(scratch)]));
   }
 
@@ -188,7 +181,7 @@ ServerInfo Shovel::info() const {
   ServerInfo info;
   info.version = fmt::format("dipper-mbs, Simbody {}.{}.{}", major, minor, build);
   info.bodies = {"dipper", "door"};
-  info.timestep_s = static_cast<double>(impl_->max_substep_ns) * 1e-9;
+  info.timestep_s = seconds(impl_->max_substep_ns);
   // In the order of Impl::report.
   info.channels = {
       {"swing", "rad", "W"},
@@ -232,7 +225,7 @@ MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& works)
     out.bodies.push_back({pose(body(i).getBodyTransform(s)), {vec(V[0]), vec(V[1])}});
   }
   const DriveReport d = drives(s);
-  const DriveState drive = motion->at(static_cast<double>(t_ns) * 1e-9);
+  const DriveState drive = motion->at(seconds(t_ns));
   const double kinetic = model.system.calcKineticEnergy(s);
   const double potential = model.system.calcPotentialEnergy(s);
   const double residual = kinetic + potential - energy_at_start - works[kDriveWork] -
@@ -272,8 +265,7 @@ MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& works)
 
 MachineState Shovel::state() {
   impl_->recall(impl_->committed);
-  realize_at(impl_->model.system, impl_->scratch,
-             static_cast<double>(impl_->committed.t_ns) * 1e-9);
+  realize_at(impl_->model.system, impl_->scratch, seconds(impl_->committed.t_ns));
   impl_->scratch_is_committed = true;
   return impl_->report(impl_->committed.t_ns, impl_->committed.works);
 }

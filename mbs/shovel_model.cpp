@@ -1,5 +1,6 @@
 #include "mbs/shovel_model.hpp"
 
+#include "mbs/convert.hpp"
 #include "mbs/prescribed.hpp"
 
 namespace dipper {
@@ -8,12 +9,6 @@ namespace {
 using SimTK::Rotation;
 using SimTK::Transform;
 using SimTK::Vec3;
-
-Vec3 vec(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Transform transform(const Pose& X) {
-  return {Rotation(SimTK::Quaternion(X.R.w(), X.R.x(), X.R.y(), X.R.z())), vec(X.p)};
-}
 
 /// Simbody's hinge turns about its frame's z: these turn that z to y and to -y, keeping x.
 Rotation z_to_y() { return Rotation(-SimTK::Pi / 2, SimTK::XAxis); }

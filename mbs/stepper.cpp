@@ -1,5 +1,7 @@
 #include "mbs/stepper.hpp"
 
+#include "coupler/motion/seconds.hpp"
+
 namespace dipper {
 
 void realize_at(const SimTK::MultibodySystem& system, SimTK::State& state, double t_s) {
@@ -19,8 +21,8 @@ void advance(const SimTK::MultibodySystem& system, SimTK::State& state, std::int
              std::int64_t t1_ns, std::int64_t max_substep_ns, const Quadrature& quadrature,
              SimTK::Vector& integrals) {
   const std::int64_t n = (t1_ns - t0_ns + max_substep_ns - 1) / max_substep_ns;
-  const double t0 = static_cast<double>(t0_ns) * 1e-9;
-  const double h = static_cast<double>(t1_ns - t0_ns) * 1e-9 / static_cast<double>(n);
+  const double t0 = seconds(t0_ns);
+  const double h = seconds(t1_ns - t0_ns) / static_cast<double>(n);
 
   for (std::int64_t i = 0; i < n; ++i) {
     const double t = t0 + h * static_cast<double>(i);
@@ -50,7 +52,7 @@ void advance(const SimTK::MultibodySystem& system, SimTK::State& state, std::int
     state.updU() = u0 + h * du;
     integrals += h * dz;
   }
-  realize_at(system, state, static_cast<double>(t1_ns) * 1e-9);
+  realize_at(system, state, seconds(t1_ns));
 }
 
 }  // namespace dipper

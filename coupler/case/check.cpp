@@ -6,9 +6,16 @@
 
 namespace dipper {
 
+bool check::file_exists(const Case& c, const std::string& key, const std::filesystem::path& file,
+                        Findings& findings) {
+  if (std::filesystem::is_regular_file(file)) return true;
+  findings.push_back(finding_at(c, key, "no such file: " + file.string()));
+  return false;
+}
+
 std::vector<Finding> check_case(const Case& c) {
   std::vector<Finding> findings;
-  std::map<std::string, mesh::TriangleMesh> bodies;
+  std::map<std::string, TriangleMesh> bodies;
   for (const auto& [name, file] : c.bodies) {
     if (auto body = check::load_sound_mesh(c, "bodies." + name, file, findings)) {
       bodies.emplace(name, std::move(*body));

@@ -6,6 +6,7 @@
 
 #include "coupler/deck/deck.hpp"
 #include "coupler/motion/motion.hpp"
+#include "coupler/motion/seconds.hpp"
 
 namespace dipper {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 std::string summary(const Case& c) {
   double rocks = 0;
   for (const ClassCount& count : rock_counts(c)) rocks += count.rocks;
-  const double motion_s = static_cast<double>(Motion::load(c.machine.motion).end_ns()) * 1e-9;
+  const double motion_s = seconds(Motion::load(c.machine.motion).end_ns());
   const double end_s = c.end_s > 0 ? c.end_s : motion_s;
   const double steps = std::ceil(end_s / c.dem.timestep_s - 1e-6);
   const double settle_steps = std::ceil((c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s);

@@ -14,11 +14,10 @@ namespace dipper::check {
 namespace {
 
 constexpr std::size_t faults_shown = 10;  // a file: the first few tell what is wrong with it
-constexpr double pi = 3.14159265358979323846;
 
 // "reaches y = 28.3 m, 0.3 m beyond the domain's 28", once a side of the box that is passed.
 void check_box(const Case& c, const std::string& key, const std::string& what,
-               const mesh::BoundingBox& box, Findings& findings) {
+               const BoundingBox& box, Findings& findings) {
   for (int i = 0; i < 3; ++i) {
     const auto report = [&](double reached, double limit, const char* corner) {
       findings.push_back(
@@ -33,15 +32,12 @@ void check_box(const Case& c, const std::string& key, const std::string& what,
 
 }  // namespace
 
-std::optional<mesh::TriangleMesh> load_sound_mesh(const Case& c, const std::string& key,
-                                                  const fs::path& file, Findings& findings) {
-  if (!fs::is_regular_file(file)) {
-    findings.push_back(finding_at(c, key, "no such file: " + file.string()));
-    return std::nullopt;
-  }
+std::optional<TriangleMesh> load_sound_mesh(const Case& c, const std::string& key,
+                                            const fs::path& file, Findings& findings) {
+  if (!file_exists(c, key, file, findings)) return std::nullopt;
   try {
-    mesh::TriangleMesh mesh = mesh::read_stl(file);
-    const auto faults = mesh::check_mesh(mesh);
+    TriangleMesh mesh = read_stl(file);
+    const auto faults = check_mesh(mesh);
     for (std::size_t i = 0; i < faults.size() && i < faults_shown; ++i) {
       findings.push_back({file, 0, key, faults[i].message});
     }
@@ -50,18 +46,18 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const Case& c, const std::stri
           {file, 0, key, fmt::format("and {} faults more", faults.size() - faults_shown)});
     }
     return mesh;
-  } catch (const mesh::StlError& e) {
+  } catch (const StlError& e) {
     const std::string where = e.byte >= 0 ? fmt::format("at byte {}: ", e.byte) : "";
-    findings.push_back({file, e.line, key, where + e.what()});
+    findings.push_back({file, e.line, key, where + e.message});
     return std::nullopt;
   }
 }
 
-void check_truck_in_domain(const Case& c, const mesh::TriangleMesh& truck, Findings& findings) {
-  mesh::TriangleMesh placed = truck;
-  const Eigen::AngleAxisd turn(c.truck.heading_deg * pi / 180, Eigen::Vector3d::UnitZ());
+void check_truck_in_domain(const Case& c, const TriangleMesh& truck, Findings& findings) {
+  TriangleMesh placed = truck;
+  const Eigen::AngleAxisd turn(c.truck.heading_deg * M_PI / 180, Eigen::Vector3d::UnitZ());
   for (Eigen::Vector3d& v : placed.vertices) v = c.truck.position_m + turn * v;
-  check_box(c, "truck.position_m", "the truck", mesh::bounding_box(placed), findings);
+  check_box(c, "truck.position_m", "the truck", bounding_box(placed), findings);
 }
 
 // The bench from the toe to its rear wall, and the rock above it before it falls.

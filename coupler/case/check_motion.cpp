@@ -10,19 +10,16 @@
 #include "coupler/motion/input_error.hpp"
 #include "coupler/motion/kinematics.hpp"
 #include "coupler/motion/machine_data.hpp"
+#include "coupler/motion/seconds.hpp"
 
 namespace fs = std::filesystem;
 
 namespace dipper::check {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 // Between two samples a tooth at 5 m/s (full swing) moves 0.1 m, but where it is farthest out it
 // turns back: there the error is 1/8 of acceleration times the sample squared, below a millimetre.
 constexpr std::int64_t sample_ns = 20'000'000;
-
-double seconds(std::int64_t t_ns) { return static_cast<double>(t_ns) * 1e-9; }
 
 // The libraries below report "file:line:column: message"; a Finding keeps these apart.
 Finding from_message(const fs::path& file, const std::string& key, const std::string& message) {
@@ -43,10 +40,7 @@ Finding from_message(const fs::path& file, const std::string& key, const std::st
 template <class Load>
 auto load_reported(const Case& c, const std::string& key, const fs::path& file, const Load& load,
                    Findings& findings) -> std::optional<decltype(load(file))> {
-  if (!fs::is_regular_file(file)) {
-    findings.push_back(finding_at(c, key, "no such file: " + file.string()));
-    return std::nullopt;
-  }
+  if (!file_exists(c, key, file, findings)) return std::nullopt;
   try {
     return load(file);
   } catch (const InputError& e) {
@@ -75,8 +69,7 @@ struct Excursion {
 };
 
 void check_bodies_in_domain(const Case& c, const ShovelKinematics& shovel, const Motion& motion,
-                            const std::map<std::string, mesh::TriangleMesh>& bodies,
-                            Findings& findings) {
+                            const std::map<std::string, TriangleMesh>& bodies, Findings& findings) {
   std::map<std::string, std::array<Excursion, 6>> excursions;  // xyz of min_m, then of max_m
   std::map<std::string, double> reach;  // m from a body's origin to its farthest vertex
   for (const auto& [name, body] : bodies) {
@@ -128,10 +121,9 @@ void check_bodies_in_domain(const Case& c, const ShovelKinematics& shovel, const
 
 }  // namespace
 
-std::optional<Motion> check_motion(const Case& c,
-                                   const std::map<std::string, mesh::TriangleMesh>& bodies,
+std::optional<Motion> check_motion(const Case& c, const std::map<std::string, TriangleMesh>& bodies,
                                    Findings& findings) {
-  std::map<std::string, mesh::TriangleMesh> known = bodies;
+  std::map<std::string, TriangleMesh> known = bodies;
   for (const auto& body : c.bodies) {
     if (body.first == "dipper" || body.first == "door") continue;
     known.erase(body.first);
@@ -147,7 +139,7 @@ std::optional<Motion> check_motion(const Case& c,
   if (!machine || !motion) return motion;
 
   const Pose X_W0{Quaterniond::Identity(), c.machine.base_position_m};
-  const ShovelKinematics shovel(*machine, X_W0, c.machine.rake_angle_deg * pi / 180);
+  const ShovelKinematics shovel(*machine, X_W0, c.machine.rake_angle_deg * M_PI / 180);
   for (const std::string& message : shovel.check(*motion)) {
     findings.push_back({c.machine.motion, 0, "machine.motion", message});
   }

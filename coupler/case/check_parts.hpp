@@ -13,19 +13,21 @@ namespace dipper::check {
 
 using Findings = std::vector<Finding>;
 
+/// False, and a finding, when the file of a key does not exist.
+bool file_exists(const Case& c, const std::string& key, const std::filesystem::path& file,
+                 Findings& findings);
+
 /// Reads the STL of a key and reports every fault. Empty when the file cannot be read.
-std::optional<mesh::TriangleMesh> load_sound_mesh(const Case& c, const std::string& key,
-                                                  const std::filesystem::path& file,
-                                                  Findings& findings);
+std::optional<TriangleMesh> load_sound_mesh(const Case& c, const std::string& key,
+                                            const std::filesystem::path& file, Findings& findings);
 
 /// Truck and pile inside the domain.
-void check_truck_in_domain(const Case& c, const mesh::TriangleMesh& truck, Findings& findings);
+void check_truck_in_domain(const Case& c, const TriangleMesh& truck, Findings& findings);
 void check_pile_in_domain(const Case& c, Findings& findings);
 
 /// Motion and machine: readable, within limits, and the bodies' meshes inside the domain all the
 /// time. Empty when the motion cannot be read.
-std::optional<Motion> check_motion(const Case& c,
-                                   const std::map<std::string, mesh::TriangleMesh>& bodies,
+std::optional<Motion> check_motion(const Case& c, const std::map<std::string, TriangleMesh>& bodies,
                                    Findings& findings);
 
 /// Windows against the simulated time.

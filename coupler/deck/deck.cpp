@@ -13,6 +13,7 @@
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
 #include "coupler/deck/rock_shape.hpp"
+#include "coupler/mesh/stl.hpp"
 
 namespace dipper {
 namespace {

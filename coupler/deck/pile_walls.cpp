@@ -1,8 +1,5 @@
 #include "coupler/deck/pile_walls.hpp"
 
-#include <fmt/format.h>
-
-#include <Eigen/Geometry>  // cross
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -32,8 +29,8 @@ void add_rectangle(TriangleMesh& mesh, const Vector3d& corner, const Vector3d& u
                         v * (static_cast<double>(j + b) / nv));
       };
       if (!keep(at(0, 0)) && !keep(at(1, 0))) continue;
-      mesh.push_back({at(0, 0), at(1, 0), at(1, 1)});
-      mesh.push_back({at(0, 0), at(1, 1), at(0, 1)});
+      mesh.add_loose({at(0, 0), at(1, 0), at(1, 1)});
+      mesh.add_loose({at(0, 0), at(1, 1), at(0, 1)});
     }
 }
 
@@ -44,12 +41,11 @@ TriangleMesh sides_and_rear(const Case& c, double x0, double top,
   const Vector3d along(x1 - x0, 0, 0), across(0, 2 * y, 0), up(0, 0, top - z0);
   TriangleMesh mesh;
   add_rectangle(mesh, {x0, y, z0}, along, up, keep);  // normal -y
-  TriangleMesh right;
-  add_rectangle(right, {x0, -y, z0}, along, up, keep);  // normal -y: turned
-  for (const Triangle& t : right) mesh.push_back({t[0], t[2], t[1]});
-  TriangleMesh rear;
-  add_rectangle(rear, {x1, -y, z0}, across, up, keep);  // normal +x: turned
-  for (const Triangle& t : rear) mesh.push_back({t[0], t[2], t[1]});
+  const std::size_t turned = mesh.triangles.size();
+  add_rectangle(mesh, {x0, -y, z0}, along, up, keep);   // normal -y
+  add_rectangle(mesh, {x1, -y, z0}, across, up, keep);  // normal +x
+  for (std::size_t i = turned; i < mesh.triangles.size(); ++i)
+    std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
   return mesh;
 }
 
@@ -72,19 +68,6 @@ TriangleMesh bench_walls(const Case& c) {
   return sides_and_rear(c, toe - kMargin_m, c.pile.height_m + kMargin_m, [&](const Vector3d& p) {
     return p.z() < std::max(0.0, rise * (p.x() - toe)) + kMargin_m;
   });
-}
-
-std::string to_stl(const std::string& name, const TriangleMesh& mesh) {
-  std::string out = "solid " + name + "\n";
-  for (const Triangle& t : mesh) {
-    const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]).normalized() + Vector3d::Zero();
-    out += fmt::format(" facet normal {:.6g} {:.6g} {:.6g}\n  outer loop\n", n.x() + 0.0,
-                       n.y() + 0.0, n.z() + 0.0);
-    for (const Vector3d& p : t)
-      out += fmt::format("   vertex {:.7g} {:.7g} {:.7g}\n", p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);
-    out += "  endloop\n endfacet\n";
-  }
-  return out + "endsolid " + name + "\n";
 }
 
 }  // namespace dipper

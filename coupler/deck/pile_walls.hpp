@@ -1,10 +1,8 @@
 // The frictionless walls that hold the bench.
 #pragma once
 
-#include <string>
-
 #include "coupler/case/case.hpp"
-#include "coupler/deck/triangle_mesh.hpp"
+#include "coupler/mesh/triangle_mesh.hpp"
 
 namespace dipper {
 
@@ -15,8 +13,5 @@ TriangleMesh funnel_walls(const Case& c);
 /// For the dig: sides and rear only a little higher than the bench, so that the dipper's load
 /// swings out over them.
 TriangleMesh bench_walls(const Case& c);
-
-/// An ASCII STL.
-std::string to_stl(const std::string& name, const TriangleMesh& mesh);
 
 }  // namespace dipper

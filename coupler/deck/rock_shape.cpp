@@ -16,21 +16,16 @@ using Eigen::Vector3d;
 RockShape make_rock_shape(const std::string& name, TriangleMesh mesh, int spheres) {
   const MassProperties raw = mass_properties(mesh);
   const double scale = std::cbrt(M_PI / 6 / raw.volume_m3);
-  for (Triangle& t : mesh)
-    for (Vector3d& p : t) p = scale * (p - raw.com_m);
+  for (Vector3d& v : mesh.vertices) v = scale * (v - raw.com_m);
   RockShape shape;
   shape.name = name;
   shape.spheres = fit_spheres(mesh, spheres);
   shape.mass = mass_properties(mesh);
   const Matrix3d axes =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(shape.mass.inertia_m5).eigenvectors();
-  Vector3d lo = Vector3d::Constant(1e9), hi = -lo;
-  for (const Triangle& t : mesh)
-    for (const Vector3d& p : t) {
-      lo = lo.cwiseMin(axes.transpose() * p);
-      hi = hi.cwiseMax(axes.transpose() * p);
-    }
-  Vector3d sides = hi - lo;
+  BoundingBox box;
+  for (const Vector3d& v : mesh.vertices) box.add(axes.transpose() * v);
+  Vector3d sides = box.max - box.min;
   std::sort(sides.data(), sides.data() + 3);
   shape.aspect_ratio = sides[2] / sides[1];
   shape.flatness = sides[0] / sides[1];

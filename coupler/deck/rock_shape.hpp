@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "coupler/deck/sphere_fit.hpp"
-#include "coupler/deck/triangle_mesh.hpp"
+#include "coupler/mesh/mass_properties.hpp"
 
 namespace dipper {
 
@@ -23,8 +23,8 @@ struct RockShape {
   double symmetric_difference = 0;  ///< volume in just one of them, by the mesh's
 };
 
-/// Scales a closed mesh to diameter 1 m about its centre of mass and fits `spheres` spheres.
-/// Throws std::invalid_argument when it is not closed.
+/// Scales a sound mesh (check_mesh) to diameter 1 m about its centre of mass and fits `spheres`
+/// spheres. Throws std::invalid_argument naming the first fault.
 RockShape make_rock_shape(const std::string& name, TriangleMesh mesh, int spheres);
 
 /// What meshes/rocks/NAME.yaml holds; the comment lines name the units.

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "coupler/deck/rock_shape.hpp"
+#include "coupler/mesh/stl.hpp"
 
 int main(int argc, char** argv) {
   constexpr int kSpheres = 6;

@@ -6,19 +6,13 @@
 #include <random>
 #include <stdexcept>
 
+#include "coupler/mesh/mesh_check.hpp"
+#include "coupler/mesh/signed_distance.hpp"
+
 namespace dipper {
 namespace {
 
 using Eigen::Vector3d;
-
-struct Box {
-  Vector3d min = Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Vector3d max = -min;
-  void add(const Vector3d& p, double r) {
-    min = min.cwiseMin(p - Vector3d::Constant(r));
-    max = max.cwiseMax(p + Vector3d::Constant(r));
-  }
-};
 
 /// Midpoints of cubic cells, and how far inside the solid each lies.
 struct Grid {
@@ -28,9 +22,8 @@ struct Grid {
 };
 
 Grid make_grid(const TriangleMesh& mesh, int cells, double margin) {
-  Box box;
-  for (const Triangle& t : mesh)
-    for (const Vector3d& p : t) box.add(p, margin);
+  BoundingBox box;
+  for (const Vector3d& v : mesh.vertices) box.add(v, margin);
   Grid g;
   g.cell = (box.max - box.min).maxCoeff() / cells;
   for (double x = box.min.x() + g.cell / 2; x < box.max.x(); x += g.cell)
@@ -123,21 +116,22 @@ void match_volume(double volume, double diameter, std::vector<Sphere>& spheres) 
 }  // namespace
 
 std::vector<Sphere> fit_spheres(const TriangleMesh& mesh, int count) {
-  if (!is_closed(mesh) || mass_properties(mesh).volume_m3 <= 0)
-    throw std::invalid_argument("the mesh is not a closed surface with outward normals");
+  if (mesh.triangles.empty()) throw std::invalid_argument("the mesh has no facets");
+  if (const auto faults = check_mesh(mesh); !faults.empty())
+    throw std::invalid_argument("not a closed surface that faces outwards: " + faults[0].message);
   if (count < 1) throw std::invalid_argument("at least one sphere is needed");
-  const double volume = mass_properties(mesh).volume_m3;
-  const double diameter = std::cbrt(6 * volume / M_PI);
+  const double solid = volume(mesh);
+  const double diameter = std::cbrt(6 * solid / M_PI);
   const double r_min = 0.2 * diameter;
   const Grid coarse = make_grid(mesh, 24, 0.05 * diameter);
   std::vector<Sphere> spheres = greedy(coarse, count, r_min);
   climb(make_grid(mesh, 36, 0.1 * diameter), diameter, r_min, spheres);
-  match_volume(volume, diameter, spheres);
+  match_volume(solid, diameter, spheres);
   return spheres;
 }
 
 double union_volume(const std::vector<Sphere>& spheres, int cells) {
-  Box box;
+  BoundingBox box;
   for (const Sphere& s : spheres) box.add(s.centre_m, s.radius_m);
   const double h = (box.max - box.min).maxCoeff() / cells;
   // Along each grid line (x, y) the spheres cover exact intervals in z.
@@ -163,9 +157,9 @@ double union_volume(const std::vector<Sphere>& spheres, int cells) {
 }
 
 double symmetric_difference(const TriangleMesh& mesh, const std::vector<Sphere>& spheres) {
-  const double volume = mass_properties(mesh).volume_m3;
-  const Grid g = make_grid(mesh, 48, 0.15 * std::cbrt(volume));
-  return mismatch(g, spheres) * g.cell * g.cell * g.cell / volume;
+  const double solid = volume(mesh);
+  const Grid g = make_grid(mesh, 48, 0.15 * std::cbrt(solid));
+  return mismatch(g, spheres) * g.cell * g.cell * g.cell / solid;
 }
 
 }  // namespace dipper

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coupler/deck/triangle_mesh.hpp"
+#include "coupler/mesh/triangle_mesh.hpp"
 
 namespace dipper {
 
@@ -16,7 +16,7 @@ struct Sphere {
 /// searched greedily and then by hill climbing on a grid, with the union's volume matched to the
 /// solid's. No radius is below a fifth of the volume-equivalent diameter: small spheres cost
 /// neighbours and add corners that are not there. Deterministic. Throws std::invalid_argument when
-/// the mesh is not closed.
+/// the mesh is not sound (check_mesh).
 std::vector<Sphere> fit_spheres(const TriangleMesh& mesh, int count);
 
 /// Volume [m3] of the union, on a grid of `cells` across its longest side; error about 1/cells^2.

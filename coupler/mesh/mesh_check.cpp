@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <utility>
 
-namespace dipper::mesh {
+namespace dipper {
 namespace {
 
 // A facet lower than this is a line [m]; reading welds vertices at the same distance.
@@ -143,10 +142,7 @@ class Checker {
             fmt::format("is flipped against its neighbours, at {}; reverse its corners",
                         point(mesh_.vertices[t[0]])));
       }
-      shell_volume += right * turn[facet] *
-                      (mesh_.vertices[t[0]] - o)
-                          .dot((mesh_.vertices[t[1]] - o).cross(mesh_.vertices[t[2]] - o)) /
-                      6;
+      shell_volume += right * turn[facet] * tetrahedron_volume(mesh_.corners(facet), o);
     }
     if (closed && shell_volume < 0) {
       add(Kind::inverted, shell[0],
@@ -166,4 +162,4 @@ class Checker {
 
 std::vector<MeshFault> check_mesh(const TriangleMesh& mesh) { return Checker(mesh).run(); }
 
-}  // namespace dipper::mesh
+}  // namespace dipper

@@ -6,7 +6,7 @@
 
 #include "coupler/mesh/triangle_mesh.hpp"
 
-namespace dipper::mesh {
+namespace dipper {
 
 /// One fault, of one facet.
 struct MeshFault {
@@ -21,4 +21,4 @@ struct MeshFault {
 /// closed shells that face inwards. Several shells are fine; a cavity is not (nothing reaches it).
 std::vector<MeshFault> check_mesh(const TriangleMesh& mesh);
 
-}  // namespace dipper::mesh
+}  // namespace dipper

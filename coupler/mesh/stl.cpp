@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -12,7 +13,7 @@
 #include <map>
 #include <string_view>
 
-namespace dipper::mesh {
+namespace dipper {
 namespace {
 
 // Gives close vertices one number. A grid of cells as wide as the distance, and a look into the 27
@@ -200,10 +201,31 @@ TriangleMesh parse_stl(const std::string& bytes, double weld) {
 TriangleMesh read_stl(const std::filesystem::path& file, double weld) {
   std::ifstream in(file, std::ios::binary);
   if (!in || !std::filesystem::is_regular_file(file)) {
-    throw StlError("no such file, or it cannot be read", 0, -1);
+    throw StlError("no such file, or it cannot be read", 0, -1, file.string());
   }
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return parse_stl(bytes, weld);
+  try {
+    return parse_stl(bytes, weld);
+  } catch (const StlError& e) {
+    throw StlError(e.message, e.line, e.byte, file.string());
+  }
 }
 
-}  // namespace dipper::mesh
+std::string to_stl(const std::string& name, const TriangleMesh& mesh) {
+  // Adding zero writes -0 as 0.
+  const auto numbers = [](const Eigen::Vector3d& v, int digits) {
+    return fmt::format("{:.{}g} {:.{}g} {:.{}g}", v.x() + 0.0, digits, v.y() + 0.0, digits,
+                       v.z() + 0.0, digits);
+  };
+  std::string out = "solid " + name + "\n";
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle t = mesh.corners(i);
+    const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    out += " facet normal " + numbers(normal, 6) + "\n  outer loop\n";
+    for (const Eigen::Vector3d& p : t) out += "   vertex " + numbers(p, 7) + "\n";
+    out += "  endloop\n endfacet\n";
+  }
+  return out + "endsolid " + name + "\n";
+}
+
+}  // namespace dipper

@@ -1,4 +1,4 @@
-// Reads STL files, ascii and binary.
+// Reads STL files, ascii and binary, and writes ascii ones.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,25 @@
 
 #include "coupler/mesh/triangle_mesh.hpp"
 
-namespace dipper::mesh {
+namespace dipper {
 
-/// An STL file that cannot be read. what() is the message alone.
+/// An STL file that cannot be read. what() is the message, after file and line where it has them.
 struct StlError : std::runtime_error {
-  StlError(const std::string& message, int at_line, long long at_byte)
-      : std::runtime_error(message), line(at_line), byte(at_byte) {}
-  int line;        ///< 1-based, of an ascii file; 0: none
-  long long byte;  ///< offset into a binary file; -1: none
+  StlError(const std::string& message_alone, int at_line, long long at_byte,
+           const std::string& file = "")
+      : std::runtime_error(where(file, at_line) + message_alone),
+        message(message_alone),
+        line(at_line),
+        byte(at_byte) {}
+  std::string message;  ///< without the file
+  int line;             ///< 1-based, of an ascii file; 0: none
+  long long byte;       ///< offset into a binary file; -1: none
+
+ private:
+  static std::string where(const std::string& file, int line) {
+    if (file.empty()) return "";
+    return file + (line > 0 ? ":" + std::to_string(line) : "") + ": ";
+  }
 };
 
 /// Vertices closer than `weld` [m] in every coordinate become one. Normals are not read: the
@@ -25,4 +36,7 @@ TriangleMesh read_stl(const std::filesystem::path& file, double weld = 1e-6);
 /// The same from a file's bytes.
 TriangleMesh parse_stl(const std::string& bytes, double weld = 1e-6);
 
-}  // namespace dipper::mesh
+/// An ascii file, seven digits a coordinate.
+std::string to_stl(const std::string& name, const TriangleMesh& mesh);
+
+}  // namespace dipper

@@ -1,14 +1,28 @@
 #include "coupler/mesh/triangle_mesh.hpp"
 
 #include <Eigen/Geometry>
-#include <limits>
 
-namespace dipper::mesh {
+namespace dipper {
+
+Triangle TriangleMesh::corners(std::size_t triangle) const {
+  const auto& t = triangles[triangle];
+  return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+}
+
+void TriangleMesh::add_loose(const Triangle& triangle) {
+  const std::size_t n = vertices.size();
+  vertices.insert(vertices.end(), triangle.begin(), triangle.end());
+  triangles.push_back({n, n + 1, n + 2});
+}
+
+void BoundingBox::add(const Eigen::Vector3d& point, double margin) {
+  min = min.cwiseMin(point - Eigen::Vector3d::Constant(margin));
+  max = max.cwiseMax(point + Eigen::Vector3d::Constant(margin));
+}
 
 double facet_area(const TriangleMesh& mesh, std::size_t triangle) {
-  const auto& t = mesh.triangles[triangle];
-  const Eigen::Vector3d& a = mesh.vertices[t[0]];
-  return 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+  const auto [a, b, c] = mesh.corners(triangle);
+  return 0.5 * (b - a).cross(c - a).norm();
 }
 
 double area(const TriangleMesh& mesh) {
@@ -17,26 +31,24 @@ double area(const TriangleMesh& mesh) {
   return sum;
 }
 
+double tetrahedron_volume(const Triangle& triangle, const Eigen::Vector3d& apex) {
+  const auto& [a, b, c] = triangle;
+  return (a - apex).dot((b - apex).cross(c - apex)) / 6;
+}
+
 double volume(const TriangleMesh& mesh) {
   if (mesh.vertices.empty()) return 0;
   // About a vertex instead of the origin: a small mesh far away would lose its digits.
-  const Eigen::Vector3d& o = mesh.vertices[0];
   double sum = 0;
-  for (const auto& t : mesh.triangles) {
-    sum +=
-        (mesh.vertices[t[0]] - o).dot((mesh.vertices[t[1]] - o).cross(mesh.vertices[t[2]] - o)) / 6;
-  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    sum += tetrahedron_volume(mesh.corners(i), mesh.vertices[0]);
   return sum;
 }
 
 BoundingBox bounding_box(const TriangleMesh& mesh) {
-  const double huge = std::numeric_limits<double>::infinity();
-  BoundingBox box{Eigen::Vector3d::Constant(huge), Eigen::Vector3d::Constant(-huge)};
-  for (const Eigen::Vector3d& v : mesh.vertices) {
-    box.min = box.min.cwiseMin(v);
-    box.max = box.max.cwiseMax(v);
-  }
+  BoundingBox box;
+  for (const Eigen::Vector3d& v : mesh.vertices) box.add(v);
   return box;
 }
 
-}  // namespace dipper::mesh
+}  // namespace dipper

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "coupler/motion/seconds.hpp"
 #include "coupler/motion/sheave_path.hpp"
 
 namespace dipper {
@@ -125,7 +126,7 @@ std::vector<std::string> ShovelKinematics::check(const Motion& motion) const {
   const std::int64_t n = (motion.end_ns() - motion.start_ns() + period_ns - 1) / period_ns;
   for (std::int64_t i = 0; i <= n; ++i) {
     const std::int64_t t_ns = std::min(motion.start_ns() + i * period_ns, motion.end_ns());
-    const double t_s = static_cast<double>(t_ns) * 1e-9;
+    const double t_s = seconds(t_ns);
     const DriveState s = motion.at(t_s);
     hoist.see(s.position.hoist, t_s);
     crowd.see(s.position.crowd, t_s);

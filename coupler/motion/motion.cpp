@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "coupler/motion/input_error.hpp"
+#include "coupler/motion/seconds.hpp"
 
 namespace dipper {
 namespace {
@@ -43,7 +44,7 @@ std::vector<Field> split(std::string_view line) {
 }
 
 bool parse_number(std::string_view text, double& value) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
@@ -109,7 +110,7 @@ Motion Motion::parse(std::string_view text, const std::string& name) {
     if (!motion.t_ns_.empty() && t_ns <= motion.t_ns_.back()) {
       fault(line_number, 1,
             fmt::format("time_s is {}, not after the row before ({} s)", row[0],
-                        static_cast<double>(motion.t_ns_.back()) * 1e-9));
+                        seconds(motion.t_ns_.back())));
       continue;
     }
     motion.t_ns_.push_back(t_ns);
@@ -131,8 +132,8 @@ void Motion::set_slopes() {
   const std::size_t n = t_ns_.size();
   slope_.assign(n, {});
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    const double h0 = static_cast<double>(t_ns_[i] - t_ns_[i - 1]) * 1e-9;
-    const double h1 = static_cast<double>(t_ns_[i + 1] - t_ns_[i]) * 1e-9;
+    const double h0 = seconds(t_ns_[i] - t_ns_[i - 1]);
+    const double h1 = seconds(t_ns_[i + 1] - t_ns_[i]);
     for (std::size_t j = 0; j < 4; ++j) {
       const double d0 = (position_[i][j] - position_[i - 1][j]) / h0;
       const double d1 = (position_[i + 1][j] - position_[i][j]) / h1;
@@ -145,17 +146,16 @@ void Motion::set_slopes() {
 }
 
 DriveState Motion::at(double t_s) const {
-  const double first = static_cast<double>(t_ns_.front()) * 1e-9;
-  const double last = static_cast<double>(t_ns_.back()) * 1e-9;
+  const double first = seconds(t_ns_.front());
+  const double last = seconds(t_ns_.back());
   if (!(t_s >= first)) return {drives(position_.front()), {}, {}};
   if (t_s >= last) return {drives(position_.back()), {}, {}};
-  const auto after = std::upper_bound(
-      t_ns_.begin() + 1, t_ns_.end() - 1, t_s,
-      [](double t, std::int64_t row) { return t < static_cast<double>(row) * 1e-9; });
+  const auto after = std::upper_bound(t_ns_.begin() + 1, t_ns_.end() - 1, t_s,
+                                      [](double t, std::int64_t row) { return t < seconds(row); });
   const auto i = static_cast<std::size_t>(after - t_ns_.begin()) - 1;
 
-  const double h = static_cast<double>(t_ns_[i + 1] - t_ns_[i]) * 1e-9;
-  const double s = (t_s - static_cast<double>(t_ns_[i]) * 1e-9) / h;
+  const double h = seconds(t_ns_[i + 1] - t_ns_[i]);
+  const double s = (t_s - seconds(t_ns_[i])) / h;
   std::array<double, 4> x{}, v{}, a{};
   for (std::size_t j = 0; j < 4; ++j) {
     const double d = position_[i + 1][j] - position_[i][j];
@@ -176,12 +176,8 @@ std::int64_t Motion::next_row_ns(std::int64_t t_ns) const {
   return row == t_ns_.end() ? std::numeric_limits<std::int64_t>::max() : *row;
 }
 
-Drives Motion::value(std::int64_t t_ns) const {
-  return at(static_cast<double>(t_ns) * 1e-9).position;
-}
-Drives Motion::rate(std::int64_t t_ns) const { return at(static_cast<double>(t_ns) * 1e-9).rate; }
-Drives Motion::acceleration(std::int64_t t_ns) const {
-  return at(static_cast<double>(t_ns) * 1e-9).acceleration;
-}
+Drives Motion::value(std::int64_t t_ns) const { return at(seconds(t_ns)).position; }
+Drives Motion::rate(std::int64_t t_ns) const { return at(seconds(t_ns)).rate; }
+Drives Motion::acceleration(std::int64_t t_ns) const { return at(seconds(t_ns)).acceleration; }
 
 }  // namespace dipper

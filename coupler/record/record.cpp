@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
@@ -29,8 +30,9 @@ void write_text(hid_t object, const std::string& name, const std::string& text) 
 
 }  // namespace
 
-void Record::fail(const std::string& what) const {
+void Record::fail(const std::string& what) {
   const int cause = errno;
+  broken_ = true;
   throw std::runtime_error("cannot " + what + " " + file_.string() +
                            (cause != 0 ? std::string(": ") + std::strerror(cause) : ""));
 }
@@ -38,7 +40,10 @@ void Record::fail(const std::string& what) const {
 Record::Record(std::filesystem::path file, const std::map<std::string, std::string>* attributes,
                std::size_t rows)
     : file_(std::move(file)), resumed_(attributes == nullptr), rows_(rows) {
+  // Before anything else of HDF5: its exit handler crashes on a file that a full disk left open.
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);    // so that a live run can be looked at
   errno = 0;
   id_ = resumed_ ? H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)
                  : H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
@@ -57,8 +62,9 @@ Record Record::resume(const std::filesystem::path& file, std::size_t rows) {
 }
 
 Record::~Record() {
+  if (broken_) return;
   try {
-    if (pending_ > 0) flush();
+    flush();
   } catch (const std::exception&) {  // the run has reported the cause already
   }
   for (const auto& d : datasets_) H5Dclose(d.id);

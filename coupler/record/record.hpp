@@ -45,11 +45,12 @@ class Record {
     std::size_t columns;
     std::vector<double> row, buffer;
   };
-  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail(const std::string& what);
 
   std::filesystem::path file_;
   std::int64_t id_ = -1;
   bool resumed_ = false;
+  bool broken_ = false;  // a write has failed; HDF5 would crash on closing
   std::vector<Dataset> datasets_;
   std::size_t rows_ = 0;     // on disk
   std::size_t pending_ = 0;  // in memory

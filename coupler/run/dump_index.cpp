@@ -19,7 +19,7 @@ void index(const fs::path& dumps, const std::string& stem, const std::string& ex
     if (file.extension() != extension || name.rfind(stem, 0) != 0) continue;
     try {
       frames[std::stol(name.substr(stem.size()))] = file.filename().string();
-    } catch (const std::invalid_argument&) {  // walls_boundingBox_*.vtk: not a frame
+    } catch (const std::invalid_argument&) {  // rocks_boundingBox_*: not a frame
     }
   }
   auto files = nlohmann::json::array();
@@ -34,7 +34,7 @@ void index(const fs::path& dumps, const std::string& stem, const std::string& ex
 
 void index_dumps(const fs::path& dumps, double timestep_s) {
   index(dumps, "rocks_", ".vtp", timestep_s);
-  index(dumps, "walls_", ".vtk", timestep_s);
+  for (const char* wall : {"dipper_", "door_", "truck_"}) index(dumps, wall, ".vtk", timestep_s);
 }
 
 }  // namespace dipper

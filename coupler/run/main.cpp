@@ -9,6 +9,7 @@
 #include "coupler/run/interrupt.hpp"
 #include "coupler/run/network.hpp"
 #include "coupler/run/paired_run.hpp"
+#include "coupler/run/replay.hpp"
 
 namespace dipper {
 namespace {
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 struct Words {
   std::string folder;
   std::string out;
+  std::string side = "dem";
   std::vector<std::string> set;
   int ranks = 0;
   std::optional<long> seed;
@@ -77,6 +79,21 @@ int run_command(const Words& words) {
   return static_cast<int>(paired_run(c, options));
 }
 
+int replay_command(const Words& words) {
+  enter_private_network();
+  const ReplayResult r = replay(words.folder, words.side);
+  fmt::print("{}: {} requests asked again in {:.1f} s; the paired run took {:.1f} s over them "
+             "({:.3f} times as long)\n",
+             words.side, r.requests, r.wall_s, r.recorded_wall_s, r.recorded_wall_s / r.wall_s);
+  if (r.different == 0) {
+    fmt::print("every answer is the recorded one to the bit\n");
+  } else {
+    fmt::print("{} answers differ: force by up to {:.3g} N, position by up to {:.3g} m\n",
+               r.different, r.force_N, r.position_m);
+  }
+  return 0;
+}
+
 int command_line(int argc, char** argv) {
   CLI::App app{"Dipper: a mining rope shovel and the rock it digs, co-simulated.", "dipper"};
   app.set_version_flag("--version", version());
@@ -94,9 +111,15 @@ int command_line(int argc, char** argv) {
   run->add_option("--ranks", words.ranks, "MPI ranks of the rock side")->check(CLI::PositiveNumber);
   run->add_option("--seed", words.seed, "seed of the pile");
   run->add_flag("--resume", words.resume, "continue from the last checkpoint");
+  auto* again = app.add_subcommand("replay", "run one side against the other's recording");
+  again->add_option("DIR", words.folder, "a run's folder")->required()->check(CLI::ExistingDirectory);
+  again->add_option("--side", words.side, "the side to run: dem or mbs")
+      ->check(CLI::IsMember({"dem", "mbs"}))
+      ->capture_default_str();
   try {
     app.parse(argc, argv);
     if (*check) return check_command(words.folder, overrides(words), std::cout);
+    if (*again) return replay_command(words);
     return run_command(words);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;

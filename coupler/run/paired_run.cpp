@@ -145,6 +145,8 @@ class Leg {
     setup.timeout_s = case_.coupling.timeout_s;
     setup.logs = folder_.logs();
     setup.dem_screen = folder_.logs() / "dem.screen";
+    setup.message_log = folder_.root / (from_ ? fmt::format("events-{}.lcmlog", from_->step_index)
+                                              : std::string("events.lcmlog"));
     setup.dem = dem_settings(case_, shovel_, folder_.deck(), folder_.dumps(), folder_.logs(),
                              restart, from_ ? std::optional(from_->memory) : std::nullopt);
     setup.mbs = mbs_settings(case_);
@@ -247,6 +249,7 @@ class Leg {
     c.dem_cpu_s = facts_.dem_cpu_s;
     c.mbs_cpu_s = facts_.mbs_cpu_s;
     save_checkpoint(folder_.checkpoints(), c, *rock_, sides_->machine());
+    index_dumps(folder_.dumps(), case_.dem.timestep_s);
   }
 
   /// Rock and machine together.

@@ -9,6 +9,8 @@
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
 #include "coupler/run/last_words.hpp"
+#include "coupler/transport/lcm_transport.hpp"
+#include "coupler/transport/logged_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
 
 namespace dipper {
@@ -35,12 +37,19 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   identity.run_id = setup.run_id;
   identity.case_hash = setup.case_hash;
 
-  using Names = std::vector<std::string>;
-  from_dem_ = std::make_unique<LcmTransport>(url, Names{Channels::from_dem});
-  from_mbs_ = std::make_unique<LcmTransport>(url, Names{Channels::from_mbs});
+  const auto log = std::make_shared<lcm::LogFile>(setup.message_log.string(), "w");
+  if (!log->good()) throw std::runtime_error("cannot write " + setup.message_log.string());
+  const auto listen = [&](const char* channel) {
+    return std::make_unique<LoggedTransport>(
+        std::make_unique<LcmTransport>(url, std::vector<std::string>{channel}), log);
+  };
+  from_dem_ = listen(Channels::from_dem);
+  from_mbs_ = listen(Channels::from_mbs);
   const auto dem_config = setup.logs / "dem.json";
   const auto mbs_config = setup.logs / "mbs.json";
-  write_peer_config(dem_config, {url, identity, setup.dem});
+  nlohmann::json dem = setup.dem;
+  dem["ranks"] = setup.ranks;  // for a replay
+  write_peer_config(dem_config, {url, identity, dem});
   write_peer_config(mbs_config, {url, identity, setup.mbs});
   dem_ = std::make_unique<Process>(
       mpirun(setup.ranks, {program("dipper-dem"), dem_config.string()}), setup.logs / "dem.log");

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "coupler/run/process.hpp"
-#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/remote.hpp"
 
 namespace dipper {
@@ -20,6 +19,7 @@ struct SidesSetup {
   nlohmann::json dem, mbs;             ///< each side's settings
   std::filesystem::path logs;          ///< folder
   std::filesystem::path dem_screen;    ///< where LIGGGHTS writes its errors
+  std::filesystem::path message_log;   ///< every message of the run, as an LCM log
 };
 
 /// The two processes of a run and the links to them. Whoever waits on a link also watches both
@@ -47,7 +47,7 @@ class Sides {
              const std::filesystem::path& screen);
 
   SidesSetup setup_;
-  std::unique_ptr<LcmTransport> from_dem_, from_mbs_;
+  std::unique_ptr<Transport> from_dem_, from_mbs_;
   std::unique_ptr<Process> dem_, mbs_;
   std::unique_ptr<Link> dem_link_, mbs_link_;
   std::unique_ptr<RemoteMachine> machine_;

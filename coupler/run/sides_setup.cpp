@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupler/dem/rock_setup.hpp"
@@ -18,6 +19,12 @@ Eigen::Vector3d vector(const YAML::Node& node) {
 }
 
 Box box(const YAML::Node& node) { return {vector(node["min_m"]), vector(node["max_m"])}; }
+
+/// Frames fall on ends of sync steps, where the record has a row.
+long dump_steps(const Case& c) {
+  const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
+  return std::max(1L, std::lround(c.output.dump_every_s / window_s)) * c.coupling.sync_steps;
+}
 
 fs::path beside(fs::path mesh) { return mesh.replace_extension(".yaml"); }
 
@@ -55,7 +62,7 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
       {"pile", restart.string()},
       {"out", dumps.string()},
       {"run_steps", "0"},
-      {"dump_steps", std::to_string(std::llround(c.output.dump_every_s / c.dem.timestep_s))},
+      {"dump_steps", std::to_string(dump_steps(c))},
       // The bodies are placed by their own poses, from their own frames.
       {"dipper_x", "0"}, {"dipper_y", "0"}, {"dipper_z", "0"}, {"door_z", "0"}};
   setup.bodies = {"dipper", "door"};

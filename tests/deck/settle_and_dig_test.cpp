@@ -61,7 +61,8 @@ class SettleAndDig : public testing::Test {
                      ranks, out),
         0)
         << read_text(out / "screen.txt");
-    EXPECT_TRUE(fs::exists(out / fmt::format("walls_{}.vtk", steps)));
+    for (const char* wall : {"dipper", "door", "truck"})
+      EXPECT_TRUE(fs::exists(out / fmt::format("{}_{}.vtk", wall, steps))) << wall;
     return read_dump(out / fmt::format("rocks_{}.dump", steps));
   }
   static inline fs::path folder;

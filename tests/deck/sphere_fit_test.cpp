@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "coupler/deck/rock_shape.hpp"
-#include "tests/deck/shapes.hpp"
+#include "tests/mesh/shapes.hpp"
 
 namespace dipper {
 namespace {
@@ -41,13 +41,13 @@ TEST(UnionVolume, TwoSpheresShareALens) {
 }
 
 TEST(FitSpheres, ASphereIsFoundByOne) {
-  const std::vector<Sphere> fit = fit_spheres(sphere_mesh(0.5, 24), 1);
+  const std::vector<Sphere> fit = fit_spheres(test::sphere(0.5, 24), 1);
   EXPECT_NEAR(fit[0].radius_m, 0.5, 0.01);
   EXPECT_LT(fit[0].centre_m.norm(), 0.03);
 }
 
 TEST(FitSpheres, KeepsTheVolumeOfABoxAndBeatsOneSphere) {
-  const TriangleMesh box = box_mesh({-0.6, -0.4, -0.3}, {0.6, 0.4, 0.3});
+  const TriangleMesh box = test::box({-0.6, -0.4, -0.3}, {0.6, 0.4, 0.3});
   const double volume = mass_properties(box).volume_m3;
   const std::vector<Sphere> six = fit_spheres(box, 6);
   ASSERT_EQ(six.size(), 6U);
@@ -58,13 +58,13 @@ TEST(FitSpheres, KeepsTheVolumeOfABoxAndBeatsOneSphere) {
 }
 
 TEST(FitSpheres, RefusesAnOpenMesh) {
-  TriangleMesh box = box_mesh({0, 0, 0}, {1, 1, 1});
-  box.pop_back();
+  TriangleMesh box = test::box({0, 0, 0}, {1, 1, 1});
+  box.triangles.pop_back();
   EXPECT_THROW(fit_spheres(box, 3), std::invalid_argument);
 }
 
 TEST(RockShape, ACubeByItsKnownRatios) {
-  const RockShape s = make_rock_shape("cube", box_mesh({5, 5, 5}, {7, 7, 7}), 8);
+  const RockShape s = make_rock_shape("cube", test::box({5, 5, 5}, {7, 7, 7}), 8);
   EXPECT_NEAR(s.mass.volume_m3, M_PI / 6, 1e-12);
   EXPECT_LT(s.mass.com_m.norm(), 1e-12);
   EXPECT_NEAR(s.sphericity, std::cbrt(M_PI / 6), 1e-9);  // 0.806

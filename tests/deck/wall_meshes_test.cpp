@@ -6,7 +6,9 @@
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
 #include "coupler/deck/rock_shape.hpp"
-#include "coupler/deck/triangle_mesh.hpp"
+#include "coupler/mesh/mesh_check.hpp"
+#include "coupler/mesh/signed_distance.hpp"
+#include "coupler/mesh/stl.hpp"
 #include "tests/deck/quick_case.hpp"
 
 namespace dipper {
@@ -20,11 +22,12 @@ TEST(WallMeshes, AreClosedAndMatchTheirYaml) {
     const TriangleMesh mesh = read_stl(kMeshes / (std::string(name) + ".stl"));
     const YAML::Node y = YAML::LoadFile(kMeshes / (std::string(name) + ".yaml"));
     const MassProperties m = mass_properties(mesh);
-    EXPECT_TRUE(is_closed(mesh)) << name;
+    EXPECT_TRUE(check_mesh(mesh).empty()) << name;
     EXPECT_NEAR(m.volume_m3, y["solid_volume_m3"].as<double>(), 1e-4 * m.volume_m3) << name;
     EXPECT_NEAR(m.area_m2, y["surface_area_m2"].as<double>(), 1e-4 * m.area_m2) << name;
-    for (const Triangle& t : mesh)
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) {
+        const Triangle t = mesh.corners(i);
         const Vector3d a = t[(k + 1) % 3] - t[k], b = t[(k + 2) % 3] - t[k];
         EXPECT_GT(std::acos(a.normalized().dot(b.normalized())), 2 * M_PI / 180) << name;
       }
@@ -81,12 +84,11 @@ TEST(PileShape, IsTheTrapezoid) {
 TEST(PileWalls, StayLowInFrontOfTheBench) {
   const Case c = quick_case();
   double front = 1e9, top_over_toe = 0, top = 0;
-  for (const Triangle& t : bench_walls(c))
-    for (const Vector3d& p : t) {
-      front = std::min(front, p.x());
-      top = std::max(top, p.z());
-      if (p.x() < c.pile.toe_x_m + 1) top_over_toe = std::max(top_over_toe, p.z());
-    }
+  for (const Vector3d& p : bench_walls(c).vertices) {
+    front = std::min(front, p.x());
+    top = std::max(top, p.z());
+    if (p.x() < c.pile.toe_x_m + 1) top_over_toe = std::max(top_over_toe, p.z());
+  }
   EXPECT_NEAR(front, c.pile.toe_x_m - 1, 1e-9);
   EXPECT_NEAR(top, c.pile.height_m + 1, 1e-9);
   EXPECT_LT(top_over_toe, 4);

@@ -36,10 +36,9 @@ class Drum {
     s.bodies = {"drum", "paddle"};
     s.variables.push_back({"rock", kind});
     s.variables.push_back(
-        {"drum", scene_.stl("drum", mesh::test::box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1)))});
-    s.variables.push_back(
-        {"paddle", scene_.stl("paddle", mesh::test::box(Vector3d(-0.1, -0.6, -0.3),
-                                                        Vector3d(0.1, 0.6, 0.4)))});
+        {"drum", scene_.stl("drum", test::box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1)))});
+    s.variables.push_back({"paddle", scene_.stl("paddle", test::box(Vector3d(-0.1, -0.6, -0.3),
+                                                                    Vector3d(0.1, 0.6, 0.4)))});
     s.variables.insert(s.variables.end(), more.begin(), more.end());
     return s;
   }

@@ -38,7 +38,7 @@ LAMMPS_NS::TriMesh* wall_of(LAMMPS_NS::LAMMPS& lmp, const std::string& body) {
 }
 
 /// The farthest that a node of the wall is from where X_WB takes the STL file's [m]. Collective.
-double worst_node(LAMMPS_NS::LAMMPS& lmp, const std::string& body, const mesh::TriangleMesh& box,
+double worst_node(LAMMPS_NS::LAMMPS& lmp, const std::string& body, const TriangleMesh& box,
                   const Pose& X_WB) {
   LAMMPS_NS::TriMesh* wall = wall_of(lmp, body);
   double worst = 0;
@@ -59,9 +59,8 @@ double worst_node(LAMMPS_NS::LAMMPS& lmp, const std::string& body, const mesh::T
 
 TEST(Pose, EndsEachOf10000WindowsWhereItWasCommandedAndDoesNotDrift) {
   const test::Scene scene("pose");
-  const mesh::TriangleMesh boxes[] = {
-      mesh::test::box(Vector3d(-2, -2, -1.5), Vector3d(2, 2, 1.5)),
-      mesh::test::box(Vector3d(-0.1, -1.8, -2.8), Vector3d(0.1, 1.8, 0.2))};
+  const TriangleMesh boxes[] = {test::box(Vector3d(-2, -2, -1.5), Vector3d(2, 2, 1.5)),
+                                test::box(Vector3d(-0.1, -1.8, -2.8), Vector3d(0.1, 1.8, 0.2))};
   RockSetup setup = scene.setup("pose.in");
   setup.bodies = {"dipper", "door"};
   setup.variables.insert(setup.variables.end(), {{"dipper", scene.stl("dipper", boxes[0])},

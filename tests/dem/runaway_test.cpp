@@ -8,7 +8,7 @@
 
 #include "coupler/dem/rock_setup.hpp"
 #include "coupler/run/process.hpp"
-#include "tests/mesh/cube.hpp"
+#include "tests/mesh/shapes.hpp"
 
 namespace dipper {
 namespace {
@@ -35,8 +35,7 @@ TEST_P(Runaway, EndsTheProcessWithLiggghtssMessageOnTheScreen) {
   setup.variables = {{"run_steps", "0"}};
   for (const auto& body : setup.bodies) {
     const std::string stl = folder / (body + ".stl");
-    std::ofstream(stl) << mesh::test::ascii_stl(
-        mesh::test::box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1)));
+    std::ofstream(stl) << test::ascii_stl(test::box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1)));
     setup.variables.push_back({body, stl});
   }
   const std::string config = folder / "setup.json";

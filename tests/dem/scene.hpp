@@ -8,7 +8,7 @@
 #include <string>
 
 #include "coupler/dem/rock_setup.hpp"
-#include "tests/mesh/cube.hpp"
+#include "tests/mesh/shapes.hpp"
 
 namespace dipper::test {
 
@@ -44,9 +44,9 @@ class Scene {
   Scene& operator=(const Scene&) = delete;
 
   /// Writes NAME.stl, a mesh in the body frame; returns its path.
-  std::string stl(const std::string& name, const mesh::TriangleMesh& mesh) const {
+  std::string stl(const std::string& name, const TriangleMesh& mesh) const {
     const auto file = folder_ / (name + ".stl");
-    if (rank() == 0) std::ofstream(file) << mesh::test::ascii_stl(mesh);
+    if (rank() == 0) std::ofstream(file) << test::ascii_stl(mesh);
     MPI_Barrier(MPI_COMM_WORLD);
     return file.string();
   }

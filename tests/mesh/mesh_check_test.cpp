@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/mesh/cube.hpp"
+#include "tests/mesh/shapes.hpp"
 
-namespace dipper::mesh {
+namespace dipper {
 namespace {
 
 using Kind = MeshFault::Kind;
@@ -56,6 +56,14 @@ TEST(MeshCheck, AHoleIsItsThreeEdges) {
                                    std::pair(Kind::open_edge, 8U)));
   EXPECT_EQ(check_mesh(mesh)[0].message,
             "facet 1: not closed: the edge (2, 2, 3) to (1, 4, 3) has no second facet");
+}
+
+TEST(MeshCheck, ATurnedFacetAndAHole) {
+  TriangleMesh cube = test::box({0, 0, 0}, {1, 1, 1});
+  flip(cube, 4);
+  EXPECT_FALSE(check_mesh(cube).empty());
+  cube.triangles.pop_back();
+  EXPECT_FALSE(check_mesh(cube).empty());
 }
 
 TEST(MeshCheck, DegenerateFacets) {
@@ -118,4 +126,4 @@ TEST(MeshCheck, SeveralFaultsAtOnceInTheOrderOfTheFile) {
 }
 
 }  // namespace
-}  // namespace dipper::mesh
+}  // namespace dipper

@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <filesystem>
+#include <fstream>
 
-#include "tests/mesh/cube.hpp"
+#include "tests/mesh/shapes.hpp"
 
-namespace dipper::mesh {
+namespace dipper {
 namespace {
 
 using test::ascii_stl;
@@ -116,5 +117,36 @@ TEST(Stl, MissingFile) {
   EXPECT_THROW(read_stl("."), StlError);
 }
 
+TEST(Stl, FilesAreReadAsTheirBytes) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "cuboid.stl";
+  for (const std::string& bytes :
+       {ascii_stl(cuboid), binary_stl(cuboid), to_stl("cuboid", cuboid)}) {
+    std::ofstream(file, std::ios::binary) << bytes;
+    const TriangleMesh read = read_stl(file);
+    EXPECT_EQ(read.triangles.size(), cuboid.triangles.size());
+    EXPECT_NEAR(volume(read), 6, 1e-12);
+  }
+}
+
+TEST(Stl, AFaultyFileIsNamedWithTheLine) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "none.stl";
+  std::ofstream(file) << "not a mesh";
+  try {
+    read_stl(file);
+    FAIL();
+  } catch (const StlError& e) {
+    EXPECT_EQ(e.what(), file.string() + ":1: " + e.message);
+    EXPECT_EQ(e.message, "not an ascii STL file: 'not' where 'solid' belongs");
+  }
+}
+
+TEST(Stl, WritesWhatTheDecksHold) {
+  TriangleMesh mesh;
+  mesh.add_loose({Eigen::Vector3d(-0.0, 0, 1.25), {1, 0, 1.25}, {0, 1, 1.25}});
+  EXPECT_EQ(to_stl("roof", mesh),
+            "solid roof\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 1.25\n"
+            "   vertex 1 0 1.25\n   vertex 0 1 1.25\n  endloop\n endfacet\nendsolid roof\n");
+}
+
 }  // namespace
-}  // namespace dipper::mesh
+}  // namespace dipper

@@ -118,6 +118,8 @@ TEST(MotionErrors, AreAllReportedAtOnce) {
                   "m.csv:3:7: swing_deg is \"nan\"; it must be a finite number",
                   HasSubstr("m.csv:5:1: time_s is 1, not after"),
                   HasSubstr("m.csv:6:11: door_deg is \"\"")));
+  EXPECT_THAT(faults(std::string(kHeader) + "0,0,0,0,0\n1,+-2,0,0,0\n"),
+              ElementsAre(HasSubstr("hoist_m is \"+-2\"")));
 }
 
 TEST(MotionErrors, RefuseWhatDoesNotFitNanoseconds) {

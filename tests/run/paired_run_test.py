@@ -45,12 +45,24 @@ class PairedRun(RunTest):
             self.assertLess(force[:, 0].min(), -1e5)
 
     def check_dumps(self, run):
-        for series in ("rocks.vtp.series", "walls.vtk.series"):
+        for series in ("rocks.vtp.series", "dipper.vtk.series", "door.vtk.series",
+                       "truck.vtk.series"):
             frames = json.loads((run / "dumps" / series).read_text())["files"]
             self.assertEqual([round(f["time"], 6) for f in frames],
                              [round(0.3 * k, 6) for k in range(8)])
             for f in frames:
                 self.assertTrue((run / "dumps" / f["name"]).stat().st_size > 0)
+
+    def test_each_side_replays_to_the_bit(self):
+        import subprocess
+        from runs import DIPPER
+        self.run_case(self.folder / "r")
+        for side, requests in (("dem", 700), ("mbs", 1400)):
+            done = subprocess.run([DIPPER, "replay", self.folder / "r", "--side", side], text=True,
+                                  capture_output=True, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("to the bit", done.stdout)
+            self.assertGreater(int(done.stdout.split()[1]), requests)
 
     def test_serial_scheme_can_be_chosen(self):
         self.run_case(self.folder / "s", "--set", "coupling.scheme=serial", "--ranks", "1")

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace dipper {
+
+/// How a side's answers compare with the recorded ones.
+struct ReplayResult {
+  long requests = 0;         ///< windows and commands asked again
+  long different = 0;        ///< answers that are not the recorded ones to the bit
+  double force_N = 0;        ///< largest difference in a mean force component (rock side)
+  double position_m = 0;     ///< largest difference in a body's position
+  double wall_s = 0;         ///< replay, from the first to the last answer
+  double recorded_wall_s = 0;  ///< the run, over the same requests
+};
+
+/// Runs one side ("dem" or "mbs") of the run in `run` against the recording of the other: starts
+/// its process as the run did and asks it again everything in events.lcmlog, in the order of the
+/// request numbers. Files it writes go to a scratch folder. Throws std::runtime_error for a folder
+/// without a recording, PeerError when the side fails.
+ReplayResult replay(const std::filesystem::path& run, const std::string& side);
+
+}  // namespace dipper
