@@ -54,9 +54,9 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     std::size_t end = dump;
     while (end + 1 < n && open(end)) ++end;
     // What follows the last dump without any digging is the way home, not a pass.
-    const bool dug =
-        std::any_of(s.dipper_force_N.begin() + begin, s.dipper_force_N.begin() + dump + 1,
-                    [](double f) { return f >= kFirstContact_N; });
+    const double* force_N = s.dipper_force_N.data();
+    const bool dug = std::any_of(force_N + begin, force_N + dump + 1,
+                                 [](double f) { return f >= kFirstContact_N; });
     if (!dug && !passes.empty() && end + 1 >= n) {
       passes.back().truck_kg += s.truck_mass_kg[end] - s.truck_mass_kg[begin];
       break;

@@ -25,7 +25,7 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
                          const Pose& X_W0, double rake)
     : matter(system), forces(system) {
   forces.setNumberOfThreads(1);  // one order of summation, and nothing here is worth a thread
-  SimTK::Force::UniformGravity(forces, matter, Vec3(0, 0, -kGravity));
+  const SimTK::Force::UniformGravity gravity(forces, matter, Vec3(0, 0, -kGravity));
 
   house = SimTK::MobilizedBody::Pin(
       matter.Ground(), transform(X_W0),
@@ -43,7 +43,8 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
       house, Transform(z_to_minus_y(), vec(m.saddle.position)),
       SimTK::Body::Rigid(solid(m.saddle.mass, Vec3(0), Vec3(m.saddle.inertia))),
       Transform(z_to_minus_y()));
-  SimTK::Force::MobilityLinearDamper(forces, saddle, SimTK::MobilizerUIndex(0), m.saddle.damping);
+  const SimTK::Force::MobilityLinearDamper bearing(forces, saddle, SimTK::MobilizerUIndex(0),
+                                                   m.saddle.damping);
 
   handle = SimTK::MobilizedBody::Slider(
       saddle, Transform(Vec3(m.handle.reach_at_zero_crowd, 0, 0)),
@@ -82,7 +83,7 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
       const DriveState s = motion->at(t_s);
       return FreeLength{at_zero + s.position.hoist, s.rate.hoist};
     });
-    SimTK::Force::Custom(forces, rope);  // takes ownership
+    const SimTK::Force::Custom force(forces, rope);  // takes ownership
     return rope;
   };
   rope_left = hang(+1);

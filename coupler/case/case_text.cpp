@@ -60,7 +60,7 @@ std::string case_text(const Case& c, const PathText& path_text) {
     }
   }
   std::string text;
-  for (const auto& [key, value] : lines) text += key + "=" + value + "\n";
+  for (const auto& [key, value] : lines) text += fmt::format("{}={}\n", key, value);
   return text;
 }
 

@@ -70,10 +70,9 @@ Window Coupling::advance(std::int64_t n_steps) {
     // displacement (the rotation vector's error is third order in the window's turn).
     w.V_WB_wall.push_back(twist_between(X_WB_wall_[b], w.rock.bodies[b].X_WB, H));
     w.rock_work_J += power(felt[b], w.V_WB_wall[b]) * H;
-    w.machine_work_J +=
-        power(applied[b], twist_between(machine_state_.bodies[b].X_WB,
-                                        w.machine.bodies[b].X_WB, H)) *
-        H;
+    w.machine_work_J += power(applied[b], twist_between(machine_state_.bodies[b].X_WB,
+                                                        w.machine.bodies[b].X_WB, H)) *
+                        H;
     X_WB_wall_[b] = w.rock.bodies[b].X_WB;
   }
   held_ = std::move(felt);

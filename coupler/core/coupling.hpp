@@ -18,12 +18,12 @@ Scheme scheme_from(const std::string& word);
 
 /// What one window did.
 struct Window {
-  std::int64_t step_index = 0;    ///< windows completed, this one included; 0: the start
-  MachineState machine;           ///< committed, at the window's end
-  RockState rock;                 ///< at the window's end
-  std::vector<Twist> V_WB_wall;   ///< the constant twist each wall moved with
-  double rock_work_J = 0;         ///< done by the rock on the walls, as the rock side saw it
-  double machine_work_J = 0;      ///< done by the held wrench on the machine's bodies
+  std::int64_t step_index = 0;   ///< windows completed, this one included; 0: the start
+  MachineState machine;          ///< committed, at the window's end
+  RockState rock;                ///< at the window's end
+  std::vector<Twist> V_WB_wall;  ///< the constant twist each wall moved with
+  double rock_work_J = 0;        ///< done by the rock on the walls, as the rock side saw it
+  double machine_work_J = 0;     ///< done by the held wrench on the machine's bodies
 };
 
 /// Steps a machine and a rock through windows. The difference of the two works of a window is

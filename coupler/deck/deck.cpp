@@ -29,7 +29,7 @@ void write(const fs::path& file, const std::string& text) {
 /// LIGGGHTS wants primes above 10,000; a different one for each stream k of a case.
 std::int64_t prime_seed(std::int64_t seed, int k) {
   constexpr std::int64_t kSpan = 800'000;
-  const std::int64_t mixed = (seed * 104'729 + k * 7'919) % kSpan;
+  const std::int64_t mixed = (seed * 104'729 + std::int64_t{k} * 7'919) % kSpan;
   std::int64_t n = 10'007 + (mixed < 0 ? mixed + kSpan : mixed);
   const auto prime = [](std::int64_t m) {
     for (std::int64_t d = 2; d * d <= m; ++d)

@@ -14,6 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Of the cells of width h that begin at lo, those that lie below hi.
+std::vector<double> midpoints(double lo, double hi, double h) {
+  std::vector<double> out(static_cast<std::size_t>(std::max(0.0, std::ceil((hi - lo) / h - 0.5))));
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = lo + (static_cast<double>(i) + 0.5) * h;
+  return out;
+}
+
 /// Midpoints of cubic cells, and how far inside the solid each lies.
 struct Grid {
   double cell = 0;
@@ -26,9 +33,9 @@ Grid make_grid(const TriangleMesh& mesh, int cells, double margin) {
   for (const Vector3d& v : mesh.vertices) box.add(v, margin);
   Grid g;
   g.cell = (box.max - box.min).maxCoeff() / cells;
-  for (double x = box.min.x() + g.cell / 2; x < box.max.x(); x += g.cell)
-    for (double y = box.min.y() + g.cell / 2; y < box.max.y(); y += g.cell)
-      for (double z = box.min.z() + g.cell / 2; z < box.max.z(); z += g.cell) {
+  for (const double x : midpoints(box.min.x(), box.max.x(), g.cell))
+    for (const double y : midpoints(box.min.y(), box.max.y(), g.cell))
+      for (const double z : midpoints(box.min.z(), box.max.z(), g.cell)) {
         g.points.emplace_back(x, y, z);
         g.depth.push_back(signed_distance(mesh, g.points.back()));
       }
@@ -137,8 +144,9 @@ double union_volume(const std::vector<Sphere>& spheres, int cells) {
   // Along each grid line (x, y) the spheres cover exact intervals in z.
   double volume = 0;
   std::vector<std::pair<double, double>> spans;
-  for (double x = box.min.x() + h / 2; x < box.max.x(); x += h)
-    for (double y = box.min.y() + h / 2; y < box.max.y(); y += h) {
+  const std::vector<double> ys = midpoints(box.min.y(), box.max.y(), h);
+  for (const double x : midpoints(box.min.x(), box.max.x(), h))
+    for (const double y : ys) {
       spans.clear();
       for (const Sphere& s : spheres) {
         const double dx = x - s.centre_m.x(), dy = y - s.centre_m.y();

@@ -24,8 +24,8 @@ namespace dipper {
 
 LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup), comm_(comm) {
   // The screen must be a file: with `-screen none` FixMesh prints to a null stream and crashes.
-  std::vector<std::string> words = {"dipper-dem", "-log", setup.log, "-screen", setup.screen,
-                                    "-echo",      "none"};
+  std::vector<std::string> words = {"dipper-dem", "-log",  setup.log, "-screen",
+                                    setup.screen, "-echo", "none"};
   for (const auto& [name, value] : setup.variables) {
     words.insert(words.end(), {"-var", name, value});
   }
@@ -41,8 +41,7 @@ LiggghtsRock::~LiggghtsRock() = default;
 
 ServerInfo LiggghtsRock::info() const {
   ServerInfo info;
-  info.version = fmt::format("LIGGGHTS {}, {} ranks", lmp_->universe->version,
-                             lmp_->comm->nprocs);
+  info.version = fmt::format("LIGGGHTS {}, {} ranks", lmp_->universe->version, lmp_->comm->nprocs);
   info.bodies = setup_.bodies;
   for (const auto& s : setup_.scales) info.channels.push_back({s.name, "kg", "-"});
   info.channels.push_back({"rock_mass", "kg", "-"});
@@ -101,8 +100,7 @@ std::vector<double> LiggghtsRock::weigh() const {
   for (std::size_t k = 0; k < n; ++k) {
     const auto& s = setup_.scales[k];
     const auto body = std::find(setup_.bodies.begin(), setup_.bodies.end(), s.body);
-    X_SW[k] =
-        inverse(body == setup_.bodies.end() ? s.X_WS : X_WB_[body - setup_.bodies.begin()]);
+    X_SW[k] = inverse(body == setup_.bodies.end() ? s.X_WS : X_WB_[body - setup_.bodies.begin()]);
   }
   std::vector<double> sums(n + 4, 0.0);
   const auto count = [&](const double* x, const double* v, double mass) {

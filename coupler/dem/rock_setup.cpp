@@ -31,8 +31,8 @@ json to_json(const RockSetup& setup) {
   if (setup.resumed) {
     resumed = json::array();
     for (const auto& w : *setup.resumed) {
-      resumed.push_back({array(w.load.torque), array(w.load.force), array(w.V_WB_W.w),
-                         array(w.V_WB_W.v)});
+      resumed.push_back(
+          {array(w.load.torque), array(w.load.force), array(w.V_WB_W.w), array(w.V_WB_W.v)});
     }
   }
   return {{"deck", setup.deck},     {"variables", setup.variables}, {"log", setup.log},

@@ -25,8 +25,8 @@ class Welder {
   std::size_t index(TriangleMesh& mesh, const Eigen::Vector3d& v) {
     const Cell centre = cell(v);
     for (int n = 0; n < 27; ++n) {
-      const auto found =
-          cells_.find({centre[0] + n % 3 - 1, centre[1] + n / 3 % 3 - 1, centre[2] + n / 9 - 1});
+      const int dx = n % 3 - 1, dy = n / 3 % 3 - 1, dz = n / 9 - 1;
+      const auto found = cells_.find({centre[0] + dx, centre[1] + dy, centre[2] + dz});
       if (found == cells_.end()) continue;
       if (((mesh.vertices[found->second] - v).array().abs() <= distance_).all()) {
         return found->second;

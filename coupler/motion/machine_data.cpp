@@ -25,8 +25,8 @@ class Reader {
   /// A mapping whose keys are all known to the caller, who asks for them by name.
   class Group {
    public:
-    Group(Reader& reader, YAML::Node node, std::string path)
-        : reader_(reader), node_(std::move(node)), path_(std::move(path)) {
+    Group(Reader& reader, const YAML::Node& node, std::string path)
+        : reader_(reader), node_(node), path_(std::move(path)) {
       if (node_.IsMap()) return;
       if (node_) reader_.fault(node_.Mark(), path_ + " must be a mapping");
       node_ = YAML::Node(YAML::NodeType::Map);

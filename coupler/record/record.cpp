@@ -43,7 +43,7 @@ Record::Record(std::filesystem::path file, const std::map<std::string, std::stri
   // Before anything else of HDF5: its exit handler crashes on a file that a full disk left open.
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
-  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);    // so that a live run can be looked at
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // so that a live run can be looked at
   errno = 0;
   id_ = resumed_ ? H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)
                  : H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
@@ -159,7 +159,8 @@ std::vector<double> read_channel(const std::filesystem::path& file, const std::s
   H5Sclose(space);
   H5Dclose(dataset);
   H5Fclose(id);
-  if (status < 0) throw std::runtime_error("cannot read dataset '" + name + "' of " + file.string());
+  if (status < 0)
+    throw std::runtime_error("cannot read dataset '" + name + "' of " + file.string());
   return values;
 }
 

@@ -55,13 +55,19 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, Rock& rock
   for (const auto& F : c.held) held.push_back(to_json(F));
   for (const auto& X : c.X_WB_wall) walls.push_back(to_json(X));
   std::ofstream out(c.folder / "coupling.json");
-  out << json{{"step_index", c.step_index},   {"dem_step", c.dem_step},
-              {"held", held},                 {"walls", walls},   {"memory", memory},
-              {"record_rows", c.record_rows}, {"rock_work_J", c.rock_work_J},
-              {"machine_work_J", c.machine_work_J}, {"dem_cpu_s", c.dem_cpu_s},
+  out << json{{"step_index", c.step_index},
+              {"dem_step", c.dem_step},
+              {"held", held},
+              {"walls", walls},
+              {"memory", memory},
+              {"record_rows", c.record_rows},
+              {"rock_work_J", c.rock_work_J},
+              {"machine_work_J", c.machine_work_J},
+              {"dem_cpu_s", c.dem_cpu_s},
               {"mbs_cpu_s", c.mbs_cpu_s}}
              .dump(1);
-  if (!out.flush()) throw std::runtime_error("cannot write " + (c.folder / "coupling.json").string());
+  if (!out.flush())
+    throw std::runtime_error("cannot write " + (c.folder / "coupling.json").string());
   out.close();
   fs::remove_all(place);
   fs::rename(c.folder, place);

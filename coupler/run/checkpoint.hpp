@@ -14,8 +14,8 @@ struct Checkpoint {
   std::filesystem::path folder;
   std::int64_t step_index = 0;
   std::int64_t dem_step = 0;
-  std::vector<Wrench> held;      ///< by the machine, into the next window
-  std::vector<Pose> X_WB_wall;   ///< the walls as LIGGGHTS has them
+  std::vector<Wrench> held;        ///< by the machine, into the next window
+  std::vector<Pose> X_WB_wall;     ///< the walls as LIGGGHTS has them
   std::vector<WallMemory> memory;  ///< of the walls
   std::size_t record_rows = 0;
   double rock_work_J = 0, machine_work_J = 0;

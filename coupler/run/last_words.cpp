@@ -32,7 +32,8 @@ std::string last_words(const std::filesystem::path& log, const std::filesystem::
     if (!error.empty()) return error;
   }
   const auto all = lines(log);
-  for (const char* word : {"ERROR", "dipper-dem:", "dipper-mbs:", "exited on signal", "cannot start"}) {
+  for (const char* word :
+       {"ERROR", "dipper-dem:", "dipper-mbs:", "exited on signal", "cannot start"}) {
     const std::string line = last_with(all, word);
     if (!line.empty()) return line;
   }

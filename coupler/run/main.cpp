@@ -32,7 +32,8 @@ std::vector<Override> overrides(const Words& words) {
   for (const auto& s : words.set) {
     const auto equals = s.find('=');
     if (equals == std::string::npos) {
-      throw CLI::ValidationError("--set " + s, "write key=value, as in --set coupling.scheme=serial");
+      throw CLI::ValidationError("--set " + s,
+                                 "write key=value, as in --set coupling.scheme=serial");
     }
     all.push_back({s.substr(0, equals), s.substr(equals + 1)});
   }
@@ -65,13 +66,16 @@ int run_command(const Words& words) {
     return 2;
   }
   if (words.resume && !there) {
-    fmt::print(stderr, "dipper: {} holds no run to resume; leave out --resume, or name the run's "
-               "folder with --out\n", options.out.string());
+    fmt::print(stderr,
+               "dipper: {} holds no run to resume; leave out --resume, or name the run's "
+               "folder with --out\n",
+               options.out.string());
     return 2;
   }
   if (words.resume) {
     const auto changed = changed_since(options.out, c);
-    for (const auto& line : changed) fmt::print(stderr, "dipper: not as in {}: {}\n", options.out.string(), line);
+    for (const auto& line : changed)
+      fmt::print(stderr, "dipper: not as in {}: {}\n", options.out.string(), line);
     if (!changed.empty()) return 2;
   }
   catch_interrupts();
@@ -82,9 +86,10 @@ int run_command(const Words& words) {
 int replay_command(const Words& words) {
   enter_private_network();
   const ReplayResult r = replay(words.folder, words.side);
-  fmt::print("{}: {} requests asked again in {:.1f} s; the paired run took {:.1f} s over them "
-             "({:.3f} times as long)\n",
-             words.side, r.requests, r.wall_s, r.recorded_wall_s, r.recorded_wall_s / r.wall_s);
+  fmt::print(
+      "{}: {} requests asked again in {:.1f} s; the paired run took {:.1f} s over them "
+      "({:.3f} times as long)\n",
+      words.side, r.requests, r.wall_s, r.recorded_wall_s, r.recorded_wall_s / r.wall_s);
   if (r.different == 0) {
     fmt::print("every answer is the recorded one to the bit\n");
   } else {
@@ -112,7 +117,9 @@ int command_line(int argc, char** argv) {
   run->add_option("--seed", words.seed, "seed of the pile");
   run->add_flag("--resume", words.resume, "continue from the last checkpoint");
   auto* again = app.add_subcommand("replay", "run one side against the other's recording");
-  again->add_option("DIR", words.folder, "a run's folder")->required()->check(CLI::ExistingDirectory);
+  again->add_option("DIR", words.folder, "a run's folder")
+      ->required()
+      ->check(CLI::ExistingDirectory);
   again->add_option("--side", words.side, "the side to run: dem or mbs")
       ->check(CLI::IsMember({"dem", "mbs"}))
       ->capture_default_str();

@@ -105,12 +105,12 @@ class Leg {
       facts_.status = "interrupted";
     } catch (const PeerError& e) {
       facts_.status = "failed";
-      facts_.failure = fmt::format("the {} side failed at t = {:.4f} s (sync step {}): {}",
-                                   e.side, time_s(), facts_.syncs, e.what());
+      facts_.failure = fmt::format("the {} side failed at t = {:.4f} s (sync step {}): {}", e.side,
+                                   time_s(), facts_.syncs, e.what());
     } catch (const std::exception& e) {
       facts_.status = "failed";
-      facts_.failure = fmt::format("at t = {:.4f} s (sync step {}): {}", time_s(), facts_.syncs,
-                                   e.what());
+      facts_.failure =
+          fmt::format("at t = {:.4f} s (sync step {}): {}", time_s(), facts_.syncs, e.what());
     }
     return finish();
   }
@@ -186,8 +186,8 @@ class Leg {
         progress.done();
         throw Interrupted();
       }
-      const Window w =
-          coupling.advance(std::min<std::int64_t>(case_.coupling.sync_steps, end_step_ - dem_step_));
+      const Window w = coupling.advance(
+          std::min<std::int64_t>(case_.coupling.sync_steps, end_step_ - dem_step_));
       take(w);
       facts_.wall_s = seconds_since(began);
       facts_.rock_wait_s = rock_->wait_s();
@@ -208,9 +208,7 @@ class Leg {
     facts_.status = "complete";
   }
 
-  std::int64_t nanoseconds() const {
-    return dem_step_ * std::llround(case_.dem.timestep_s * 1e9);
-  }
+  std::int64_t nanoseconds() const { return dem_step_ * std::llround(case_.dem.timestep_s * 1e9); }
 
   void take(const Window& w) {
     record_->put(w);
@@ -289,11 +287,11 @@ class Leg {
     out << summary.dump(2) << '\n';
     if (!out.flush()) throw std::runtime_error("cannot write " + folder_.summary().string());
     for (const auto& p : summary.at("passes")) {
-      fmt::print("pass {}: payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN\n",
-                 p.at("pass").get<int>(), p.at("payload_kg").get<double>() * 1e-3,
-                 p.at("truck_kg").get<double>() * 1e-3,
-                 p.at("dig_force_mean_N").get<double>() * 1e-3,
-                 p.at("dig_force_peak_N").get<double>() * 1e-3);
+      fmt::print(
+          "pass {}: payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN\n",
+          p.at("pass").get<int>(), p.at("payload_kg").get<double>() * 1e-3,
+          p.at("truck_kg").get<double>() * 1e-3, p.at("dig_force_mean_N").get<double>() * 1e-3,
+          p.at("dig_force_peak_N").get<double>() * 1e-3);
     }
   }
 

@@ -62,11 +62,10 @@ Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
   fs::create_directories(work);
   const fs::path screen = logs / "settle.screen";
   Process liggghts(
-      mpirun(c.dem.ranks,
-             {"liggghts", "-in", (source_folder() / "dem_in" / "settle.in").string(), "-log",
-              (logs / "settle.liggghts").string(), "-screen", screen.string(), "-var", "deck",
-              deck.string(), "-var", "out", work.string(), "-var", "ranks_y",
-              std::to_string(c.dem.ranks)}),
+      mpirun(c.dem.ranks, {"liggghts", "-in", (source_folder() / "dem_in" / "settle.in").string(),
+                           "-log", (logs / "settle.liggghts").string(), "-screen", screen.string(),
+                           "-var", "deck", deck.string(), "-var", "out", work.string(), "-var",
+                           "ranks_y", std::to_string(c.dem.ranks)}),
       logs / "settle.log");
   while (!liggghts.wait(std::chrono::milliseconds(100))) {
     if (interrupts() > 0) {
@@ -84,8 +83,7 @@ Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
   std::error_code lost_race;
   fs::rename(work, entry, lost_race);
   if (lost_race) fs::remove_all(work);  // another run was faster; its bench is the same
-  pile.wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  pile.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return pile;
 }
 

@@ -9,8 +9,8 @@ namespace dipper {
 /// A settled bench for the case: the LIGGGHTS restart file to dig in.
 struct Pile {
   std::filesystem::path restart;
-  bool cached = false;   ///< it was there already
-  double wall_s = 0;     ///< settling time, 0 when cached
+  bool cached = false;  ///< it was there already
+  double wall_s = 0;    ///< settling time, 0 when cached
 };
 
 /// Finds the case's bench in the cache, or settles it (dem_in/settle.in under the plain LIGGGHTS

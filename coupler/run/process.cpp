@@ -58,8 +58,7 @@ std::optional<std::string> Process::ended() {
     cpu_s_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   }
   if (WIFSIGNALED(status_)) {
-    return fmt::format("killed by signal {} ({})", WTERMSIG(status_),
-                       strsignal(WTERMSIG(status_)));
+    return fmt::format("killed by signal {} ({})", WTERMSIG(status_), strsignal(WTERMSIG(status_)));
   }
   return fmt::format("exit status {}", WEXITSTATUS(status_));
 }
@@ -84,8 +83,9 @@ void Process::end() {
 }
 
 std::vector<std::string> mpirun(int ranks, std::vector<std::string> program) {
-  std::vector<std::string> command = {"mpirun", "--oversubscribe", "--bind-to", "none", "--mca",
-                                      "mpi_yield_when_idle", "1", "--mca", "btl", "self,vader"};
+  std::vector<std::string> command = {"mpirun", "--oversubscribe",     "--bind-to", "none",
+                                      "--mca",  "mpi_yield_when_idle", "1",         "--mca",
+                                      "btl",    "self,vader"};
   if (geteuid() == 0) command.push_back("--allow-run-as-root");
   command.insert(command.end(), {"-np", std::to_string(ranks)});
   command.insert(command.end(), program.begin(), program.end());

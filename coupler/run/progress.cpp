@@ -20,10 +20,10 @@ std::string Progress::line(double t_s, double payload_kg) const {
   const double wall_s = std::chrono::duration<double>(Clock::now() - began_).count();
   const double factor = (t_s - start_s_) / std::max(wall_s, 1e-9);
   const double left_s = factor > 0 ? (end_s_ - t_s) / factor : 0;
-  return fmt::format("[{}{}] {:6.2f} / {:.2f} s  {:.3f} x real time  payload {:5.1f} t  {}:{:02d} left",
-                     std::string(filled, '#'), std::string(kWidth - filled, '.'), t_s, end_s_,
-                     factor, payload_kg * 1e-3, static_cast<int>(left_s) / 60,
-                     static_cast<int>(left_s) % 60);
+  return fmt::format(
+      "[{}{}] {:6.2f} / {:.2f} s  {:.3f} x real time  payload {:5.1f} t  {}:{:02d} left",
+      std::string(filled, '#'), std::string(kWidth - filled, '.'), t_s, end_s_, factor,
+      payload_kg * 1e-3, static_cast<int>(left_s) / 60, static_cast<int>(left_s) % 60);
 }
 
 void Progress::show(double t_s, double payload_kg) {

@@ -36,8 +36,8 @@ std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
   std::map<std::int64_t, Exchange> by_number;
   while (const lcm::LogEvent* event = log.readNextEvent()) {
     if (event->channel != to && event->channel != from) continue;
-    Message m = decode({static_cast<const char*>(event->data),
-                        static_cast<std::size_t>(event->datalen)});
+    Message m =
+        decode({static_cast<const char*>(event->data), static_cast<std::size_t>(event->datalen)});
     Exchange& e = by_number[m.envelope.sequence];
     if (event->channel == to && e.asked_us == 0) {
       e.asked_us = event->timestamp;
@@ -49,7 +49,8 @@ std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
   }
   std::vector<Exchange> all;
   for (auto& [number, e] : by_number) {
-    if (e.asked_us == 0 || e.answered_us == 0) break;  // the recording ends here: "stop", or a fault
+    if (e.asked_us == 0 || e.answered_us == 0)
+      break;  // the recording ends here: "stop", or a fault
     all.push_back(std::move(e));
   }
   return all;
@@ -62,7 +63,8 @@ fs::path scratch_folder() {
 }
 
 /// The side's settings with everything it writes sent to `scratch`.
-nlohmann::json redirected(nlohmann::json settings, const std::string& side, const fs::path& scratch) {
+nlohmann::json redirected(nlohmann::json settings, const std::string& side,
+                          const fs::path& scratch) {
   if (side != "dem") return settings;
   settings["log"] = (scratch / "dem.liggghts").string();
   settings["screen"] = (scratch / "dem.screen").string();
@@ -79,14 +81,14 @@ void compare(const Body& now, const Body& before, ReplayResult& result) {
   for (std::size_t i = 0; a != nullptr && b != nullptr && i < a->bodies.size(); ++i) {
     const auto off = (a->bodies[i].mean.force - b->bodies[i].mean.force).cwiseAbs().maxCoeff();
     result.force_N = std::max(result.force_N, off);
-    result.position_m = std::max(
-        result.position_m, (a->bodies[i].X_WB.p - b->bodies[i].X_WB.p).cwiseAbs().maxCoeff());
+    result.position_m = std::max(result.position_m,
+                                 (a->bodies[i].X_WB.p - b->bodies[i].X_WB.p).cwiseAbs().maxCoeff());
   }
   const auto* c = std::get_if<TargetMotion>(&now);
   const auto* d = std::get_if<TargetMotion>(&before);
   for (std::size_t i = 0; c != nullptr && d != nullptr && i < c->bodies.size(); ++i) {
-    result.position_m = std::max(
-        result.position_m, (c->bodies[i].X_WB.p - d->bodies[i].X_WB.p).cwiseAbs().maxCoeff());
+    result.position_m = std::max(result.position_m,
+                                 (c->bodies[i].X_WB.p - d->bodies[i].X_WB.p).cwiseAbs().maxCoeff());
   }
 }
 
@@ -128,8 +130,8 @@ ReplayResult replay(const fs::path& run, const std::string& side) {
       began = std::chrono::steady_clock::now();
       recorded_us = e.asked_us;
     }
-    const Body reply = link.ask(std::move(request), e.request.envelope.step_index,
-                                e.request.envelope.t_ns);
+    const Body reply =
+        link.ask(std::move(request), e.request.envelope.step_index, e.request.envelope.t_ns);
     ++result.requests;
     if (!is_window(e)) continue;
     compare(reply, e.reply, result);

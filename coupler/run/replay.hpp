@@ -7,11 +7,11 @@ namespace dipper {
 
 /// How a side's answers compare with the recorded ones.
 struct ReplayResult {
-  long requests = 0;         ///< windows and commands asked again
-  long different = 0;        ///< answers that are not the recorded ones to the bit
-  double force_N = 0;        ///< largest difference in a mean force component (rock side)
-  double position_m = 0;     ///< largest difference in a body's position
-  double wall_s = 0;         ///< replay, from the first to the last answer
+  long requests = 0;           ///< windows and commands asked again
+  long different = 0;          ///< answers that are not the recorded ones to the bit
+  double force_N = 0;          ///< largest difference in a mean force component (rock side)
+  double position_m = 0;       ///< largest difference in a body's position
+  double wall_s = 0;           ///< replay, from the first to the last answer
   double recorded_wall_s = 0;  ///< the run, over the same requests
 };
 

@@ -1,10 +1,10 @@
 #include "coupler/run/sides.hpp"
 
+#include <fmt/core.h>
 #include <sys/random.h>
 
 #include <array>
 #include <chrono>
-#include <fmt/core.h>
 
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
@@ -54,8 +54,7 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   dem_ = std::make_unique<Process>(
       mpirun(setup.ranks, {program("dipper-dem"), dem_config.string()}), setup.logs / "dem.log");
   mbs_ = std::make_unique<Process>(
-      std::vector<std::string>{program("dipper-mbs"), mbs_config.string()},
-      setup.logs / "mbs.log");
+      std::vector<std::string>{program("dipper-mbs"), mbs_config.string()}, setup.logs / "mbs.log");
 
   LinkOptions options;
   options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * setup.timeout_s));

@@ -16,10 +16,10 @@ struct SidesSetup {
   std::string case_hash;
   int ranks = 1;
   double timeout_s = 60;
-  nlohmann::json dem, mbs;             ///< each side's settings
-  std::filesystem::path logs;          ///< folder
-  std::filesystem::path dem_screen;    ///< where LIGGGHTS writes its errors
-  std::filesystem::path message_log;   ///< every message of the run, as an LCM log
+  nlohmann::json dem, mbs;            ///< each side's settings
+  std::filesystem::path logs;         ///< folder
+  std::filesystem::path dem_screen;   ///< where LIGGGHTS writes its errors
+  std::filesystem::path message_log;  ///< every message of the run, as an LCM log
 };
 
 /// The two processes of a run and the links to them. Whoever waits on a link also watches both

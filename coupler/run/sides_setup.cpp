@@ -41,10 +41,10 @@ MeshFacts read_mesh_facts(const Case& c) {
     file = beside(c.truck.mesh);
     facts.truck_bed = box(YAML::LoadFile(file)["bed"]);
   } catch (const YAML::Exception& e) {
-    throw std::runtime_error(
-        fmt::format("{}:{}: {}; beside a dipper's mesh: struck_volume_m3, cavity: {{min_m, max_m}}, "
-                    "heap_height_m; beside a truck's: bed: {{min_m, max_m}}",
-                    file.string(), e.mark.line + 1, e.msg));
+    throw std::runtime_error(fmt::format(
+        "{}:{}: {}; beside a dipper's mesh: struck_volume_m3, cavity: {{min_m, max_m}}, "
+        "heap_height_m; beside a truck's: bed: {{min_m, max_m}}",
+        file.string(), e.mark.line + 1, e.msg));
   }
   return facts;
 }
@@ -57,14 +57,16 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
   setup.log = (logs / "dem.liggghts").string();
   setup.screen = (logs / "dem.screen").string();
   setup.resumed = resumed;
-  setup.variables = {
-      {"deck", deck.string()},
-      {"pile", restart.string()},
-      {"out", dumps.string()},
-      {"run_steps", "0"},
-      {"dump_steps", std::to_string(dump_steps(c))},
-      // The bodies are placed by their own poses, from their own frames.
-      {"dipper_x", "0"}, {"dipper_y", "0"}, {"dipper_z", "0"}, {"door_z", "0"}};
+  setup.variables = {{"deck", deck.string()},
+                     {"pile", restart.string()},
+                     {"out", dumps.string()},
+                     {"run_steps", "0"},
+                     {"dump_steps", std::to_string(dump_steps(c))},
+                     // The bodies are placed by their own poses, from their own frames.
+                     {"dipper_x", "0"},
+                     {"dipper_y", "0"},
+                     {"dipper_z", "0"},
+                     {"door_z", "0"}};
   setup.bodies = {"dipper", "door"};
   Pose X_WT;
   X_WT.p = c.truck.position_m;

@@ -30,8 +30,7 @@ MeshFacts read_mesh_facts(const Case& c);
 /// the walls remember.
 nlohmann::json dem_settings(const Case& c, const MeshFacts& facts,
                             const std::filesystem::path& deck, const std::filesystem::path& dumps,
-                            const std::filesystem::path& logs,
-                            const std::filesystem::path& restart,
+                            const std::filesystem::path& logs, const std::filesystem::path& restart,
                             const std::optional<std::vector<WallMemory>>& resumed);
 
 /// dipper-mbs's settings.

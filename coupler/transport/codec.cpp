@@ -61,8 +61,8 @@ TargetMotion unpack(const target_motion_t& t) {
   TargetMotion m;
   m.n_steps = t.n_steps;
   for (const auto& b : t.bodies) {
-    m.bodies.push_back({{rotation(b.R_WB), vector(b.p_WBo_W)},
-                        {vector(b.w_WB_W), vector(b.v_WBo_W)}});
+    m.bodies.push_back(
+        {{rotation(b.R_WB), vector(b.p_WBo_W)}, {vector(b.w_WB_W), vector(b.v_WBo_W)}});
   }
   m.channels = t.channels;
   return m;

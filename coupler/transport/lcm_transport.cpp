@@ -10,8 +10,8 @@ LcmTransport::LcmTransport(const std::string& url, const std::vector<std::string
     : lcm_(url) {
   if (!lcm_.good()) {
     throw std::runtime_error("LCM cannot open " + url +
-                             ": no multicast route. As root, once: "
-                             "ip link set lo multicast on; ip route add 239.255.76.0/24 dev lo");
+                             ": no multicast route. As root, once: `"
+                             "ip route add 239.255.76.0/24 dev lo`");
   }
   for (const auto& channel : channels) lcm_.subscribe(channel, &LcmTransport::on_message, this);
 }

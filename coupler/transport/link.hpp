@@ -30,8 +30,8 @@ struct LinkOptions {
 class Link {
  public:
   /// `transport` hears nothing but `from`: what is left over on it is counted here.
-  Link(std::string side, Transport& transport, std::string to, std::string from,
-       Envelope identity, LinkOptions options);
+  Link(std::string side, Transport& transport, std::string to, std::string from, Envelope identity,
+       LinkOptions options);
 
   /// Throws PeerError when the other side says it failed or says nothing until the timeout.
   Body ask(Body request, std::int64_t step_index, std::int64_t t_ns);

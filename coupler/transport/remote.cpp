@@ -26,8 +26,8 @@ RemoteMachine::RemoteMachine(Link& link) : link_(link) {
 }
 
 MachineState RemoteMachine::state() {
-  auto m = take<TargetMotion>(link_.ask(Command{Action::state, ""}, step_index_, t_ns_),
-                              link_.side());
+  auto m =
+      take<TargetMotion>(link_.ask(Command{Action::state, ""}, step_index_, t_ns_), link_.side());
   return {t_ns_, std::move(m.bodies), std::move(m.channels)};
 }
 
@@ -86,7 +86,9 @@ void RemoteRock::save(const std::filesystem::path& file) {
 void RemoteRock::load(const std::filesystem::path& file) {
   command(link_, Action::load, file, step_index_, t_ns_);
 }
-std::string RemoteRock::state_hash() { return command(link_, Action::hash, "", step_index_, t_ns_); }
+std::string RemoteRock::state_hash() {
+  return command(link_, Action::hash, "", step_index_, t_ns_);
+}
 void RemoteRock::resume_at(std::int64_t step_index, std::int64_t dem_step) {
   step_index_ = step_index;
   t_ns_ = dem_step * dt_ns_;

@@ -11,8 +11,7 @@ class RemoteMachine final : public Machine {
   explicit RemoteMachine(Link& link);
   ServerInfo info() const override { return info_; }
   MachineState state() override;
-  MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
-                    bool commit) override;
+  MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W, bool commit) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
   /// For the headers of messages, after a checkpoint has been loaded.

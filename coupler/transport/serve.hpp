@@ -14,8 +14,9 @@ Body answer(Rock& rock, const Message& request);
 
 /// Answers requests on `in` with replies on `out` until "stop" or until `alive` says no.
 /// An exception from `handle` goes to the other side as a failed status and then to the caller.
-void serve(Transport& transport, const std::string& in, const std::string& out,
-           const Envelope& identity, const std::function<Body(const Message&)>& handle,
-           const std::function<bool()>& alive = [] { return true; });
+void serve(
+    Transport& transport, const std::string& in, const std::string& out, const Envelope& identity,
+    const std::function<Body(const Message&)>& handle,
+    const std::function<bool()>& alive = [] { return true; });
 
 }  // namespace dipper

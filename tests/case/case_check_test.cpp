@@ -192,9 +192,9 @@ TEST(CheckCase, Shapes) {
 TEST(CheckCase, ClassWithoutARock) {
   Checkout checkout;
   const int line = checkout.replace(
-      "name: d850", "- {name: d850, size_m: 9.5, mass_percent: 25, shapes: [block]}");
-  expect_findings(check(checkout), {{checkout.file(), line, "rock.classes.4.mass_percent",
-                                     "rocks of d850; for one write a size_m below "}});
+      "name: d600", "- {name: d600, size_m: 9.5, mass_percent: 44, shapes: [block]}");
+  expect_findings(check(checkout), {{checkout.file(), line, "rock.classes.3.mass_percent",
+                                     "rocks of d600; for one write a size_m below "}});
 }
 
 TEST(CheckCase, WindowLongerThanTheRun) {

@@ -23,9 +23,9 @@ TEST(LoadCase, QuickIsSound) {
   const Case c = load_case(checkout.folder() / "", {}, findings);
   expect_findings(findings, {});
   EXPECT_EQ(c.name, "quick");
-  EXPECT_EQ(c.rock.density_kg_m3, 3700);
+  EXPECT_EQ(c.rock.density_kg_m3, 3215);
   EXPECT_EQ(c.rock.youngs_modulus_Pa, 45e9);
-  EXPECT_EQ(c.rock.classes.size(), 5U);
+  EXPECT_EQ(c.rock.classes.size(), 4U);
   EXPECT_EQ(c.rock.classes[0].shapes, std::vector<std::string>{"sphere"});
   EXPECT_EQ(c.truck.mesh, checkout.root / "meshes/truck.stl");
   EXPECT_EQ(c.bodies.at("door"), checkout.root / "meshes/door.stl");
@@ -257,7 +257,7 @@ TEST(Override, ErrorsNameSet) {
                                          {"dem.ranks", "0"},
                                          {"truck", "none"},
                                          {"rock..x", "1"}}),
-                  {{"--set", 0, "rock.classes.7.size_m", "no element 7; the list has 0 ... 4"},
+                  {{"--set", 0, "rock.classes.7.size_m", "no element 7; the list has 0 ... 3"},
                    {"--set", 0, "rock.density_t_m3", "the unit here is kg/m3: density_kg_m3"},
                    {"--set", 0, "title", "not valid YAML"},
                    {"--set", 0, "dem.ranks", "0 is out of range"},

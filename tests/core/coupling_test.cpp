@@ -121,7 +121,7 @@ double oscillator_error(Scheme scheme, std::int64_t n_per_window) {
 }
 
 TEST(Coupling, TwoMassOscillatorReachesThePublishedValues) {
-  EXPECT_LT(oscillator_error(Scheme::corrected, 100), 2e-5);   // H = 0.1 ms
+  EXPECT_LT(oscillator_error(Scheme::corrected, 100), 2e-5);  // H = 0.1 ms
   EXPECT_LT(oscillator_error(Scheme::serial, 100), 5e-3);
 }
 

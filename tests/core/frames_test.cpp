@@ -54,7 +54,8 @@ TEST(RotationVector, RoundTripFromTinyToHalfTurn) {
   const Vector3d axis = Vector3d(1, -2, 0.5).normalized();
   for (const double angle : {0.0, 1e-14, 1e-10, 1e-8, 1e-3, 1.0, 3.0, M_PI - 1e-9}) {
     const Vector3d r = angle * axis;
-    EXPECT_LT((rotation_vector(from_rotation_vector(r)) - r).norm(), 1e-14 + 1e-12 * angle) << angle;
+    EXPECT_LT((rotation_vector(from_rotation_vector(r)) - r).norm(), 1e-14 + 1e-12 * angle)
+        << angle;
   }
 }
 

@@ -38,7 +38,8 @@ TEST_F(LastWords, ASidesOwnLineBeatsMpirun) {
 }
 
 TEST_F(LastWords, ASignalIsReportedAsMpirunSawIt) {
-  const auto log = write("log", "---\nmpirun noticed that process rank 1 exited on signal 9\n---\n");
+  const auto log =
+      write("log", "---\nmpirun noticed that process rank 1 exited on signal 9\n---\n");
   EXPECT_EQ(last_words(log), "mpirun noticed that process rank 1 exited on signal 9");
 }
 

@@ -1,12 +1,14 @@
 """A short paired run through real LCM, LIGGGHTS and Simbody."""
 
 import json
+import pathlib
+import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from runs import RunTest
+from runs import DIPPER, RunTest
 
 
 class PairedRun(RunTest):
@@ -54,8 +56,6 @@ class PairedRun(RunTest):
                 self.assertTrue((run / "dumps" / f["name"]).stat().st_size > 0)
 
     def test_each_side_replays_to_the_bit(self):
-        import subprocess
-        from runs import DIPPER
         self.run_case(self.folder / "r")
         for side, requests in (("dem", 700), ("mbs", 1400)):
             done = subprocess.run([DIPPER, "replay", self.folder / "r", "--side", side], text=True,
@@ -63,6 +63,22 @@ class PairedRun(RunTest):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("to the bit", done.stdout)
             self.assertGreater(int(done.stdout.split()[1]), requests)
+
+    def test_dumps_open_with_the_readers_users_have(self):
+        self.run_case(self.folder / "d")
+        reader = pathlib.Path(__file__).parent.parent / "scripts" / "dumps_open"
+        done = subprocess.run([reader, self.folder / "d"], text=True, capture_output=True,
+                              timeout=120)
+        if done.returncode == 77:
+            self.skipTest("python3-vtk9 is not installed")
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_a_run_can_be_drawn(self):
+        self.run_case(self.folder / "p")
+        plot = pathlib.Path(__file__).parent.parent.parent / "scripts" / "plot_run"
+        done = subprocess.run([plot, self.folder / "p"], text=True, capture_output=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater((self.folder / "p" / "run.png").stat().st_size, 20000)
 
     def test_serial_scheme_can_be_chosen(self):
         self.run_case(self.folder / "s", "--set", "coupling.scheme=serial", "--ranks", "1")

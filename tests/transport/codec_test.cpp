@@ -47,7 +47,8 @@ TEST(Codec, MotionCommandAndStatusSurvive) {
   EXPECT_EQ(motion.bodies[0].V_WB_W.v, Vector3d(7, 8, 9));
   EXPECT_EQ(motion.bodies[0].X_WB.R.x(), 1.0);
 
-  const auto command = std::get<Command>(decode(encode({envelope(), Command{Action::save, "f"}})).body);
+  const auto command =
+      std::get<Command>(decode(encode({envelope(), Command{Action::save, "f"}})).body);
   EXPECT_EQ(command.action, Action::save);
   EXPECT_EQ(command.file, "f");
   const auto status = std::get<Status>(decode(encode({envelope(), Status{false, "why"}})).body);

@@ -1,7 +1,9 @@
 // LCM itself, on the private network that a run makes.
 #include "coupler/transport/lcm_transport.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include "coupler/run/network.hpp"
 
@@ -25,6 +27,17 @@ TEST(LcmTransport, CarriesBytesBetweenEndpointsOnThePrivateNetwork) {
     ASSERT_TRUE(a.receive(1000ms)) << i;
   }
   EXPECT_FALSE(a.receive(10ms));
+}
+
+TEST(LcmTransport, WithoutARouteNamesTheCommandThatMakesOne) {
+  // A network with nothing in it: its loopback device is down.
+  ASSERT_TRUE(unshare(CLONE_NEWNET) == 0 || unshare(CLONE_NEWUSER | CLONE_NEWNET) == 0);
+  try {
+    LcmTransport t("udpm://239.255.76.67:7667?ttl=0", {"TO_A"});
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("ip route add 239.255.76.0/24 dev lo"));
+  }
 }
 
 }  // namespace

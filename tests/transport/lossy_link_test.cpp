@@ -30,14 +30,16 @@ class LossyPair {
     const auto alive = [this] { return !over_; };
     dem_thread_ = std::thread([this, alive, t = std::shared_ptr<Transport>(std::move(dem))] {
       try {
-        serve(*t, Channels::to_dem, Channels::from_dem, identity(),
-              [this](const Message& m) { return answer(rock, m); }, alive);
+        serve(
+            *t, Channels::to_dem, Channels::from_dem, identity(),
+            [this](const Message& m) { return answer(rock, m); }, alive);
       } catch (const std::exception&) {  // told to the master as a status
       }
     });
     mbs_thread_ = std::thread([this, alive, t = std::shared_ptr<Transport>(std::move(mbs))] {
-      serve(*t, Channels::to_mbs, Channels::from_mbs, identity(),
-            [this](const Message& m) { return answer(machine, m); }, alive);
+      serve(
+          *t, Channels::to_mbs, Channels::from_mbs, identity(),
+          [this](const Message& m) { return answer(machine, m); }, alive);
     });
     LinkOptions options;
     options.resend = 5ms;
