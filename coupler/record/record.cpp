@@ -69,6 +69,7 @@ Record::~Record() {
   }
   for (const auto& d : datasets_) H5Dclose(d.id);
   if (id_ >= 0) H5Fclose(id_);
+  H5garbage_collect();  // what its exit handler would have freed
 }
 
 std::size_t Record::add(const std::string& name, const std::string& unit, const std::string& frame,
