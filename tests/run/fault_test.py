@@ -1,7 +1,7 @@
 """Kill, stop or starve a side at any moment: a clear end within seconds, and no process left."""
 
 import os
-import pathlib
+import re
 import signal
 import time
 import unittest
@@ -9,6 +9,11 @@ import unittest
 import h5py
 
 from runs import RunTest, processes
+
+
+# Long enough that on any machine there is something left to kill; a record is flushed each second.
+LONGER = ("--set", "end_s=4.5")
+STEPS, ROWS = 15000, 1501
 
 
 class Faults(RunTest):
@@ -35,7 +40,7 @@ class Faults(RunTest):
 
     def digging(self, name, *arguments, time_s=0.7):
         out = self.folder / name
-        process = self.start(out, *arguments)
+        process = self.start(out, *LONGER, *arguments)
         self.wait_until_digging(process, out, time_s)
         return process, out
 
@@ -87,17 +92,20 @@ class Faults(RunTest):
         process.send_signal(signal.SIGINT)
         self.assert_ended(process, out, 4, "interrupted at t = ", "--resume")
         self.assertEqual(self.summary(out)["status"], "interrupted")
-        self.run_case(out, "--resume")
+        self.run_case(out, *LONGER, "--resume")
         self.assertEqual(self.summary(out)["status"], "complete")
-        self.assertEqual(self.summary(out)["dem"]["steps"], 7000)
+        self.assertEqual(self.summary(out)["dem"]["steps"], STEPS)
 
     def test_a_killed_run_resumes_from_its_last_checkpoint(self):
         process, out = self.digging("killed", time_s=1.3)
         os.kill(self.pids(out, "dipper-dem")[0], signal.SIGKILL)
-        self.assert_ended(process, out, 3, "t = 1.200 s")
-        self.run_case(out, "--resume")
+        err = self.assert_ended(process, out, 3, "last checkpoint")
+        failed, saved = (float(t) for t in re.findall(r"t = (\d+\.\d+) s", err))
+        self.assertLessEqual(saved, failed)
+        self.assertLess(failed - saved, 0.6 + 0.01)  # one every 0.6 s
+        self.run_case(out, *LONGER, "--resume")
         with h5py.File(out / "record.h5") as f:
-            self.assertEqual(len(f["time_s"]), 701)
+            self.assertEqual(len(f["time_s"]), ROWS)
 
     def test_a_liggghts_error_reaches_the_user_as_liggghts_wrote_it(self):
         cache = self.folder / "cache"
