@@ -163,6 +163,9 @@ class Leg {
   }
 
   void drive() {
+    const ServerInfo rock_info = rock_->info();
+    particles_ = channel(rock_info, "particles");
+    rocks_ = channel(rock_info, "rocks");
     Coupling coupling(sides_->machine(), *rock_, scheme_from(case_.coupling.scheme));
     if (from_) {
       sides_->machine().load(from_->machine());
@@ -170,12 +173,13 @@ class Leg {
       coupling.resume(from_->step_index, from_->dem_step, from_->held, from_->X_WB_wall);
       record_->resume_at(time_s(), from_->rock_work_J, from_->machine_work_J);
       walls_ = from_->X_WB_wall;
+      memory_ = from_->memory;
       sides_->machine().resume_at(from_->step_index, nanoseconds());
       sides_->rock().resume_at(from_->step_index, from_->dem_step);
     } else {
       take(coupling.start());
     }
-    const auto payload = channel(rock_->info(), "mass_in_dipper");
+    const auto payload = channel(rock_info, "mass_in_dipper");
     Progress progress(time_s(), static_cast<double>(end_step_) * case_.dem.timestep_s);
     auto flushed = Clock::now();
     double checkpoint_s = time_s();
@@ -215,9 +219,8 @@ class Leg {
     dem_step_ = w.rock.step;
     facts_.syncs = w.step_index;
     facts_.dem_steps = w.rock.step;
-    const auto info = rock_->info();
-    facts_.particles = std::llround(w.rock.channels[channel(info, "particles")]);
-    facts_.bodies = std::llround(w.rock.channels[channel(info, "rocks")]);
+    facts_.particles = std::llround(w.rock.channels[particles_]);
+    facts_.bodies = std::llround(w.rock.channels[rocks_]);
     walls_.clear();
     memory_.clear();
     for (std::size_t b = 0; b < w.rock.bodies.size(); ++b) {
@@ -321,6 +324,7 @@ class Leg {
   MeshFacts shovel_;
   std::int64_t end_step_ = 0, dem_step_ = 0;
   RunFacts facts_;
+  std::size_t particles_ = 0, rocks_ = 0;  // the rock's channels of these names
   std::unique_ptr<Sides> sides_;
   std::unique_ptr<TimedRock> rock_;
   std::unique_ptr<RunRecord> record_;
