@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "coupler/motion/machine_condition.hpp"
 #include "coupler/motion/machine_data.hpp"
 #include "coupler/motion/motion.hpp"
 #include "coupler/transport/lcm_transport.hpp"
@@ -15,14 +16,25 @@
 namespace dipper {
 namespace {
 
+Vector3d vector(const nlohmann::json& list) {
+  const auto v = list.get<std::array<double, 3>>();
+  return {v[0], v[1], v[2]};
+}
+
 void run(const char* config_file) {
   const PeerConfig config = read_peer_config(config_file);
   const auto& settings = config.settings;
-  const auto base = settings.at("base_position_m").get<std::array<double, 3>>();
   Pose X_W0;
-  X_W0.p = Vector3d(base[0], base[1], base[2]);
+  X_W0.p = vector(settings.at("base_position_m"));
   const double rake = settings.at("rake_angle_deg").get<double>() * M_PI / 180;
-  Shovel shovel(load_machine(settings.at("model").get<std::string>()),
+  MachineCondition condition;
+  condition.crowd_friction_N = settings.at("crowd_friction_N").get<double>();
+  condition.hoist_loss = settings.at("hoist_loss").get<double>();
+  condition.rope_compliance = settings.at("rope_compliance").get<double>();
+  condition.added_mass_kg = settings.at("added_mass_kg").get<double>();
+  condition.added_center_m = vector(settings.at("added_center_m"));
+  condition.added_inertia_kg_m2 = vector(settings.at("added_inertia_kg_m2"));
+  Shovel shovel(in_condition(load_machine(settings.at("model").get<std::string>()), condition),
                 Motion::load(settings.at("motion").get<std::string>()), X_W0, rake);
   LcmTransport transport(config.lcm_url, {Channels::to_mbs});
   serve(transport, Channels::to_mbs, Channels::from_mbs, config.identity,

@@ -134,7 +134,8 @@ struct Shovel::Impl {
     }
     const double saddle_rate = speed(model.saddle);
     d.dissipated_power = d.left.dissipation + d.right.dissipation +
-                         machine.saddle.damping * saddle_rate * saddle_rate;
+                         machine.saddle.damping * saddle_rate * saddle_rate +
+                         model.friction->dissipation(s);
     return d;
   }
 

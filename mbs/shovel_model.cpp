@@ -89,6 +89,11 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
   rope_left = hang(+1);
   rope_right = hang(-1);
 
+  auto* losses =
+      new DriveFriction(m.losses, m.boom.sheave_radius, handle, sheaves, rope_left, rope_right);
+  const SimTK::Force::Custom drive_losses(forces, losses);  // takes ownership
+  friction = losses;
+
   rock = SimTK::Force::DiscreteForces(forces, matter);
   initial = system.realizeTopology();
   system.realizeModel(initial);

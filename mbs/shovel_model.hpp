@@ -8,6 +8,7 @@
 #include "coupler/core/frames.hpp"
 #include "coupler/motion/machine_data.hpp"
 #include "coupler/motion/motion.hpp"
+#include "mbs/drive_friction.hpp"
 #include "mbs/rope.hpp"
 
 namespace dipper {
@@ -33,10 +34,11 @@ struct ShovelModel {
   SimTK::SimbodyMatterSubsystem matter;
   SimTK::GeneralForceSubsystem forces;
   SimTK::MobilizedBody house, sheaves, saddle, handle, dipper, door;
-  SimTK::Force::DiscreteForces rock;  ///< the wrenches on dipper and door
-  const Rope* rope_left = nullptr;    ///< owned by `forces`
-  const Rope* rope_right = nullptr;   ///< owned by `forces`
-  SimTK::State initial;               ///< realized to Model
+  SimTK::Force::DiscreteForces rock;        ///< the wrenches on dipper and door
+  const Rope* rope_left = nullptr;          ///< owned by `forces`
+  const Rope* rope_right = nullptr;         ///< owned by `forces`
+  const DriveFriction* friction = nullptr;  ///< owned by `forces`
+  SimTK::State initial;                     ///< realized to Model
 };
 
 }  // namespace dipper

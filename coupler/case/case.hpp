@@ -17,6 +17,13 @@ struct MachineCase {
   std::filesystem::path motion;  ///< drive curves (time_s, hoist_m, crowd_m, swing_deg, door_deg)
   Eigen::Vector3d base_position_m = Eigen::Vector3d::Zero();  ///< swing axis at ground level, in W
   double rake_angle_deg = 0;  ///< dipper against handle (paper, Fig. 4b)
+
+  // How this machine differs from its data sheet; by default it does not.
+  double crowd_friction_N = 0;   ///< Coulomb friction of the crowd's slide
+  double hoist_loss = 0;         ///< of the hoist rope's tension, lost in the sheaves
+  double rope_compliance = 1;    ///< stretch of the ropes, as a multiple of the model's
+  double liner_thickness_m = 0;  ///< steel on the dipper's floor, roof and sides
+  double carry_back_m = 0;       ///< rock that sticks to the dipper's floor, this thick
 };
 
 /// rock.classes[]: one size of the distribution (paper, Table 1). One LIGGGHTS atom type each.
@@ -97,6 +104,14 @@ struct OutputCase {
   double checkpoint_every_s = 0;  ///< simulated time; 0: only when interrupted
 };
 
+/// observation: how the mine's instruments see a run (analysis/observe.hpp).
+struct ObservationCase {
+  double rate_Hz = 1;      ///< of the drives' logger; a sample is the mean over its interval
+  double lag_s = 0;        ///< by which the forces are logged late against the motion
+  double scale_gain = 0;   ///< the truck scale reads 1 + this times the mass
+  double truck_spill = 0;  ///< part of the last pass that falls off the truck before it is weighed
+};
+
 /// Where a key was set: a line of case.yaml (1-based), or `--set` with line 0.
 struct Origin {
   std::filesystem::path file;
@@ -122,6 +137,9 @@ struct Case {
   DemCase dem;
   CouplingCase coupling;
   OutputCase output;
+  ObservationCase observation;
+  /// Effect -> strength (effects.hpp). They have changed the values above; `text` has these alone.
+  std::map<std::string, double> effects;
   std::string text;  ///< canonical text of all of the above: sorted lines that --set accepts
   std::map<std::string, Origin> origins;  ///< dotted key -> where it was set; for later findings
 };

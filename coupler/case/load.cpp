@@ -12,6 +12,7 @@
 
 #include "coupler/case/case.hpp"
 #include "coupler/case/case_text.hpp"
+#include "coupler/case/effects.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/case/suggest.hpp"
 #include "coupler/case/yaml_tree.hpp"
@@ -368,6 +369,7 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
 
   if (root.origin.file.empty()) root.origin = {file, 1};
   Loader(c, findings).read_section(root, "", "", {});
+  if (findings.size() == before) apply_effects(c, findings);
   check_between_keys(c, findings);
   std::stable_sort(findings.begin() + static_cast<std::ptrdiff_t>(before), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.line < b.line; });

@@ -86,7 +86,10 @@ std::vector<Place> places_of(const Case& c, const KeySpec& spec) {
   if (spec.key.find('#') != std::string::npos) {
     for (std::size_t i = 0; i < c.rock.classes.size(); ++i) places.push_back({i, ""});
   } else if (spec.key.find('*') != std::string::npos) {
-    for (const auto& body : c.bodies) places.push_back({0, body.first});
+    const auto add = [&](const auto& entries) {
+      for (const auto& entry : entries) places.push_back({0, entry.first});
+    };
+    spec.key == "effects.*" ? add(c.effects) : add(c.bodies);
   } else {
     places.push_back({});
   }

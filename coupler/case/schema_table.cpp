@@ -49,6 +49,17 @@ std::vector<KeySpec> make_schema() {
        "swing axis at ground level, in W", SLOT(c.machine.base_position_m)},
       {"machine.rake_angle_deg", "deg", turn, {}, required,
        "dipper against handle (paper, Fig. 4b)", SLOT(c.machine.rake_angle_deg)},
+      {"machine.crowd_friction_N", "N", not_negative, {}, optional,
+       "Coulomb friction of the crowd's slide; 0", SLOT(c.machine.crowd_friction_N)},
+      {"machine.hoist_loss", "", between(0, 0.5), {}, optional,
+       "part of the hoist rope's tension lost in the sheaves; 0", SLOT(c.machine.hoist_loss)},
+      {"machine.rope_compliance", "", up_to(100), {}, optional,
+       "stretch of the hoist ropes, as a multiple of the model's; 1",
+       SLOT(c.machine.rope_compliance)},
+      {"machine.liner_thickness_m", "m", between(0, 0.5), {}, optional,
+       "steel liners on the dipper's floor, roof and sides; 0", SLOT(c.machine.liner_thickness_m)},
+      {"machine.carry_back_m", "m", between(0, 0.7), {}, optional,
+       "thickness of rock that sticks to the dipper's floor; 0", SLOT(c.machine.carry_back_m)},
 
       {"rock.density_kg_m3", "kg/m3", between(100, 20000), {}, required,
        "of solid rock, not of the pile", SLOT(c.rock.density_kg_m3)},
@@ -147,6 +158,21 @@ std::vector<KeySpec> make_schema() {
       {"output.checkpoint_every_s", "s", not_negative, {}, optional,
        "simulated time between checkpoints; 0, the default, is only when interrupted",
        SLOT(c.output.checkpoint_every_s)},
+
+      {"observation.rate_Hz", "Hz", up_to(1000), {}, optional,
+       "of the drives' logger, in observed/; 1", SLOT(c.observation.rate_Hz)},
+      {"observation.lag_s", "s", between(-10, 10), {}, optional,
+       "by which the logger's forces are late against its motion; 0",
+       SLOT(c.observation.lag_s)},
+      {"observation.scale_gain", "", between(-0.5, 0.5), {}, optional,
+       "the truck scale reads 1 + this times the mass; 0", SLOT(c.observation.scale_gain)},
+      {"observation.truck_spill", "", between(0, 1), {}, optional,
+       "part of the last pass that falls off the truck before it is weighed; 0",
+       SLOT(c.observation.truck_spill)},
+
+      {"effects.*", "", any, {}, optional,
+       "strength of an effect of analysis/effects (or the case's own effects folder)",
+       SLOT(c.effects[p.name])},
   };
 }
 // clang-format on

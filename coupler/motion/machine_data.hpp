@@ -65,6 +65,12 @@ struct MachineData {
     double length_at_zero_hoist;  ///< m from there to the bail, unstretched
   } rope;
 
+  /// Not in the file: a new machine has none. A case sets them (machine.crowd_friction_N, ...).
+  struct Losses {
+    double crowd_friction = 0;  ///< N, of the crowd's slide, against its motion
+    double hoist_loss = 0;      ///< of the rope's tension, lost in the sheaves
+  } losses;
+
   struct Limits {
     double hoist_min, hoist_max;    ///< m
     double crowd_min, crowd_max;    ///< m

@@ -14,6 +14,7 @@
 #include "coupler/core/coupling.hpp"
 #include "coupler/core/sha256.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/mesh/stl.hpp"
 #include "coupler/motion/motion.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/dump_index.hpp"
@@ -83,6 +84,7 @@ class Leg {
     const double end_s = c.end_s > 0 ? c.end_s : static_cast<double>(motion.end_ns()) * 1e-9;
     end_step_ = std::llround(end_s / c.dem.timestep_s);
     shovel_ = read_mesh_facts(c);
+    layers_ = dipper_layers(c, shovel_.cavity);
     facts_.case_name = c.name;
     facts_.seed = c.seed;
     facts_.scheme = c.coupling.scheme;
@@ -119,7 +121,12 @@ class Leg {
   double time_s() const { return static_cast<double>(dem_step_) * case_.dem.timestep_s; }
 
   void prepare() {
-    write_deck(case_, case_.rock.shape_folder, folder_.deck());
+    Case as_built = case_;
+    if (layers_.mesh) {
+      as_built.bodies["dipper"] = folder_.deck() / "dipper.stl";
+      std::ofstream(as_built.bodies["dipper"]) << to_stl("dipper", *layers_.mesh);
+    }
+    write_deck(as_built, case_.rock.shape_folder, folder_.deck());
     std::ofstream(folder_.root / "case.txt") << case_.text;
     fmt::print("{}: {:.2f} s, {} windows of {} steps, {} rank{}\n", case_.name,
                static_cast<double>(end_step_) * case_.dem.timestep_s,
@@ -149,7 +156,7 @@ class Leg {
                                               : std::string("events.lcmlog"));
     setup.dem = dem_settings(case_, shovel_, folder_.deck(), folder_.dumps(), folder_.logs(),
                              restart, from_ ? std::optional(from_->memory) : std::nullopt);
-    setup.mbs = mbs_settings(case_);
+    setup.mbs = mbs_settings(case_, layers_);
     sides_ = std::make_unique<Sides>(setup);
     rock_ = std::make_unique<TimedRock>(sides_->rock());
     record_ = std::make_unique<RunRecord>(
@@ -322,6 +329,7 @@ class Leg {
   RunFolder folder_;
   std::optional<Checkpoint> from_;
   MeshFacts shovel_;
+  DipperLayers layers_;
   std::int64_t end_step_ = 0, dem_step_ = 0;
   RunFacts facts_;
   std::size_t particles_ = 0, rocks_ = 0;  // the rock's channels of these names

@@ -18,7 +18,7 @@ Eigen::Vector3d vector(const YAML::Node& node) {
   return {v[0], v[1], v[2]};
 }
 
-Box box(const YAML::Node& node) { return {vector(node["min_m"]), vector(node["max_m"])}; }
+BoundingBox box(const YAML::Node& node) { return {vector(node["min_m"]), vector(node["max_m"])}; }
 
 /// Frames fall on ends of sync steps, where the record has a row.
 long dump_steps(const Case& c) {
@@ -36,8 +36,9 @@ MeshFacts read_mesh_facts(const Case& c) {
   try {
     const YAML::Node dipper = YAML::LoadFile(file);
     facts.struck_volume_m3 = dipper["struck_volume_m3"].as<double>();
-    facts.dipper_load = box(dipper["cavity"]);
-    facts.dipper_load.max_m.x() += dipper["heap_height_m"].as<double>();
+    facts.cavity = box(dipper["cavity"]);
+    facts.dipper_load = facts.cavity;
+    facts.dipper_load.max.x() += dipper["heap_height_m"].as<double>();
     file = beside(c.truck.mesh);
     facts.truck_bed = box(YAML::LoadFile(file)["bed"]);
   } catch (const YAML::Exception& e) {
@@ -72,17 +73,23 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
   X_WT.p = c.truck.position_m;
   X_WT.R = from_rotation_vector({0, 0, c.truck.heading_deg * M_PI / 180});
   setup.scales = {
-      {"mass_in_dipper", "dipper", Pose{}, facts.dipper_load.min_m, facts.dipper_load.max_m},
-      {"mass_in_truck", "", X_WT, facts.truck_bed.min_m, facts.truck_bed.max_m}};
+      {"mass_in_dipper", "dipper", Pose{}, facts.dipper_load.min, facts.dipper_load.max},
+      {"mass_in_truck", "", X_WT, facts.truck_bed.min, facts.truck_bed.max}};
   return to_json(setup);
 }
 
-nlohmann::json mbs_settings(const Case& c) {
-  const auto& p = c.machine.base_position_m;
+nlohmann::json mbs_settings(const Case& c, const DipperLayers& layers) {
+  const auto list = [](const Eigen::Vector3d& v) { return std::array{v.x(), v.y(), v.z()}; };
   return {{"model", c.machine.model.string()},
           {"motion", c.machine.motion.string()},
-          {"base_position_m", {p.x(), p.y(), p.z()}},
-          {"rake_angle_deg", c.machine.rake_angle_deg}};
+          {"base_position_m", list(c.machine.base_position_m)},
+          {"rake_angle_deg", c.machine.rake_angle_deg},
+          {"crowd_friction_N", c.machine.crowd_friction_N},
+          {"hoist_loss", c.machine.hoist_loss},
+          {"rope_compliance", c.machine.rope_compliance},
+          {"added_mass_kg", layers.mass_kg},
+          {"added_center_m", list(layers.center_m)},
+          {"added_inertia_kg_m2", list(layers.inertia_kg_m2.diagonal())}};
 }
 
 }  // namespace dipper

@@ -8,19 +8,17 @@
 
 #include "coupler/case/case.hpp"
 #include "coupler/dem/rock_setup.hpp"
+#include "coupler/mesh/triangle_mesh.hpp"
+#include "coupler/run/dipper_layers.hpp"
 
 namespace dipper {
-
-/// An axis-aligned box in a mesh's own frame.
-struct Box {
-  Eigen::Vector3d min_m, max_m;
-};
 
 /// What the YAML files beside the dipper's and the truck's mesh say.
 struct MeshFacts {
   double struck_volume_m3 = 0;
-  Box dipper_load;  ///< in B: the cavity and the heap in front of the lip
-  Box truck_bed;    ///< in T
+  BoundingBox cavity;       ///< in B, up to the lip and the roof
+  BoundingBox dipper_load;  ///< in B: the cavity and the heap in front of the lip
+  BoundingBox truck_bed;    ///< in T
 };
 
 /// Reads meshes/NAME.yaml beside the meshes. Throws std::runtime_error naming file and key.
@@ -34,6 +32,6 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts,
                             const std::optional<std::vector<WallMemory>>& resumed);
 
 /// dipper-mbs's settings.
-nlohmann::json mbs_settings(const Case& c);
+nlohmann::json mbs_settings(const Case& c, const DipperLayers& layers);
 
 }  // namespace dipper

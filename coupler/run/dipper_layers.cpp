@@ -1,0 +1,57 @@
+#include "coupler/run/dipper_layers.hpp"
+
+#include <stdexcept>
+#include <vector>
+
+#include "coupler/mesh/lining.hpp"
+#include "coupler/mesh/stl.hpp"
+
+namespace dipper {
+namespace {
+
+constexpr double kSteel_kg_m3 = 7850;  // wear plate; EN 1991-1-1, Table A.4: 77-78.5 kN/m3
+
+struct Layer {
+  const char* key;
+  double thickness_m;
+  double density_kg_m3;
+  LinedFaces faces;
+};
+
+}  // namespace
+
+DipperLayers dipper_layers(const Case& c, const BoundingBox& cavity) {
+  DipperLayers sum;
+  TriangleMesh mesh;
+  std::vector<MassProperties> parts;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (const Layer& layer : {Layer{"machine.liner_thickness_m", c.machine.liner_thickness_m,
+                                   kSteel_kg_m3, LinedFaces::all_sides},
+                             Layer{"machine.carry_back_m", c.machine.carry_back_m,
+                                   c.rock.bulk_density_kg_m3, LinedFaces::floor}}) {
+    if (layer.thickness_m == 0) continue;
+    if (!sum.mesh) sum.mesh = read_stl(c.bodies.at("dipper"));
+    try {
+      Lining lined = line_dipper(*sum.mesh, cavity, layer.thickness_m, layer.faces);
+      sum.mesh = std::move(lined.mesh);
+      MassProperties m = lined.layer;
+      m.volume_m3 *= layer.density_kg_m3;  // now a mass
+      m.inertia_m5 *= layer.density_kg_m3;
+      parts.push_back(m);
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument(std::string(layer.key) + ": " + e.what());
+    }
+    sum.mass_kg += parts.back().volume_m3;
+    moment += parts.back().volume_m3 * parts.back().com_m;
+  }
+  if (sum.mass_kg > 0) sum.center_m = moment / sum.mass_kg;
+  for (const MassProperties& m : parts) {
+    const Eigen::Vector3d d = m.com_m - sum.center_m;
+    sum.inertia_kg_m2 +=
+        m.inertia_m5 +
+        m.volume_m3 * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());
+  }
+  return sum;
+}
+
+}  // namespace dipper
