@@ -1,0 +1,100 @@
+#include "analysis/line_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+namespace dipper {
+namespace {
+
+constexpr std::size_t kBuffer = 1 << 18;
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+}  // namespace
+
+InputError input_error(const std::filesystem::path& file, long line, const std::string& message) {
+  return InputError({line > 0 ? fmt::format("{}:{}: {}", file.string(), line, message)
+                              : fmt::format("{}: {}", file.string(), message)});
+}
+
+std::unique_ptr<std::FILE, int (*)(std::FILE*)> open_file(const std::filesystem::path& file) {
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
+                                                         &std::fclose);
+  if (!stream || std::filesystem::is_directory(file))
+    throw input_error(file, 0, fmt::format("cannot be read: {}", std::strerror(errno)));
+  return stream;
+}
+
+LineReader::LineReader(std::filesystem::path file, std::int64_t offset, long line)
+    : file_(std::move(file)),
+      stream_(open_file(file_)),
+      buffer_(kBuffer),
+      base_(offset),
+      line_(line) {
+  std::setvbuf(stream_.get(), nullptr, _IONBF, 0);
+  if (fseeko(stream_.get(), offset, SEEK_SET) != 0)
+    throw input_error(file_, line, "cannot be read there");
+}
+
+bool LineReader::refill() {
+  std::memmove(buffer_.data(), buffer_.data() + read_, filled_ - read_);
+  filled_ -= read_;
+  base_ += static_cast<std::int64_t>(read_);
+  read_ = 0;
+  if (filled_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  const std::size_t got =
+      std::fread(buffer_.data() + filled_, 1, buffer_.size() - filled_, stream_.get());
+  if (got == 0 && std::ferror(stream_.get()) != 0)
+    throw input_error(file_, line_, "cannot be read any further");
+  filled_ += got;
+  return got > 0;
+}
+
+bool LineReader::next(std::string_view& text) {
+  std::size_t searched = 0;
+  while (true) {
+    const char* begin = buffer_.data() + read_;
+    const void* end = std::memchr(begin + searched, '\n', filled_ - read_ - searched);
+    if (end != nullptr) {
+      text = {begin, static_cast<std::size_t>(static_cast<const char*>(end) - begin)};
+      read_ += text.size() + 1;
+      break;
+    }
+    searched = filled_ - read_;
+    if (refill()) continue;
+    if (searched == 0) return false;
+    text = {buffer_.data() + read_, searched};
+    read_ += searched;
+    ended_whole_ = false;
+    break;
+  }
+  if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+  ++line_;
+  return true;
+}
+
+std::string_view take_word(std::string_view& text) {
+  std::size_t begin = 0;
+  while (begin < text.size() && is_blank(text[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < text.size() && !is_blank(text[end])) ++end;
+  const std::string_view word = text.substr(begin, end - begin);
+  text.remove_prefix(end);
+  return word;
+}
+
+bool parse_number(std::string_view word, double& value) {
+  const auto r = std::from_chars(word.data(), word.data() + word.size(), value);
+  return r.ec == std::errc() && r.ptr == word.data() + word.size() && std::isfinite(value);
+}
+
+bool parse_number(std::string_view word, std::int64_t& value) {
+  const auto r = std::from_chars(word.data(), word.data() + word.size(), value);
+  return r.ec == std::errc() && r.ptr == word.data() + word.size();
+}
+
+}  // namespace dipper

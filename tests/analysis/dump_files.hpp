@@ -1,0 +1,58 @@
+// Files for the tests of the dump readers, and the messages of what they throw.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "coupler/motion/input_error.hpp"
+
+namespace dipper {
+
+/// A folder of its own for the running test, empty; removed at its end.
+class Scratch {
+ public:
+  Scratch()
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                ("analysis_" + std::to_string(getpid()) + "_" +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~Scratch() { std::filesystem::remove_all(folder_); }
+  const std::filesystem::path& folder() const { return folder_; }
+
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    const std::filesystem::path file = folder_ / name;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << bytes;
+    return file;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// What an InputError thrown by `act` says; empty: nothing thrown.
+template <typename Act>
+std::string message_of(Act act) {
+  try {
+    act();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// One frame of a text dump with these column names and rows.
+inline std::string text_frame(long step, int particles, const std::string& columns,
+                              const std::string& rows) {
+  return "ITEM: TIMESTEP\n" + std::to_string(step) + "\nITEM: NUMBER OF ATOMS\n" +
+         std::to_string(particles) + "\nITEM: BOX BOUNDS ff ff ff\n0 10\n0 20\n-5 5\nITEM: ATOMS " +
+         columns + " \n" + rows;
+}
+
+}  // namespace dipper
