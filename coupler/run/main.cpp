@@ -8,6 +8,7 @@
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
 #include "coupler/run/network.hpp"
+#include "coupler/run/observed.hpp"
 #include "coupler/run/paired_run.hpp"
 #include "coupler/run/replay.hpp"
 
@@ -99,6 +100,17 @@ int replay_command(const Words& words) {
   return 0;
 }
 
+int observe_command(const Words& words) {
+  ObservationCase observation = read_observation(fs::path(words.folder) / "case.txt");
+  try {
+    for (const Override& set : overrides(words)) set_observation(observation, set);
+  } catch (const std::invalid_argument& e) {
+    throw CLI::ValidationError("--set", e.what());
+  }
+  write_observed(fs::path(words.folder) / "record.h5", observation, words.out);
+  return 0;
+}
+
 int command_line(int argc, char** argv) {
   CLI::App app{"Dipper: a mining rope shovel and the rock it digs, co-simulated.", "dipper"};
   app.set_version_flag("--version", version());
@@ -123,10 +135,18 @@ int command_line(int argc, char** argv) {
   again->add_option("--side", words.side, "the side to run: dem or mbs")
       ->check(CLI::IsMember({"dem", "mbs"}))
       ->capture_default_str();
+  auto* observe = app.add_subcommand("observe", "a run as the mine's instruments would show it");
+  observe->add_option("DIR", words.folder, "a run's folder")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  observe->add_option("--out", words.out, "the folder to write")->required();
+  observe->add_option("--set", words.set,
+                      "observation.KEY=VALUE instead of what the run's case says");
   try {
     app.parse(argc, argv);
     if (*check) return check_command(words.folder, overrides(words), std::cout);
     if (*again) return replay_command(words);
+    if (*observe) return observe_command(words);
     return run_command(words);
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;

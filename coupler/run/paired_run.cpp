@@ -20,6 +20,7 @@
 #include "coupler/run/dump_index.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
+#include "coupler/run/observed.hpp"
 #include "coupler/run/pile.hpp"
 #include "coupler/run/progress.hpp"
 #include "coupler/run/run_record.hpp"
@@ -88,6 +89,7 @@ class Leg {
     facts_.case_name = c.name;
     facts_.seed = c.seed;
     facts_.scheme = c.coupling.scheme;
+    facts_.effects = c.effects;
     facts_.timestep_s = c.dem.timestep_s;
     facts_.struck_volume_m3 = shovel_.struck_volume_m3;
     facts_.bulk_density_kg_m3 = c.rock.bulk_density_kg_m3;
@@ -283,6 +285,7 @@ class Leg {
         record_->flush();
         record_.reset();
         write_summary();
+        write_observed(folder_.record(), case_.observation, folder_.root / "observed");
       } catch (const std::exception& e) {
         facts_.failure += fmt::format("{}{}", facts_.failure.empty() ? "" : "; ", e.what());
         facts_.status = "failed";

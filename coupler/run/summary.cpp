@@ -7,9 +7,7 @@
 #include "coupler/run/installation.hpp"
 
 namespace dipper {
-namespace {
-
-PassSignals read_signals(const std::filesystem::path& record) {
+PassSignals read_pass_signals(const std::filesystem::path& record) {
   PassSignals s;
   s.time_s = read_channel(record, "time_s");
   s.door_rad = read_channel(record, "machine/door");
@@ -26,11 +24,9 @@ PassSignals read_signals(const std::filesystem::path& record) {
   return s;
 }
 
-}  // namespace
-
 nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path& record) {
   using json = nlohmann::ordered_json;
-  const PassSignals signals = read_signals(record);
+  const PassSignals signals = read_pass_signals(record);
   json passes = json::array();
   for (const auto& p : find_passes(signals)) {
     passes.push_back({{"pass", p.pass},
@@ -52,6 +48,7 @@ nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path&
       {"seed", f.seed},
       {"version", version()},
       {"status", f.status},
+      {"effects", f.effects},
       {"passes", passes},
       {"coupling",
        {{"scheme", f.scheme},

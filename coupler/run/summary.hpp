@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "analysis/passes.hpp"
 
 namespace dipper {
 
@@ -12,6 +15,7 @@ struct RunFacts {
   std::int64_t seed = 0;
   std::string status;  ///< "complete", "interrupted" or "failed"
   std::string scheme;
+  std::map<std::string, double> effects;  ///< of the case, with their strengths
   std::int64_t syncs = 0, resends = 0, foreign_messages = 0;
   double interface_work_J = 0, energy_residual_J = 0;
   double rock_wait_s = 0;  ///< wall time spent waiting for the rock side
@@ -24,6 +28,9 @@ struct RunFacts {
   std::string state_hash;
   std::string failure;  ///< with "failed": side, time, message
 };
+
+/// The signals that tell the passes, from a record.
+PassSignals read_pass_signals(const std::filesystem::path& record);
 
 /// The keys of design.md, "Files". Passes are found in the record.
 nlohmann::ordered_json summarise(const RunFacts& facts, const std::filesystem::path& record);

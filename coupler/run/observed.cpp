@@ -1,0 +1,98 @@
+#include "coupler/run/observed.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <fstream>
+#include <stdexcept>
+
+#include "analysis/observe.hpp"
+#include "coupler/case/schema.hpp"
+#include "coupler/record/record.hpp"
+#include "coupler/run/summary.hpp"
+
+namespace dipper {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kChannels =
+    "# What observed/ holds; sigma 0: a simulation has no noise.\n"
+    "truck_mass_t: {unit: t, role: response, sigma: 0, common_sigma: 0}\n"
+    "hoist_m: {unit: m, role: driven, sigma: 0, common_sigma: 0}\n"
+    "crowd_m: {unit: m, role: driven, sigma: 0, common_sigma: 0}\n"
+    "swing_rad: {unit: rad, role: driven, sigma: 0, common_sigma: 0}\n"
+    "hoist_force_kN: {unit: kN, role: response, sigma: 0, common_sigma: 0}\n"
+    "crowd_force_kN: {unit: kN, role: response, sigma: 0, common_sigma: 0}\n";
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+}  // namespace
+
+void write_observed(const fs::path& record, const ObservationCase& o, const fs::path& out) {
+  const Instruments instruments{o.rate_Hz, o.lag_s, o.scale_gain, o.truck_spill};
+  DriveSignals s;
+  s.time_s = read_channel(record, "time_s");
+  s.hoist_m = read_channel(record, "machine/hoist");
+  s.crowd_m = read_channel(record, "machine/crowd");
+  s.swing_rad = read_channel(record, "machine/swing");
+  s.hoist_force_N = read_channel(record, "machine/hoist_force");
+  s.crowd_force_N = read_channel(record, "machine/crowd_force");
+  std::string signals = "time_s,hoist_m,crowd_m,swing_rad,hoist_force_kN,crowd_force_kN\n";
+  for (const LoggedSample& l : log_signals(s, instruments)) {
+    signals += fmt::format("{:.6g},{:.5f},{:.5f},{:.6f},{:.4f},{:.4f}\n", l.time_s, l.hoist_m,
+                           l.crowd_m, l.swing_rad, l.hoist_force_kN, l.crowd_force_kN);
+  }
+  std::string passes = "pass,t_start_s,t_end_s,truck_mass_t\n";
+  for (const WeighedPass& p : weigh(find_passes(read_pass_signals(record)), instruments)) {
+    passes +=
+        fmt::format("{},{:.4f},{:.4f},{:.5f}\n", p.pass, p.t_start_s, p.t_end_s, p.truck_mass_t);
+  }
+  fs::create_directories(out);
+  write(out / "channels.yaml", kChannels);
+  write(out / "signals.csv", signals);
+  write(out / "passes.csv", passes);
+}
+
+void set_observation(ObservationCase& observation, const Override& set) {
+  const KeySpec* spec = set.key.rfind("observation.", 0) == 0 ? find_spec(set.key) : nullptr;
+  if (spec == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("{}: not a key of the instruments; known are observation.{{{}}}", set.key,
+                    fmt::join(children_of("observation"), ", ")));
+  }
+  Case c;
+  c.observation = observation;
+  double value = 0;
+  const char* end = set.value.data() + set.value.size();
+  const auto r = std::from_chars(set.value.data(), end, value);
+  if (set.value.empty() || r.ec != std::errc{} || r.ptr != end || !spec->range.holds(value)) {
+    throw std::invalid_argument(fmt::format("{}: is '{}'; write {}, {}", set.key, set.value,
+                                            spec->expected(), spec->range.text()));
+  }
+  *std::get<double*>(spec->slot(c, {})) = value;
+  observation = c.observation;
+}
+
+ObservationCase read_observation(const fs::path& case_txt) {
+  std::ifstream in(case_txt);
+  if (!in) throw std::runtime_error(case_txt.string() + ": cannot be read; name a run's folder");
+  ObservationCase observation;
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.rfind("observation.", 0) != 0) continue;
+    const auto equals = line.find('=');
+    try {
+      set_observation(observation, {line.substr(0, equals), line.substr(equals + 1)});
+    } catch (const std::invalid_argument& e) {
+      throw std::runtime_error(fmt::format("{}:{}: {}", case_txt.string(), number, e.what()));
+    }
+  }
+  return observation;
+}
+
+}  // namespace dipper
