@@ -1,0 +1,1 @@
+"""Finds, names, adds and confirms an effect that the simulation misses. See docs/gap.md."""

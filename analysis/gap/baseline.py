@@ -1,0 +1,117 @@
+"""The unchanged model, run with several seeds: its mean, its own spread, and the instruments' errors."""
+from dataclasses import dataclass
+
+import numpy as np
+from sklearn.covariance import ledoit_wolf
+
+LEAST_SEEDS = 8
+PRIOR_DOF = 14.0   # how many degrees of freedom the spread pooled over passes counts against a pass's own
+COLLINEAR = 0.98   # a feature that follows another this closely says nothing of its own
+PREFERRED = ("mass", "mean", "slope", "peak", "work")
+
+
+@dataclass(frozen=True)
+class Baseline:
+    """Vectors over `cells`; y - mean of a new observation has covariance noise + seed (1 + 1/R)."""
+
+    cells: list
+    mean: np.ndarray        # (n,)
+    values: np.ndarray      # (R, n)
+    noise: np.ndarray       # (n, n)
+    seed: np.ndarray        # (n, n)
+    grid: np.ndarray        # (P, F) index into cells, -1 where there is none
+
+    @property
+    def seeds(self):
+        return len(self.values)
+
+    @property
+    def prediction(self):
+        return self.noise + self.seed * (1.0 + 1.0 / self.seeds)
+
+    @property
+    def sd(self):
+        return np.sqrt(np.diag(self.prediction))
+
+
+def to_grid(values, grid):
+    """(..., n) -> (..., P, F), nan where a pass has no such cell."""
+    padded = np.concatenate([values, np.full(values.shape[:-1] + (1,), np.nan)], axis=-1)
+    return padded[..., grid]
+
+
+def seed_covariance(values, grid):
+    """Covariance over cells of one run, from R runs, (R, n).
+
+    Few runs, many cells: the covariance is taken as (between passes) x (between features), each shrunk
+    after Ledoit and Wolf (2004), about variances of each pass shrunk to those pooled over passes
+    (Smyth 2004). Pooling the passes gives R x P samples for the features' correlations.
+    """
+    runs = len(values)
+    deviation = to_grid(values - values.mean(axis=0), grid) * np.sqrt(runs / (runs - 1.0))
+    own = np.nanmean(deviation**2, axis=0)
+    pooled = np.nanmean(deviation**2, axis=(0, 1))
+    sd = np.sqrt((PRIOR_DOF * pooled + (runs - 1.0) * own) / (PRIOR_DOF + runs - 1.0))
+    unit = np.where(np.isfinite(deviation) & (sd > 0), deviation / np.where(sd > 0, sd, 1.0), 0.0)
+    n_passes, n_keys = grid.shape
+    between_keys, _ = ledoit_wolf(unit.reshape(runs * n_passes, n_keys), assume_centered=True)
+    if n_passes > 1:
+        values_, vectors = np.linalg.eigh(between_keys)
+        root = vectors / np.sqrt(np.maximum(values_, 1e-9))
+        white = unit @ root
+        between_passes, _ = ledoit_wolf(white.transpose(0, 2, 1).reshape(runs * n_keys, n_passes),
+                                        assume_centered=True)
+        scale = np.sqrt(np.diag(between_passes))
+        between_passes = between_passes / np.outer(scale, scale)
+    else:
+        between_passes = np.ones((1, 1))
+    there = grid.ravel() >= 0
+    order = np.argsort(grid.ravel()[there])
+    scale = np.nan_to_num(sd).ravel()[there][order]
+    full = np.kron(between_passes, between_keys)[np.ix_(there, there)][np.ix_(order, order)]
+    return full * np.outer(scale, scale)
+
+
+def make_grid(cells, pass_numbers):
+    keys = list(dict.fromkeys(c.key for c in cells))
+    place = {(c.pass_number, *c.key): i for i, c in enumerate(cells)}
+    return np.array([[place.get((p, *k), -1) for k in keys] for p in pass_numbers])
+
+
+def telling_cells(cells, values, noise):
+    """Indices of the cells that vary at all and do not merely repeat another, pass by pass alike."""
+    spread = values.std(axis=0, ddof=1)
+    total = np.sqrt(spread**2 + np.diag(noise))
+    alive = total > 1e-9 * (1.0 + np.abs(values).mean(axis=0))
+    keys = list(dict.fromkeys(c.key for c, a in zip(cells, alive) if a))
+    keys.sort(key=lambda k: PREFERRED.index(k[2]) if k[2] in PREFERRED else len(PREFERRED))
+    kept = []
+    for key in keys:
+        if not any(_follows(cells, values, noise, key, other) for other in kept if other[1] == key[1]):
+            kept.append(key)
+    return [i for i, c in enumerate(cells) if alive[i] and c.key in set(kept)]
+
+
+def _follows(cells, values, noise, key, other):
+    """Do two features move together in all passes, in the seeds and in the noise?"""
+    rho = []
+    place = {(c.pass_number, *c.key): i for i, c in enumerate(cells)}
+    for number in dict.fromkeys(c.pass_number for c in cells):
+        i, j = place.get((number, *key)), place.get((number, *other))
+        if i is None or j is None:
+            continue
+        cov = np.cov(values[:, [i, j]].T) + noise[np.ix_([i, j], [i, j])]
+        if cov[0, 0] > 0 and cov[1, 1] > 0:
+            rho.append(cov[0, 1] / np.sqrt(cov[0, 0] * cov[1, 1]))
+    return bool(rho) and min(abs(r) for r in rho) > COLLINEAR
+
+
+def make_baseline(cells, values, noise, pass_numbers):
+    """Baseline of R runs, (R, n), over the cells worth keeping; the kept indices beside it."""
+    if len(values) < 2:
+        raise ValueError("a baseline needs two runs or more")
+    keep = telling_cells(cells, values, noise)
+    kept = [cells[i] for i in keep]
+    grid = make_grid(kept, pass_numbers)
+    values, noise = values[:, keep], noise[np.ix_(keep, keep)]
+    return Baseline(kept, values.mean(axis=0), values, noise, seed_covariance(values, grid), grid), keep

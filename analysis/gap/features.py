@@ -1,0 +1,128 @@
+"""A few numbers for each pass, phase and channel: what a logger of 0.5 to 1 Hz can tell.
+
+    mean   of the signal over the phase
+    slope  of the straight line through it, per second
+    peak   its largest size
+    work   of a force along the way of its own drive, kJ
+    mass   what the truck scale gained, one a pass (filed under `dump`)
+    duration  of the phase, s (channel `time`): prescribed, so it only shows that the motion differs
+
+All but the peak are linear in the signal; a signal is taken as straight between readings.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .measured import MASS
+from .phases import find_phases
+
+TIME = "time"
+DRIVE = {"hoist_force_kN": ("hoist_m", -1.0), "crowd_force_kN": ("crowd_m", 1.0)}  # rope in lifts
+FEATURES = ("mean", "slope", "peak", "work", "mass", "duration")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """Where a number of the feature vector comes from."""
+
+    pass_number: int
+    phase: str
+    channel: str
+    feature: str
+
+    @property
+    def key(self):
+        return self.phase, self.channel, self.feature
+
+
+@dataclass(frozen=True)
+class _Span:
+    """One phase of one pass: how to read a signal at its own points."""
+
+    pass_index: int
+    phase: str
+    at: np.ndarray     # (T, M): readings to values at the phase's points
+    time: np.ndarray   # (M,)
+
+    def columns(self, name, values, driven):
+        """[(feature, numbers)] of a signal whose readings are `values`, (..., T)."""
+        v = values @ self.at
+        t, weight = self.time, _trapezoid(self.time)
+        length = t[-1] - t[0]
+        out = [("mean", v @ weight / length)]
+        if len(t) >= 3:
+            centred = t - weight @ t / length
+            out.append(("slope", v @ (weight * centred) / (weight @ centred**2)))
+        out.append(("peak", np.abs(v).max(axis=-1)))
+        if name in DRIVE:
+            way, sign = DRIVE[name]
+            steps = np.diff(driven[way] @ self.at)
+            out.append(("work", sign * (0.5 * (v[..., 1:] + v[..., :-1])) @ steps))
+        return out
+
+
+def _trapezoid(t):
+    w = np.zeros(len(t))
+    w[:-1] += 0.5 * np.diff(t)
+    w[1:] += 0.5 * np.diff(t)
+    return w
+
+
+def _reading(time, points):
+    """(T, M) matrix that interpolates readings at `time` to `points`."""
+    k = np.clip(np.searchsorted(time, points, side="right") - 1, 0, len(time) - 2)
+    f = np.clip((points - time[k]) / (time[k + 1] - time[k]), 0.0, 1.0)
+    at = np.zeros((len(time), len(points)))
+    at[k, np.arange(len(points))] = 1.0 - f
+    at[k + 1, np.arange(len(points))] += f
+    return at
+
+
+class FeatureMap:
+    """From the signals of one folder to its features; built once, used on many noisy copies of them."""
+
+    def __init__(self, measured, pass_numbers):
+        self.measured = measured
+        by_number = {p.number: p for p in measured.passes}
+        self.passes = [by_number[n] for n in pass_numbers]
+        self.responses = measured.responses()
+        self._spans = []
+        self.durations = []
+        if measured.signals:
+            for index, p in enumerate(self.passes):
+                self._add_pass(index, p)
+        self.cells = [cell for cell, _ in self._columns(measured.signals, self.masses())]
+
+    def masses(self):
+        return np.array([p.truck_mass_t for p in self.passes])
+
+    def _add_pass(self, index, p):
+        m = self.measured
+        phases = find_phases(m.time_s, m.signals["crowd_m"], m.signals["swing_rad"],
+                             p.t_start_s, p.t_end_s)
+        self.durations.append({phase: b - a for phase, (a, b) in phases.items()})
+        for phase, (a, b) in phases.items():
+            inner = m.time_s[(m.time_s > a) & (m.time_s < b)]
+            points = np.concatenate([[a], inner, [b]])
+            self._spans.append(_Span(index, phase, _reading(m.time_s, points), points))
+
+    def _columns(self, signals, masses):
+        out = []
+        for span in self._spans:
+            number = self.passes[span.pass_index].number
+            for name in self.responses:
+                for feature, v in span.columns(name, signals[name], self.measured.signals):
+                    out.append((Cell(number, span.phase, name, feature), v))
+            length = span.time[-1] - span.time[0]
+            out.append((Cell(number, span.phase, TIME, "duration"), length))
+        if MASS in self.measured.channels:
+            for i, p in enumerate(self.passes):
+                out.append((Cell(p.number, "dump", MASS, "mass"), masses[..., i]))
+        return out
+
+    def __call__(self, signals, masses):
+        """Features of copies of this folder: signals {name: (B, T)}, masses (B, P) -> (B, n)."""
+        columns = [np.asarray(v) for _, v in self._columns(signals, masses)]
+        return np.stack(np.broadcast_arrays(*columns), axis=-1).astype(float)
+
+

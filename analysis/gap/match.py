@@ -1,0 +1,115 @@
+"""Which effects, up to three at once, explain the residual; against `nothing` and `something unknown`."""
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from scipy.special import logsumexp
+
+from . import evidence
+
+# Prior shares: how often, before looking, one expects so many effects. Equal among sets of one size.
+PRIOR = {"none": 0.45, "unknown": 0.10, 1: 0.35, 2: 0.08, 3: 0.02}
+UNKNOWN_SIZES = (1.0, 2.0, 4.0)  # of a free discrepancy, in sd of the prediction
+INTERVAL = 0.90
+SAMPLES = 4000
+
+
+@dataclass(frozen=True)
+class Match:
+    fits: dict            # {(names): Fit}
+    probability: dict     # {(names) or "none" or "unknown": posterior probability}
+    log_weight: dict      # the same before normalising
+
+    def presence(self, name):
+        """Probability that the effect is there, alone or with others."""
+        return sum(p for key, p in self.probability.items() if isinstance(key, tuple) and name in key)
+
+    def any_of(self, names):
+        return sum(p for key, p in self.probability.items()
+                   if isinstance(key, tuple) and set(names) & set(key))
+
+    def best_with(self, name):
+        """The most probable set of effects that holds `name`."""
+        return max((k for k in self.fits if name in k), key=lambda k: self.probability[k])
+
+    def log_bayes(self, name, other):
+        """log Bayes factor of sets with `name` and not `other`, over those with `other` and not `name`."""
+        sides = []
+        for yes, no in ((name, other), (other, name)):
+            w = [w for k, w in self.log_weight.items() if isinstance(k, tuple) and yes in k and no not in k]
+            sides.append(logsumexp(w))
+        return float(sides[0] - sides[1])
+
+
+def match(residual, covariance, signatures, baseline, largest=3):
+    """All sets of up to `largest` effects. `covariance` holds the nuisances."""
+    factor = evidence.prepare(covariance)
+    fits, log_weight = {}, {}
+    for size in range(1, min(largest, len(signatures)) + 1):
+        sets = list(combinations(signatures, size))
+        for chosen in sets:
+            f = evidence.fit(residual, covariance, chosen, factor)
+            fits[f.names] = f
+            log_weight[f.names] = f.log_evidence + np.log(PRIOR[size] / len(sets))
+    log_weight["none"] = evidence.log_gaussian(residual, factor) + np.log(PRIOR["none"])
+    log_weight["unknown"] = unknown_evidence(residual, covariance, baseline) + np.log(PRIOR["unknown"])
+    total = logsumexp(list(log_weight.values()))
+    return Match(fits, {k: float(np.exp(w - total)) for k, w in log_weight.items()}, log_weight)
+
+
+def unknown_evidence(residual, covariance, baseline):
+    """log evidence of a free discrepancy: a mixture over where it is and how large.
+
+    Everywhere and each pass anew; everywhere and alike in all passes; or alike in all passes but in one
+    channel, one phase, or one block of both; or in one pass alone.
+    """
+    sd = baseline.sd
+    same = np.array([[a.key == b.key for b in baseline.cells] for a in baseline.cells], float)
+    masks = [np.ones(len(sd), bool)]
+    for pick in (lambda c: c.channel, lambda c: c.phase, lambda c: (c.phase, c.channel)):
+        labels = [pick(c) for c in baseline.cells]
+        masks += [np.array([x == label for x in labels]) for label in dict.fromkeys(labels)]
+    shapes = [np.diag(sd**2)] + [np.outer(sd * m, sd * m) * same for m in masks]
+    for number in dict.fromkeys(c.pass_number for c in baseline.cells):
+        shapes.append(np.diag(sd**2 * np.array([c.pass_number == number for c in baseline.cells])))
+    logs = [evidence.log_gaussian(residual, evidence.prepare(covariance + size**2 * shape))
+            for shape in shapes for size in UNKNOWN_SIZES]
+    return float(logsumexp(logs) - np.log(len(logs)))
+
+
+def interval(m, name, signatures, seed=0):
+    """Central posterior interval of one effect's strength, over all sets that hold it."""
+    by_name = {s.name: s for s in signatures}
+    keys = [k for k in m.fits if name in k and m.probability[k] > 1e-4 * m.presence(name)]
+    weight = np.array([m.probability[k] for k in keys])
+    rng = np.random.default_rng(seed)
+    counts = rng.multinomial(SAMPLES, weight / weight.sum())
+    draws = [evidence.sample(m.fits[k], [by_name[n] for n in k], c, rng)[:, k.index(name)]
+             for k, c in zip(keys, counts) if c]
+    tail = (1 - INTERVAL) / 2
+    return [float(x) for x in np.quantile(np.concatenate(draws), [tail, 1 - tail])]
+
+
+def stability(m, name, covariance, signatures, copies=100, seed=0):
+    """Share of data sets drawn from the best fit with `name` in which `name` leads again (one effect)."""
+    rng = np.random.default_rng(seed)
+    by_name = {s.name: s for s in signatures}
+    truth = m.fits[m.best_with(name)]
+    spread = covariance + sum(a * a * by_name[n].spread for a, n in zip(truth.best, truth.names))
+    lower = np.linalg.cholesky(spread)
+    drawn = truth.explained + rng.standard_normal((copies, len(spread))) @ lower.T
+    singles = {n: m.fits[(n,)] for n in by_name}
+    factors = {n: evidence.prepare(covariance + f.best[0] ** 2 * by_name[n].spread)
+               for n, f in singles.items()}
+    scores = np.array([_profile(drawn, factors[n], by_name[n]) for n in by_name])
+    return float(np.mean(scores.argmax(axis=0) == list(by_name).index(name)))
+
+
+def _profile(rows, factor, signature):
+    """log likelihood at the best allowed strength, for many residuals at once."""
+    e = signature.effect
+    weighted = evidence.cho_solve(factor, signature.g, check_finite=False)
+    strength = np.clip(rows @ weighted / max(signature.g @ weighted, 1e-300), e.low, e.high)
+    left = rows - strength[:, None] * signature.g
+    solved = evidence.cho_solve(factor, left.T, check_finite=False)
+    return -0.5 * (left.T * solved).sum(axis=0) - np.log(np.diag(factor[0])).sum()

@@ -1,0 +1,274 @@
+"""A measured folder: what a mine's logger and truck scale say, or what a simulation would have shown them.
+
+    channels.yaml  NAME: {unit, role: driven|response, sigma, common_sigma}   for each channel used
+    passes.csv     pass,t_start_s,t_end_s,truck_mass_t
+    signals.csv    time_s and one column for each signal (optional: then only the masses are compared)
+
+`sigma` is the standard deviation of one reading, `common_sigma` that of an error all readings share.
+"""
+import csv
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import yaml
+
+from .findings import Findings
+
+DRIVEN = "driven"
+RESPONSE = "response"
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What a channel of this name must be: its unit, and a size no sound reading passes."""
+
+    unit: str
+    largest: float
+    hint: str
+
+
+# The largest values are far beyond any shovel's: they catch a wrong unit, not a strange pass.
+KNOWN = {
+    "truck_mass_t": Kind("t", 1000.0, "kg, perhaps? 1 t = 1000 kg"),
+    "hoist_m": Kind("m", 100.0, "mm, perhaps?"),
+    "crowd_m": Kind("m", 50.0, "mm, perhaps?"),
+    "swing_rad": Kind("rad", 10.0, "degrees, perhaps? 1 rad = 57.3 deg"),
+    "hoist_force_kN": Kind("kN", 1e5, "N, perhaps? 1 kN = 1000 N"),
+    "crowd_force_kN": Kind("kN", 1e5, "N, perhaps? 1 kN = 1000 N"),
+}
+MASS = "truck_mass_t"
+MOTION = ("hoist_m", "crowd_m", "swing_rad")
+PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
+LEAST_SAMPLES = 10  # a pass with fewer readings cannot be cut into phases
+
+
+@dataclass(frozen=True)
+class Channel:
+    name: str
+    unit: str
+    role: str
+    sigma: float
+    common_sigma: float
+
+
+@dataclass(frozen=True)
+class Pass:
+    number: int
+    t_start_s: float
+    t_end_s: float
+    truck_mass_t: float
+
+
+@dataclass(frozen=True)
+class Measured:
+    """`signals` holds one array a channel, as long as `time_s`; both are empty without signals.csv."""
+
+    channels: dict
+    passes: tuple
+    time_s: np.ndarray
+    signals: dict
+    folder: str = ""
+
+    def responses(self):
+        """Names of the signals that answer to the rock, in a fixed order."""
+        return [n for n in KNOWN if n in self.signals and self.channels[n].role == RESPONSE]
+
+
+def read_measured(folder, need_passes=1):
+    """Reads a measured folder; throws BadInput with everything that is wrong with it."""
+    folder = Path(folder)
+    found = Findings()
+    if not folder.is_dir():
+        found.add(folder, 0, "folder", "not there", "name a folder with channels.yaml and passes.csv")
+        found.raise_if_any()
+    channels = _channels(folder / "channels.yaml", found)
+    passes = _passes(folder / "passes.csv", channels, need_passes, found)
+    time_s, signals = _signals(folder / "signals.csv", channels, passes, found)
+    _optional_table(folder / "pile_angle.csv", ("pile", "angle_deg"), found)
+    _optional_table(folder / "profile.csv", ("pass", "x_m", "z_m"), found)
+    found.raise_if_any()
+    return Measured(channels, tuple(passes), time_s, signals, str(folder))
+
+
+def _channels(file, found):
+    if not file.is_file():
+        found.add(file, 0, "file", "not there",
+                  "list each channel as NAME: {unit, role, sigma, common_sigma}")
+        return {}
+    try:
+        root = yaml.compose(file.read_text())
+    except yaml.YAMLError as e:
+        mark = getattr(e, "problem_mark", None)
+        found.add(file, mark.line + 1 if mark else 0, "YAML", getattr(e, "problem", str(e)),
+                  "a map of channels")
+        return {}
+    if not isinstance(root, yaml.MappingNode):
+        found.add(file, 1, "channels", "not a map", "NAME: {unit, role, sigma, common_sigma}")
+        return {}
+    out = {}
+    for key, node in root.value:
+        channel = _channel(file, key, node, found)
+        if channel and channel.name in out:
+            found.add(file, key.start_mark.line + 1, channel.name, "given twice", "keep one")
+        elif channel:
+            out[channel.name] = channel
+    return out
+
+
+def _channel(file, key, node, found):
+    name, line = key.value, key.start_mark.line + 1
+    if name not in KNOWN:
+        found.add(file, line, name, "unknown channel", "one of " + ", ".join(KNOWN))
+        return None
+    if not isinstance(node, yaml.MappingNode):
+        found.add(file, line, name, "not a map", "{unit, role, sigma, common_sigma}")
+        return None
+    values = {k.value: (v.value, k.start_mark.line + 1) for k, v in node.value}
+    for extra in sorted(set(values) - {"unit", "role", "sigma", "common_sigma"}):
+        found.add(file, values[extra][1], f"{name}.{extra}", "unknown key",
+                  "unit, role, sigma or common_sigma")
+    unit, unit_line = values.get("unit", (None, line))
+    if unit != KNOWN[name].unit:
+        found.add(file, unit_line, f"{name}.unit", f"is {unit}", f"{KNOWN[name].unit}, in the values too")
+    role, role_line = values.get("role", (None, line))
+    want = {DRIVEN, RESPONSE} if name in MOTION else {RESPONSE}
+    if role not in want:
+        found.add(file, role_line, f"{name}.role", f"is {role}", " or ".join(sorted(want)))
+    sizes = []
+    for field in ("sigma", "common_sigma"):
+        text, at = values.get(field, (None, line))
+        number = _number(text)
+        if number is None or number < 0:
+            found.add(file, at, f"{name}.{field}", f"is {text}", f"a number in {KNOWN[name].unit}, 0 or more")
+            number = 0.0
+        sizes.append(number)
+    return Channel(name, KNOWN[name].unit, role, *sizes)
+
+
+def _number(text):
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        return None
+    return value if math.isfinite(value) else None
+
+
+def _rows(file, found):
+    """Header and rows of a CSV, each with its line number; `#` starts a comment line."""
+    lines = [(i, text) for i, text in enumerate(file.read_text().splitlines(), 1)
+             if text.strip() and not text.lstrip().startswith("#")]
+    if not lines:
+        found.add(file, 1, "file", "empty", "a header and a row a reading")
+        return 0, [], []
+    parsed = [(i, [c.strip() for c in next(csv.reader([text]))]) for i, text in lines]
+    return parsed[0][0], parsed[0][1], parsed[1:]
+
+
+def _table(file, need, found, allowed=None):
+    """Columns of numbers by name, and the line of each row; unreadable cells are findings."""
+    header_line, header, rows = _rows(file, found)
+    if not header:
+        return {}, []
+    for name in need:
+        if name not in header:
+            found.add(file, header_line, name, "column missing", "header: " + ",".join(need))
+    for name in header:
+        if header.count(name) > 1:
+            found.add(file, header_line, name, "column given twice", "keep one")
+        if allowed is not None and name not in allowed:
+            found.add(file, header_line, name, "unknown channel",
+                      "declare it in channels.yaml, as one of " + ", ".join(KNOWN))
+    values = {name: [] for name in header}
+    for line, row in rows:
+        if len(row) != len(header):
+            found.add(file, line, "row", f"{len(row)} values", f"{len(header)}, as in the header")
+            row = (row + [""] * len(header))[:len(header)]
+        for name, text in zip(header, row):
+            number = _number(text)
+            if number is None:
+                found.add(file, line, name, f"is '{text}'", "a finite number")
+                number = math.nan
+            elif name in KNOWN and abs(number) > KNOWN[name].largest:
+                found.add(file, line, name, f"is {number:g}", f"in {KNOWN[name].unit} ({KNOWN[name].hint})")
+            values[name].append(number)
+    return {k: np.array(v) for k, v in values.items()}, [line for line, _ in rows]
+
+
+def _passes(file, channels, need_passes, found):
+    if not file.is_file():
+        found.add(file, 0, "file", "not there", ",".join(PASS_COLUMNS))
+        return []
+    need = PASS_COLUMNS if MASS in channels else PASS_COLUMNS[:3]
+    table, lines = _table(file, need, found)
+    if not all(name in table for name in need):
+        return []
+    masses = table.get(MASS, np.full(len(lines), math.nan))
+    passes, last_end, last_number = [], -math.inf, 0
+    for line, number, start, end, mass in zip(lines, table["pass"], table["t_start_s"],
+                                              table["t_end_s"], masses):
+        if number != int(number) or number <= last_number:
+            found.add(file, line, "pass", f"is {number:g}", "whole numbers that rise, from 1")
+        if not end > start:
+            found.add(file, line, "t_end_s", f"is {end:g}", f"after t_start_s, {start:g}")
+        if start < last_end:
+            found.add(file, line, "t_start_s", f"is {start:g}, before the last pass's end",
+                      f"{last_end:g} or later: passes must not overlap")
+        if mass < 0:
+            found.add(file, line, MASS, f"is {mass:g}", "0 or more")
+        if math.isfinite(number):
+            passes.append(Pass(int(number), float(start), float(end), float(mass)))
+            last_end, last_number = end, number
+    if len(passes) < need_passes:
+        found.add(file, 0, "passes", f"{len(passes)} found", f"{need_passes} or more are needed")
+    return passes
+
+
+def _signals(file, channels, passes, found):
+    declared = [n for n in channels if n != MASS]
+    if not file.is_file():
+        if declared:
+            found.add(file, 0, "file", "not there, but channels.yaml declares " + ", ".join(declared),
+                      "time_s," + ",".join(declared))
+        return np.zeros(0), {}
+    table, lines = _table(file, ["time_s"] + declared, found, {"time_s"} | set(declared))
+    if "time_s" not in table or not lines:
+        return np.zeros(0), {}
+    for name in MOTION:
+        if name not in declared:
+            found.add(file, 0, name, "not declared in channels.yaml",
+                      "the phases of a pass are found from hoist, crowd and swing")
+    time = table["time_s"]
+    for k in np.flatnonzero(~(np.diff(time) > 0)):
+        found.add(file, lines[k + 1], "time_s", f"is {time[k + 1]:g} after {time[k]:g}", "later times only")
+    for p in passes:
+        inside = int(np.sum((time >= p.t_start_s) & (time <= p.t_end_s)))
+        if inside < LEAST_SAMPLES:
+            found.add(file, 0, "time_s", f"{inside} readings within pass {p.number} "
+                      f"({p.t_start_s:g} to {p.t_end_s:g} s)", f"{LEAST_SAMPLES} or more")
+    return time, {n: table[n] for n in declared if n in table}
+
+
+def _optional_table(file, columns, found):
+    if file.is_file():
+        _table(file, columns, found)
+
+
+def write_measured(m, folder):
+    """Writes `m` as a measured folder (tests, stored truths)."""
+    folder = Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "channels.yaml", "w") as f:
+        for c in m.channels.values():
+            f.write(f"{c.name}: {{unit: {c.unit}, role: {c.role}, sigma: {c.sigma:g}, "
+                    f"common_sigma: {c.common_sigma:g}}}\n")
+    with open(folder / "passes.csv", "w") as f:
+        f.write(",".join(PASS_COLUMNS) + "\n")
+        for p in m.passes:
+            f.write(f"{p.number},{p.t_start_s:.3f},{p.t_end_s:.3f},{p.truck_mass_t:.3f}\n")
+    if m.signals:
+        with open(folder / "signals.csv", "w") as f:
+            f.write(",".join(["time_s"] + list(m.signals)) + "\n")
+            for k, t in enumerate(m.time_s):
+                f.write(",".join([f"{t:.3f}"] + [f"{v[k]:.4f}" for v in m.signals.values()]) + "\n")

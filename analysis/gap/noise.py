@@ -1,0 +1,67 @@
+"""What the mine's instruments do to the features: spread, shared error, and the lift of a noisy peak."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .features import FeatureMap
+from .measured import MASS
+
+REPLICAS = 64
+
+
+@dataclass(frozen=True)
+class NoisyFeatures:
+    """Features as the mine would see them: `mean` over many noisy copies, `own` the copies less it."""
+
+    cells: list
+    mean: np.ndarray      # (n,)
+    own: np.ndarray       # (B, n)
+    common: np.ndarray    # (channels, n): shift by one common_sigma
+    durations: list
+
+
+def noisy_features(measured, channels, pass_numbers, seed=0, replicas=REPLICAS):
+    """Features of a noise-free folder under the noise of `channels`.
+
+    The same draws are used for every folder, so that differences between folders are not blurred by them.
+    """
+    fmap = FeatureMap(measured, pass_numbers)
+    rng = np.random.default_rng(seed)
+    clean = {n: measured.signals[n] for n in fmap.responses}
+    masses = fmap.masses()
+    copies = {n: v + channels[n].sigma * rng.standard_normal((replicas, len(v))) for n, v in clean.items()}
+    rows = fmap(copies, np.tile(masses, (replicas, 1)))
+    mean = rows.mean(axis=0)
+    common = []
+    zero = fmap({n: v[None] for n, v in clean.items()}, masses[None])[0]
+    for name in fmap.responses:
+        moved = {n: (v + (channels[n].common_sigma if n == name else 0.0))[None] for n, v in clean.items()}
+        common.append(fmap(moved, masses[None])[0] - zero)
+    if MASS in measured.channels:
+        common.append(fmap({n: v[None] for n, v in clean.items()},
+                           masses[None] + channels[MASS].common_sigma)[0] - zero)
+    return NoisyFeatures(fmap.cells, mean, rows - mean, np.array(common), fmap.durations)
+
+
+def measured_features(measured, pass_numbers):
+    """Features of the mine's own folder, as they are."""
+    fmap = FeatureMap(measured, pass_numbers)
+    signals = {n: measured.signals[n][None] for n in fmap.responses}
+    return fmap.cells, fmap(signals, fmap.masses()[None])[0], fmap.durations
+
+
+def noise_covariance(runs, channels):
+    """Covariance of the instruments' errors over `runs` of the same case: own and shared parts.
+
+    Own errors of different passes, phases and channels are independent: those entries are exactly 0.
+    """
+    cells = runs[0].cells
+    own = np.concatenate([r.own for r in runs])
+    cov = own.T @ own / (len(own) - len(runs))
+    group = np.array([hash((c.pass_number, c.phase, c.channel)) for c in cells])
+    cov *= group[:, None] == group[None, :]
+    for i, c in enumerate(cells):
+        if c.channel == MASS:
+            cov[i, i] += channels[MASS].sigma ** 2
+    common = np.mean([r.common for r in runs], axis=0)
+    return cov + common.T @ common

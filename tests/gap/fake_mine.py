@@ -1,0 +1,80 @@
+"""The synthetic shovel as a simulator with a catalogue, for tests of the statistics and the workflow."""
+import functools
+
+import numpy as np
+
+import synthetic
+from gap.baseline import make_baseline
+from gap.effects import Effect
+from gap.isolability import with_nuisances
+from gap.noise import measured_features, noise_covariance, noisy_features
+from gap.signatures import fit_signature
+
+PASSES = [1, 2, 3]
+SEEDS = 8
+
+
+def effect(name, unit, high, scale, kind="rock", sign="+", nuisance=False):
+    low = -high if sign == "both" else 0.0
+    return Effect(name, name.replace("_", " ").capitalize(), kind, "synthetic", "strength", unit, low, high,
+                  scale, "synthetic", (f"effects.{name}",), nuisance)
+
+
+CATALOGUE = {e.name: e for e in (
+    effect("fines", "1", 0.4, 0.12),
+    effect("cohesion", "kPa", 8, 2),
+    effect("crust", "1", 6, 2),
+    effect("pile_height", "m", 6, 2),
+    effect("friction_pair", "1", 1.0, 0.3),
+    effect("truck_spillage", "t", 30, 10, "observation"),
+    effect("carry_back", "t", 20, 6),
+    effect("liners", "t", 20, 6, "machine"),
+    effect("rake", "deg", 15, 5, sign="both"),
+    effect("standoff", "m", 1.5, 0.5, sign="both"),
+    effect("scale_gain", "1", 0.3, 0.08, "observation", sign="both"),
+    effect("rope_stretch", "s", 1.5, 0.5, "machine"),
+    effect("crowd_friction", "kN", 400, 120, "machine"),
+    effect("hoist_loss", "1", 0.3, 0.08, "machine"),
+    effect("logger_offset", "s", 2, 0.6, "observation"),
+    effect("density", "1", 0.1, 0.01, sign="both", nuisance=True),
+    effect("friction_line", "1", 0.5, 0.1, sign="both", nuisance=True),
+    effect("standoff_scan", "m", 0.2, 0.05, sign="both", nuisance=True))}
+
+
+class World:
+    """A baseline and signatures made with seeds of their own: what an analysis has to work with."""
+
+    def __init__(self, number=0, spread=1.0, catalogue=CATALOGUE):
+        self.spread, self.first = spread, 10_000 * (number + 1)
+        runs = [self._features({}, self.first + k) for k in range(SEEDS)]
+        noise = noise_covariance(runs, synthetic.CHANNELS)
+        self.baseline, self.keep = make_baseline(runs[0].cells, np.array([r.mean for r in runs]), noise, PASSES)
+        made = [self._signature(e) for e in catalogue.values()]
+        self.signatures = [s for s in made if not s.effect.nuisance]
+        self.nuisances = [s for s in made if s.effect.nuisance]
+        self.covariance = with_nuisances(self.baseline.prediction, self.nuisances)
+
+    def _features(self, effects, seed):
+        return noisy_features(synthetic.run(effects, seed, spread=self.spread), synthetic.CHANNELS, PASSES)
+
+    def _signature(self, e):
+        strengths, index, rows = [], [], []
+        for s in e.strengths():
+            for k in (0, 1):
+                # Not the baseline's seed itself: in a chaotic run nothing is left of the common start.
+                seed = self.first + k if e.kind == "observation" else self.first + 100 + 7 * k + hash(e.name) % 5
+                strengths.append(s)
+                index.append(k)
+                rows.append(self._features({e.name: s}, seed + (0 if e.kind == "observation" else len(rows))).mean)
+        return fit_signature(e, self.baseline, strengths, index, np.array(rows)[:, self.keep])
+
+    def residual(self, effects, seed):
+        """A mine with a hidden effect, seen through its instruments."""
+        mine = synthetic.run(effects, self.first + 5000 + seed, spread=self.spread)
+        _, y, _ = measured_features(synthetic.with_noise(mine, self.first + seed), PASSES)
+        return y[self.keep] - self.baseline.mean
+
+
+@functools.lru_cache(maxsize=8)
+def world(number=0):
+    return World(number)
