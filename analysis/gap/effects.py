@@ -28,7 +28,7 @@ class Effect:
     high: float
     scale: float          # prior: normal about 0 with this sd, cut to the bounds
     source: str
-    overlay: tuple = ()   # what it changes, as text; two effects with the same overlay share their runs
+    overlay: tuple = ()   # (key, add|scale|set, factor); effects with the same overlay share their runs
     nuisance: bool = False
 
     @property
@@ -85,9 +85,12 @@ def _read(file, found):
         found.add(file, 0, "parameter", f"low, high, scale are {numbers}", "low ... high around 0, scale > 0")
     if data.get("kind") not in KINDS:
         found.add(file, 0, "kind", f"is {data.get('kind')}", " or ".join(KINDS))
+    for key, way in (data.get("overlay") or {}).items():
+        if not (isinstance(way, dict) and len(way) == 1 and set(way) <= {"add", "scale", "set"}):
+            found.add(file, 0, f"overlay.{key}", f"is {way}", "{add: a}, {scale: s} or {set: v}")
     if len(found.all) > before:
         return None
-    overlay = tuple(sorted(f"{k}: {v}" for k, v in data["overlay"].items()))
+    overlay = tuple(sorted((k, *next(iter(v.items()))) for k, v in data["overlay"].items()))
     return Effect(file.stem, data["title"], data["kind"], data["signature"], parameter["name"],
                   str(parameter["unit"]), *map(float, numbers), parameter["source"], overlay,
                   bool(data.get("nuisance", False)))

@@ -1,0 +1,53 @@
+"""The case with the named effects added: a folder that `dipper run` takes as it is."""
+import os
+from pathlib import Path
+
+import yaml
+
+from .findings import BadInput
+
+
+def overlay(effects):
+    """{case key: value}; each is a `--set KEY=VALUE` of `dipper run`."""
+    return {f"effects.{name}": float(f"{strength:.6g}") for name, strength in effects.items()}
+
+
+def write_patched_case(case, effects, out):
+    """Writes out/case.yaml: the case's own text, its paths seen from `out`, and the effects at its end."""
+    case, out = Path(case), Path(out)
+    text = (case / "case.yaml").read_text()
+    if effects and (yaml.safe_load(text) or {}).get("effects"):
+        raise BadInput([f"{case / 'case.yaml'}: effects: the case has some already; "
+                        "a gap is looked for in a case without"])
+    for start, end, value in reversed(_paths(text, case)):
+        text = text[:start] + os.path.relpath(case / value, out) + text[end:]
+    if effects:
+        text = text.rstrip("\n") + "\n\neffects:                     # added by dipper gap\n"
+        text += "".join(f"  {name}: {strength:.6g}\n" for name, strength in effects.items())
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "case.yaml").write_text(text)
+    return out
+
+
+def referenced_files(case):
+    """Files and folders a case names, for its hash."""
+    text = (Path(case) / "case.yaml").read_text()
+    return sorted({(Path(case) / value).resolve() for _, _, value in _paths(text, Path(case))})
+
+
+def _paths(text, case):
+    """(start, end, value) of every plain scalar that is a path seen from the case folder."""
+    found = []
+
+    def walk(node):
+        if isinstance(node, yaml.MappingNode):
+            for _, value in node.value:
+                walk(value)
+        elif isinstance(node, yaml.SequenceNode):
+            for value in node.value:
+                walk(value)
+        elif ("/" in node.value or "." in node.value) and (case / node.value).exists():
+            found.append((node.start_mark.index, node.end_mark.index, node.value))
+
+    walk(yaml.compose(text))
+    return sorted(found)

@@ -1,0 +1,187 @@
+"""Runs of a case, as the workflow asks for them: by `dipper run`, two at a time, each kept and found again."""
+import hashlib
+import json
+import os
+import shutil
+import signal
+import subprocess
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+
+from .measured import read_measured
+from .patch import referenced_files
+
+JOBS = 2
+# Records stay, pictures go: a few hundred runs must fit on a disk.
+QUIET = ("output.dump_every_s=100000", "output.checkpoint_every_s=0")
+
+
+class RunFailed(RuntimeError):
+    """A run did not end well; the message names it and where its log is."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """One run: the case, these effects {name: strength} as sorted pairs, this seed.
+
+    `observed_only`: the effects change only what the instruments show; the plain run of the same seed is
+    looked at again, without a run of its own.
+    """
+
+    effects: tuple
+    seed: int
+    observed_only: bool = False
+
+    @property
+    def plain(self):
+        return Request((), self.seed)
+
+    def __str__(self):
+        said = ", ".join(f"{n} {s:.4g}" for n, s in self.effects) or "unchanged"
+        return f"{said}, seed {self.seed}"
+
+
+def request(effects, seed, catalogue):
+    pairs = tuple(sorted((n, float(s)) for n, s in effects.items() if s))
+    seen = bool(pairs) and all(catalogue[n].kind == "observation" for n, _ in pairs)
+    return Request(pairs, int(seed), seen)
+
+
+class Simulator:
+    """What the workflow needs; `DipperSimulator` is the real one, tests have a fake."""
+
+    def run(self, requests, say=print):
+        """One Measured, noise-free, for each request."""
+        raise NotImplementedError
+
+    def plan(self, requests):
+        """(runs to make, runs kept from before, seconds a run takes or None)."""
+        raise NotImplementedError
+
+    def identity(self):
+        """Text that changes when the case or the program does."""
+        raise NotImplementedError
+
+
+class DipperSimulator(Simulator):
+    def __init__(self, case, catalogue, program, cache):
+        self.case, self.catalogue, self.program = Path(case), catalogue, str(program)
+        self.cache = Path(cache)
+        self._identity = _digest(self.case, self.program)
+        self._children, self._lock, self._stopped = {}, threading.Lock(), False
+
+    def identity(self):
+        return self._identity
+
+    def folder(self, r):
+        text = f"{self._identity}\n{r}\n" + "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
+        return self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
+
+    def plan(self, requests):
+        need = list(dict.fromkeys(r.plain if r.observed_only else r for r in requests))
+        kept = [r for r in need if self._done(r)]
+        took = [json.loads((self.folder(r) / "done.json").read_text())["wall_s"] for r in kept]
+        return len(need) - len(kept), len(kept), (sum(took) / len(took) if took else None)
+
+    def run(self, requests, say=print):
+        need = list(dict.fromkeys(r.plain if r.observed_only else r for r in requests))
+        todo = [r for r in need if not self._done(r)]
+        began, done = time.monotonic(), 0
+        with ThreadPoolExecutor(JOBS) as pool:
+            futures = {pool.submit(self._make, r): r for r in todo}
+            try:
+                for future in as_completed(futures):
+                    future.result()
+                    done += 1
+                    left = (time.monotonic() - began) / done * (len(todo) - done)
+                    say(f"  run {done} of {len(todo)}: {futures[future]}; about {_minutes(left)} left")
+            except BaseException:
+                self._stop()
+                for future in futures:
+                    future.cancel()
+                raise
+        return [self._observed(r) for r in requests]
+
+    def _done(self, r):
+        return (self.folder(r) / "done.json").is_file()
+
+    def _make(self, r):
+        if self._stopped:
+            return
+        folder = self.folder(r)
+        run = folder / "run"
+        folder.mkdir(parents=True, exist_ok=True)
+        words = [self.program, "run", str(self.case), "--out", str(run), "--ranks", "1", "--seed", str(r.seed)]
+        for setting in QUIET + tuple(f"effects.{n}={s:.9g}" for n, s in r.effects):
+            words += ["--set", setting]
+        began = time.monotonic()
+        resumed = (run / "record.h5").exists() and any((run / "checkpoints").glob("*"))
+        status = self._call(words + ["--resume"], folder) if resumed else None
+        if status != 0 and not self._stopped:
+            shutil.rmtree(run, ignore_errors=True)
+            status = self._call(words, folder)
+        if self._stopped:
+            return
+        if status != 0:
+            raise RunFailed(f"run failed ({r}), status {status}; see {folder / 'run.log'}")
+        for heavy in ("dumps", "checkpoints", "events.lcmlog"):
+            path = run / heavy
+            shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
+        text = json.dumps({"effects": dict(r.effects), "seed": r.seed, "wall_s": time.monotonic() - began})
+        (folder / "done.tmp").write_text(text)
+        os.replace(folder / "done.tmp", folder / "done.json")
+
+    def _call(self, words, folder):
+        with open(folder / "run.log", "w") as log:
+            with self._lock:
+                if self._stopped:
+                    return 4
+                child = subprocess.Popen(words, stdout=log, stderr=subprocess.STDOUT, start_new_session=True)
+                self._children[child.pid] = child
+            status = child.wait()
+            with self._lock:
+                self._children.pop(child.pid, None)
+        return status
+
+    def _stop(self):
+        """Ends the runs under way; each leaves a checkpoint to go on from."""
+        with self._lock:
+            self._stopped = True
+            for child in self._children.values():
+                child.send_signal(signal.SIGINT)
+
+    def _observed(self, r):
+        if not r.observed_only:
+            return read_measured(self.folder(r) / "run" / "observed")
+        out = self.folder(r) / "observed"
+        if not (out / "passes.csv").is_file():
+            out.parent.mkdir(parents=True, exist_ok=True)
+            words = [self.program, "observe", str(self.folder(r.plain) / "run"), "--out", str(out)]
+            for name, strength in r.effects:
+                for key, how, factor in self.catalogue[name].overlay:
+                    if how == "scale":
+                        raise ValueError(f"effect {name}: {key}: an observation effect adds or sets")
+                    words += ["--set", f"{key}={factor * strength:.9g}"]
+            made = subprocess.run(words, capture_output=True, text=True)
+            if made.returncode != 0:
+                raise RunFailed(f"dipper observe failed ({r}): {made.stderr.strip()}")
+        return read_measured(out)
+
+
+def _minutes(seconds):
+    return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
+
+
+def _digest(case, program):
+    """Hash of the case's text, the files it names (two levels: a mesh beside a model), and the program."""
+    digest = hashlib.sha256()
+    for path in [case / "case.yaml"] + referenced_files(case):
+        for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
+            if file.is_file():
+                digest.update(hashlib.sha256(file.read_bytes()).digest())
+    said = subprocess.run([program, "--version"], capture_output=True, text=True)
+    digest.update(said.stdout.encode())
+    return digest.hexdigest()
