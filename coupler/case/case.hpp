@@ -42,6 +42,7 @@ struct RockCase {
   double poisson_ratio = 0;
   double coarse_graining = 1;          ///< every size is multiplied by this
   std::filesystem::path shape_folder;  ///< where the files of the shapes are (meshes/rocks)
+  std::string shape_resolution = "coarse";  ///< spheres a rock: coarse, medium or fine
   std::vector<SizeClass> classes;
 };
 

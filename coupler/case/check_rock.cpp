@@ -8,27 +8,43 @@
 
 #include "coupler/case/check_parts.hpp"
 #include "coupler/deck/deck.hpp"
-#include "coupler/deck/rock_shape.hpp"
+#include "coupler/deck/shape_library.hpp"
 #include "coupler/deck/stable_timestep.hpp"
+#include "coupler/mesh/stl.hpp"
 
 namespace fs = std::filesystem;
 
 namespace dipper::check {
 namespace {
 
-// A shape is a NAME.yaml with its mass properties and spheres.
-std::set<std::string> shapes_in(const fs::path& folder) {
-  std::set<std::string> names{"sphere"};
-  std::error_code missing;
-  for (const auto& entry : fs::directory_iterator(folder, missing)) {
-    if (entry.path().extension() == ".yaml") names.insert(entry.path().stem().string());
-  }
-  return names;
-}
-
 bool is_mixed(const SizeClass& size) {
   const auto spheres = std::count(size.shapes.begin(), size.shapes.end(), "sphere");
   return spheres > 0 && spheres < static_cast<std::ptrdiff_t>(size.shapes.size());
+}
+
+// A scan may have thousands of faults; the first few tell what is wrong with it.
+void check_shape(const Case& c, const std::string& shape, Findings& findings) {
+  constexpr std::size_t shown = 10;
+  const fs::path stl = c.rock.shape_folder / (shape + ".stl");
+  const std::string key = "rock.shape_folder";
+  try {
+    if (!is_made_from_mesh(c.rock.shape_folder, shape)) {
+      read_rock_shape(c.rock.shape_folder / (shape + ".yaml"));
+      return;
+    }
+    const auto faults = rock_faults(read_stl(stl));
+    for (std::size_t i = 0; i < faults.size() && i < shown; ++i)
+      findings.push_back({stl, 0, key, faults[i]});
+    if (faults.size() > shown)
+      findings.push_back({stl, 0, key, fmt::format("and {} faults more", faults.size() - shown)});
+  } catch (const StlError& e) {
+    findings.push_back({stl, e.line, key, e.message});
+  } catch (const std::exception& e) {
+    const fs::path yaml = c.rock.shape_folder / (shape + ".yaml");
+    const std::string said = e.what(), before = yaml.string() + ": ";
+    findings.push_back(
+        {yaml, 0, key, said.rfind(before, 0) == 0 ? said.substr(before.size()) : said});
+  }
 }
 
 void check_shapes(const Case& c, Findings& findings) {
@@ -37,8 +53,9 @@ void check_shapes(const Case& c, Findings& findings) {
         finding_at(c, "rock.shape_folder", "no such folder: " + c.rock.shape_folder.string()));
     return;
   }
-  const std::set<std::string> known = shapes_in(c.rock.shape_folder);
-  std::set<std::string> unreadable;
+  std::set<std::string> known = shape_names(c.rock.shape_folder);
+  known.insert("sphere");
+  std::set<std::string> looked_at;
   for (std::size_t i = 0; i < c.rock.classes.size(); ++i) {
     const SizeClass& size = c.rock.classes[i];
     for (std::size_t j = 0; j < size.shapes.size(); ++j) {
@@ -50,13 +67,7 @@ void check_shapes(const Case& c, Findings& findings) {
                        fmt::format("no shape '{}'; there are {}", shape, fmt::join(known, ", "))));
         continue;
       }
-      const fs::path file = c.rock.shape_folder / (shape + ".yaml");
-      try {
-        read_rock_shape(file);
-      } catch (const std::exception& e) {
-        if (!unreadable.insert(shape).second) continue;
-        findings.push_back({file, 0, "rock.shape_folder", e.what()});
-      }
+      if (looked_at.insert(shape).second) check_shape(c, shape, findings);
     }
     if (is_mixed(size)) {
       findings.push_back(finding_at(c, fmt::format("rock.classes.{}.shapes", i),

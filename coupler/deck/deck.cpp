@@ -12,7 +12,7 @@
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
-#include "coupler/deck/rock_shape.hpp"
+#include "coupler/deck/shape_library.hpp"
 #include "coupler/mesh/stl.hpp"
 
 namespace dipper {
@@ -147,8 +147,8 @@ std::string rocks_in(const Case& c, const std::map<std::string, RockShape>& shap
           "  nspheres {} ntry 200000 spheres file ${{deck}}/{}.spheres scale {:.9g} &\n"
           "  type {} mass {:.9g} use_density &\n"
           "  inertia_tensor {:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g}\n",
-          fix, seed, i + 1, rho, rock.spheres.size(), shape, size, ++shape_type, classes[i].mass_kg,
-          J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2));
+          fix, seed, i + 1, rho, rock.fit(c.rock.shape_resolution).spheres.size(), shape, size,
+          ++shape_type, classes[i].mass_kg, J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2));
     }
   }
   out += fmt::format("\nfix grading all particledistribution/discrete/massbased {} {}",
@@ -157,9 +157,9 @@ std::string rocks_in(const Case& c, const std::map<std::string, RockShape>& shap
   return out + "\n";
 }
 
-std::string sphere_file(const RockShape& shape) {
+std::string sphere_file(const RockShape& shape, const std::string& resolution) {
   std::string out = fmt::format("# {}: x y z radius, volume-equivalent diameter 1\n", shape.name);
-  for (const Sphere& s : shape.spheres)
+  for (const Sphere& s : shape.fit(resolution).spheres)
     out += fmt::format("{:.6f} {:.6f} {:.6f} {:.6f}\n", s.centre_m.x(), s.centre_m.y(),
                        s.centre_m.z(), s.radius_m);
   return out;
@@ -204,14 +204,14 @@ void write_deck(const Case& c, const fs::path& shapes, const fs::path& folder) {
   std::map<std::string, RockShape> used;
   for (const SizeClass& s : c.rock.classes)
     for (const std::string& name : s.shapes)
-      if (name != "sphere" && used.count(name) == 0)
-        used[name] = read_rock_shape(shapes / (name + ".yaml"));
+      if (name != "sphere" && used.count(name) == 0) used[name] = find_rock_shape(shapes, name);
 
   fs::create_directories(folder);
   write(folder / "case.in", case_in(c));
   write(folder / "material.in", material_in(c));
   write(folder / "rocks.in", rocks_in(c, used));
-  for (const auto& [name, shape] : used) write(folder / (name + ".spheres"), sphere_file(shape));
+  for (const auto& [name, shape] : used)
+    write(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
   write(folder / "funnel.stl", to_stl("funnel", funnel_walls(c)));
   write(folder / "sides.stl", to_stl("sides", bench_walls(c)));
 }

@@ -23,10 +23,11 @@ std::vector<ClassCount> rock_counts(const Case& c);
 ///   NAME.spheres one per rock shape, diameter 1 m
 ///   funnel.stl   frictionless walls while the rock settles: sides, rear, retaining sheet
 ///   sides.stl    the same sides and rear cut down along the bench, for the dig
-/// `shapes` is the folder with NAME.yaml of every shape (meshes/rocks). Paths of meshes are written
-/// as the case has them: relative ones are seen from where LIGGGHTS starts. The folder can be
-/// moved. Throws std::invalid_argument naming the key for a case that gives no deck (a body other
-/// than dipper and door, a class with less than one rock), std::runtime_error for files.
+/// `shapes` is the folder with NAME.yaml or NAME.stl of every shape (shape_library.hpp). Paths of
+/// meshes are written as the case has them: relative ones are seen from where LIGGGHTS starts. The
+/// folder can be moved. Throws std::invalid_argument naming the key for a case that gives no deck
+/// (a body other than dipper and door, a class with less than one rock), std::runtime_error for
+/// files.
 void write_deck(const Case& c, const std::filesystem::path& shapes,
                 const std::filesystem::path& folder);
 

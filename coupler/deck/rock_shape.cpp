@@ -6,20 +6,72 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
 #include <stdexcept>
+
+#include "coupler/mesh/mesh_check.hpp"
 
 namespace dipper {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-RockShape make_rock_shape(const std::string& name, TriangleMesh mesh, int spheres) {
+namespace {
+
+/// Connected by shared vertices.
+std::size_t shells(const TriangleMesh& mesh) {
+  std::vector<std::size_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto& t : mesh.triangles)
+    for (const std::size_t v : {t[1], t[2]}) parent[root(v)] = root(t[0]);
+  std::set<std::size_t> roots;
+  for (const auto& t : mesh.triangles) roots.insert(root(t[0]));
+  return roots.size();
+}
+
+template <class T>
+T value(const YAML::Node& y, const char* key) {
+  const YAML::Node node = y[key];
+  if (!node) throw std::runtime_error(std::string(key) + ": missing");
+  try {
+    return node.as<T>();
+  } catch (const YAML::Exception&) {
+    throw std::runtime_error(std::string(key) + ": not what belongs there");
+  }
+}
+
+}  // namespace
+
+const SphereFit& RockShape::fit(const std::string& resolution) const {
+  const auto found = fits.find(resolution);
+  if (found == fits.end())
+    throw std::invalid_argument(
+        fmt::format("rock shape {}: no spheres for the resolution {}", name, resolution));
+  return found->second;
+}
+
+std::vector<std::string> rock_faults(const TriangleMesh& mesh) {
+  std::vector<std::string> out;
+  for (const MeshFault& fault : check_mesh(mesh)) out.push_back(fault.message);
+  if (const std::size_t n = shells(mesh); out.empty() && n > 1)
+    out.push_back(fmt::format("{} separate shells; a rock is one: keep the largest", n));
+  return out;
+}
+
+RockShape make_rock_shape(const std::string& name, TriangleMesh mesh,
+                          const std::vector<ShapeResolution>& resolutions) {
+  if (const auto faults = rock_faults(mesh); !faults.empty())
+    throw std::invalid_argument(faults[0]);
   const MassProperties raw = mass_properties(mesh);
   const double scale = std::cbrt(M_PI / 6 / raw.volume_m3);
   for (Vector3d& v : mesh.vertices) v = scale * (v - raw.com_m);
   RockShape shape;
   shape.name = name;
-  shape.spheres = fit_spheres(mesh, spheres);
   shape.mass = mass_properties(mesh);
   const Matrix3d axes =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(shape.mass.inertia_m5).eigenvectors();
@@ -30,8 +82,12 @@ RockShape make_rock_shape(const std::string& name, TriangleMesh mesh, int sphere
   shape.aspect_ratio = sides[2] / sides[1];
   shape.flatness = sides[0] / sides[1];
   shape.sphericity = std::cbrt(M_PI * std::pow(6 * shape.mass.volume_m3, 2)) / shape.mass.area_m2;
-  shape.union_volume_error = union_volume(shape.spheres, 400) / shape.mass.volume_m3 - 1;
-  shape.symmetric_difference = symmetric_difference(mesh, shape.spheres);
+  for (const ShapeResolution& r : resolutions) {
+    SphereFit& fit = shape.fits[r.name];
+    fit.spheres = fit_spheres(mesh, r.spheres);
+    fit.union_volume_error = union_volume(fit.spheres, 400) / shape.mass.volume_m3 - 1;
+    fit.symmetric_difference = symmetric_difference(mesh, fit.spheres);
+  }
   return shape;
 }
 
@@ -40,43 +96,60 @@ std::string to_yaml(const RockShape& s) {
   const Vector3d& c = s.mass.com_m;
   const auto zero = [](double v) { return std::abs(v) < 1e-9 ? 0.0 : v; };
   std::string out = fmt::format(
-      "# Written by scripts/make_meshes (program rock-shape) from {}.stl.\n"
+      "# Written by rock-shape from {}.stl: made anew when that file is another.\n"
       "name: {}\n"
-      "source: assumed shape of blasted rock; corners in scripts/make_meshes\n"
+      "mesh_sha256: {}\n"
       "units: m (volume-equivalent diameter 1 m), density 1\n"
       "volume: {:.9g}\narea: {:.9g}\ncentre_of_mass: [{:.9g}, {:.9g}, {:.9g}]\n"
       "inertia: [{:.9g}, {:.9g}, {:.9g}, {:.9g}, {:.9g}, {:.9g}]   # xx xy xz yy yz zz\n"
-      "aspect_ratio: {:.4g}\nflatness: {:.4g}\nsphericity: {:.4g}\n"
-      "union_volume_error: {:.2g}\nsymmetric_difference: {:.3g}\n"
-      "spheres:   # [x, y, z, radius]\n",
-      s.name, s.name, s.mass.volume_m3, s.mass.area_m2, zero(c.x()), zero(c.y()), zero(c.z()),
-      J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2), s.aspect_ratio, s.flatness,
-      s.sphericity, s.union_volume_error, s.symmetric_difference);
-  for (const Sphere& q : s.spheres)
-    out += fmt::format("  - [{:.6f}, {:.6f}, {:.6f}, {:.6f}]\n", q.centre_m.x(), q.centre_m.y(),
-                       q.centre_m.z(), q.radius_m);
+      "aspect_ratio: {:.4g}   # L/I\nflatness: {:.4g}   # S/I\nsphericity: {:.4g}\n"
+      "resolutions:   # spheres: [x, y, z, radius]\n",
+      s.name, s.name, s.mesh_sha256, s.mass.volume_m3, s.mass.area_m2, zero(c.x()), zero(c.y()),
+      zero(c.z()), J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2), s.aspect_ratio, s.flatness,
+      s.sphericity);
+  for (const auto& [name, fit] : s.fits) {
+    out += fmt::format(
+        "  {}:   # {} spheres\n    union_volume_error: {:.2g}\n    symmetric_difference: {:.3g}\n"
+        "    spheres:\n",
+        name, fit.spheres.size(), fit.union_volume_error, fit.symmetric_difference);
+    for (const Sphere& q : fit.spheres)
+      out += fmt::format("      - [{:.6f}, {:.6f}, {:.6f}, {:.6f}]\n", q.centre_m.x(),
+                         q.centre_m.y(), q.centre_m.z(), q.radius_m);
+  }
   return out;
 }
 
 RockShape read_rock_shape(const std::filesystem::path& file) try {
   const YAML::Node y = YAML::LoadFile(file.string());
+  if (!y.IsMap()) throw std::runtime_error("not a rock shape");
   RockShape s;
-  s.name = y["name"].as<std::string>();
-  s.mass.volume_m3 = y["volume"].as<double>();
-  s.mass.area_m2 = y["area"].as<double>();
-  const auto J = y["inertia"].as<std::vector<double>>();
+  s.name = value<std::string>(y, "name");
+  s.mesh_sha256 = value<std::string>(y, "mesh_sha256");
+  s.mass.volume_m3 = value<double>(y, "volume");
+  s.mass.area_m2 = value<double>(y, "area");
+  const auto J = value<std::vector<double>>(y, "inertia");
   if (J.size() != 6) throw std::runtime_error("inertia: six numbers expected");
   s.mass.inertia_m5 << J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5];
-  s.aspect_ratio = y["aspect_ratio"].as<double>();
-  s.flatness = y["flatness"].as<double>();
-  s.sphericity = y["sphericity"].as<double>();
-  s.union_volume_error = y["union_volume_error"].as<double>();
-  s.symmetric_difference = y["symmetric_difference"].as<double>();
-  for (const auto& row : y["spheres"].as<std::vector<std::vector<double>>>()) {
-    if (row.size() != 4) throw std::runtime_error("spheres: rows of x, y, z, radius expected");
-    s.spheres.push_back({Vector3d(row[0], row[1], row[2]), row[3]});
+  s.aspect_ratio = value<double>(y, "aspect_ratio");
+  s.flatness = value<double>(y, "flatness");
+  s.sphericity = value<double>(y, "sphericity");
+  for (const ShapeResolution& r : kShapeResolutions) {
+    const YAML::Node resolutions = y["resolutions"];
+    const YAML::Node node = resolutions ? resolutions[r.name] : YAML::Node();
+    if (!node || !node.IsMap())
+      throw std::runtime_error(
+          fmt::format("resolutions.{}: missing; make the file again with "
+                      "rock-shape",
+                      r.name));
+    SphereFit& fit = s.fits[r.name];
+    fit.union_volume_error = value<double>(node, "union_volume_error");
+    fit.symmetric_difference = value<double>(node, "symmetric_difference");
+    for (const auto& row : value<std::vector<std::vector<double>>>(node, "spheres")) {
+      if (row.size() != 4) throw std::runtime_error("spheres: rows of x, y, z, radius expected");
+      fit.spheres.push_back({Vector3d(row[0], row[1], row[2]), row[3]});
+    }
+    if (fit.spheres.empty()) throw std::runtime_error("spheres: at least one expected");
   }
-  if (s.spheres.empty()) throw std::runtime_error("spheres: at least one expected");
   return s;
 } catch (const std::exception& e) {
   throw std::runtime_error(file.string() + ": " + e.what());

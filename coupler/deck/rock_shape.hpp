@@ -1,7 +1,9 @@
 // A rock shape: the mesh that gives it mass and inertia, the spheres that touch.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,22 +12,44 @@
 
 namespace dipper {
 
-/// Of volume-equivalent diameter 1 m, origin at the centre of mass. A rock of size s and density
-/// rho: lengths times s, mass rho s^3 V, inertia rho s^5 J.
-struct RockShape {
-  std::string name;
-  MassProperties mass;              ///< of the mesh, exact
-  std::vector<Sphere> spheres;      ///< what contacts see
-  double aspect_ratio = 1;          ///< longest by middle side of the box along the principal axes
-  double flatness = 1;              ///< shortest by middle side of that box
-  double sphericity = 1;            ///< area of the sphere of the same volume by area (Wadell)
+/// How finely spheres stand for a mesh: rock.shape_resolution.
+struct ShapeResolution {
+  const char* name;
+  int spheres;
+};
+inline constexpr std::array<ShapeResolution, 3> kShapeResolutions = {
+    {{"coarse", 6}, {"medium", 12}, {"fine", 24}}};
+
+/// What contacts see, and how far it is from the mesh.
+struct SphereFit {
+  std::vector<Sphere> spheres;
   double union_volume_error = 0;    ///< (union - mesh) / mesh
   double symmetric_difference = 0;  ///< volume in just one of them, by the mesh's
 };
 
-/// Scales a sound mesh (check_mesh) to diameter 1 m about its centre of mass and fits `spheres`
-/// spheres. Throws std::invalid_argument naming the first fault.
-RockShape make_rock_shape(const std::string& name, TriangleMesh mesh, int spheres);
+/// Of volume-equivalent diameter 1 m, origin at the centre of mass. A rock of size s and density
+/// rho: lengths times s, mass rho s^3 V, inertia rho s^5 J.
+struct RockShape {
+  std::string name;
+  std::string mesh_sha256;  ///< of the STL it was made from
+  MassProperties mass;      ///< of the mesh, exact
+  double aspect_ratio = 1;  ///< L/I: longest by middle side of the principal box
+  double flatness = 1;      ///< S/I: shortest by middle side of that box
+  double sphericity = 1;    ///< area of the sphere of the same volume by area (Wadell)
+  std::map<std::string, SphereFit> fits;  ///< by the resolution's name
+
+  /// Throws std::invalid_argument when there is none of that name.
+  const SphereFit& fit(const std::string& resolution) const;
+};
+
+/// Scales a sound mesh (rock_faults) to diameter 1 m about its centre of mass and fits spheres, as
+/// many as each resolution says. Throws std::invalid_argument naming the first fault.
+RockShape make_rock_shape(const std::string& name, TriangleMesh mesh,
+                          const std::vector<ShapeResolution>& resolutions = {
+                              kShapeResolutions.begin(), kShapeResolutions.end()});
+
+/// What makes a mesh unfit as a rock: the faults of check_mesh, or more than one shell.
+std::vector<std::string> rock_faults(const TriangleMesh& mesh);
 
 /// What meshes/rocks/NAME.yaml holds; the comment lines name the units.
 std::string to_yaml(const RockShape& shape);

@@ -1,23 +1,32 @@
-// rock-shape FILE.stl [SPHERES]: mass properties and a sphere fit of a closed mesh, as YAML.
+// rock-shape FILE.stl [COARSE MEDIUM FINE]: mass properties of a closed mesh and three sphere fits,
+// as YAML. A case finds it as NAME.yaml beside NAME.stl in its shape folder; without it, `dipper
+// run` does the same itself.
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 
-#include "coupler/deck/rock_shape.hpp"
-#include "coupler/mesh/stl.hpp"
+#include "coupler/deck/shape_library.hpp"
 
 int main(int argc, char** argv) {
-  constexpr int kSpheres = 6;
-  if (argc != 2 && argc != 3) {
-    std::cerr << "usage: rock-shape FILE.stl [SPHERES]\n";
+  if (argc != 2 && argc != 5) {
+    std::cerr
+        << "usage: rock-shape FILE.stl [COARSE MEDIUM FINE]   (numbers of spheres: 6 12 24)\n";
     return 2;
   }
   try {
-    const std::filesystem::path stl = argv[1];
-    const int spheres = argc == 3 ? std::atoi(argv[2]) : kSpheres;
-    std::cout << dipper::to_yaml(
-        dipper::make_rock_shape(stl.stem().string(), dipper::read_stl(stl), spheres));
+    std::vector<dipper::ShapeResolution> resolutions(dipper::kShapeResolutions.begin(),
+                                                     dipper::kShapeResolutions.end());
+    for (int i = 2; i < argc; ++i) {
+      char* end = nullptr;
+      const long n = std::strtol(argv[i], &end, 10);
+      if (*end != '\0' || n < 1 || n > 200) {
+        std::cerr << "rock-shape: " << argv[i] << ": write a number of spheres, 1 ... 200\n";
+        return 2;
+      }
+      resolutions[static_cast<std::size_t>(i - 2)].spheres = static_cast<int>(n);
+    }
+    std::cout << dipper::to_yaml(dipper::fit_rock_shape(argv[1], resolutions));
   } catch (const std::exception& e) {
     std::cerr << "rock-shape: " << e.what() << '\n';
     return 2;

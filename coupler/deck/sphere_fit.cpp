@@ -1,115 +1,141 @@
 #include "coupler/deck/sphere_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
 
+#include "coupler/deck/solid_columns.hpp"
 #include "coupler/mesh/mesh_check.hpp"
-#include "coupler/mesh/signed_distance.hpp"
 
 namespace dipper {
 namespace {
 
 using Eigen::Vector3d;
+using Eigen::Vector4d;
+using Spheres = std::vector<Sphere>;
 
-/// Of the cells of width h that begin at lo, those that lie below hi.
-std::vector<double> midpoints(double lo, double hi, double h) {
-  std::vector<double> out(static_cast<std::size_t>(std::max(0.0, std::ceil((hi - lo) / h - 0.5))));
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = lo + (static_cast<double>(i) + 0.5) * h;
+constexpr int kStarts = 24;
+constexpr int kSteps = 400;
+constexpr int kSurfacePoints = 240;  // on each sphere
+constexpr double kFirstStep = 0.03;  // of the diameter
+
+/// Where the union covers the line (x, y).
+void union_spans(const Spheres& spheres, double x, double y, Spans& out) {
+  out.clear();
+  for (const Sphere& s : spheres) {
+    const double dx = x - s.centre_m.x(), dy = y - s.centre_m.y();
+    const double half2 = s.radius_m * s.radius_m - dx * dx - dy * dy;
+    if (half2 <= 0) continue;
+    const double half = std::sqrt(half2);
+    out.emplace_back(s.centre_m.z() - half, s.centre_m.z() + half);
+  }
+  join(out);
+}
+
+/// What the fit makes small [m3].
+double mismatch(const SolidColumns& solid, const Spheres& spheres) {
+  double length = 0;
+  Spans spans;
+  for (std::size_t k = 0; k < solid.size(); ++k) {
+    union_spans(spheres, solid.x(k), solid.y(k), spans);
+    length += difference(solid.spans(k), spans);
+  }
+  return length * solid.cell_m() * solid.cell_m();
+}
+
+/// Evenly spread unit vectors: the Fibonacci lattice.
+std::vector<Vector3d> directions(int n) {
+  const double golden = M_PI * (3 - std::sqrt(5.0));
+  std::vector<Vector3d> out;
+  for (int i = 0; i < n; ++i) {
+    const double z = 1 - (2 * i + 1.0) / n, r = std::sqrt(1 - z * z);
+    out.emplace_back(r * std::cos(golden * i), r * std::sin(golden * i), z);
+  }
   return out;
 }
 
-/// Midpoints of cubic cells, and how far inside the solid each lies.
-struct Grid {
-  double cell = 0;
-  std::vector<Vector3d> points;
-  std::vector<double> depth;
-};
-
-Grid make_grid(const TriangleMesh& mesh, int cells, double margin) {
-  BoundingBox box;
-  for (const Vector3d& v : mesh.vertices) box.add(v, margin);
-  Grid g;
-  g.cell = (box.max - box.min).maxCoeff() / cells;
-  for (const double x : midpoints(box.min.x(), box.max.x(), g.cell))
-    for (const double y : midpoints(box.min.y(), box.max.y(), g.cell))
-      for (const double z : midpoints(box.min.z(), box.max.z(), g.cell)) {
-        g.points.emplace_back(x, y, z);
-        g.depth.push_back(signed_distance(mesh, g.points.back()));
-      }
-  return g;
-}
-
-bool covered(const std::vector<Sphere>& spheres, const Vector3d& p) {
-  return std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& s) {
-    return (p - s.centre_m).squaredNorm() < s.radius_m * s.radius_m;
-  });
-}
-
-/// Cells in exactly one of solid and union: what the fit makes small.
-int mismatch(const Grid& g, const std::vector<Sphere>& spheres) {
-  int n = 0;
-  for (std::size_t i = 0; i < g.points.size(); ++i)
-    n += covered(spheres, g.points[i]) != (g.depth[i] > 0);
-  return n;
-}
-
-std::vector<Sphere> greedy(const Grid& g, int count, double r_min) {
-  constexpr std::array<double, 4> kSwell = {1.0, 1.1, 1.25, 1.4};  // beyond the inscribed sphere
-  std::vector<char> taken(g.points.size(), 0);
-  std::vector<Sphere> spheres;
-  while (static_cast<int>(spheres.size()) < count) {
-    Sphere best;
-    int best_gain = std::numeric_limits<int>::min();
-    for (std::size_t c = 0; c < g.points.size(); c += 3) {
-      if (g.depth[c] <= 0) continue;
-      for (const double swell : kSwell) {
-        const double r = std::max(swell * g.depth[c], r_min);
-        int gain = 0;
-        for (std::size_t i = 0; i < g.points.size(); ++i)
-          if (taken[i] == 0 && (g.points[i] - g.points[c]).squaredNorm() < r * r)
-            gain += g.depth[i] > 0 ? 1 : -1;
-        if (gain > best_gain) {
-          best_gain = gain;
-          best = {g.points[c], r};
-        }
-      }
-    }
-    spheres.push_back(best);
-    for (std::size_t i = 0; i < g.points.size(); ++i)
-      if (covered({best}, g.points[i])) taken[i] = 1;
+/// d mismatch / d (centre, radius) of sphere i.
+Vector4d gradient(const SolidColumns& solid, const Spheres& spheres, std::size_t i,
+                  const std::vector<Vector3d>& normals) {
+  const Sphere& s = spheres[i];
+  Vector4d sum = Vector4d::Zero();
+  for (const Vector3d& n : normals) {
+    const Vector3d p = s.centre_m + s.radius_m * n;
+    const bool covered = std::any_of(spheres.begin(), spheres.end(), [&](const Sphere& q) {
+      return &q != &s && (p - q.centre_m).squaredNorm() < q.radius_m * q.radius_m;
+    });
+    if (covered) continue;
+    const double sign = solid.inside(p) ? -1 : 1;
+    sum += sign * Vector4d(n.x(), n.y(), n.z(), 1);
   }
-  return spheres;
+  const double area = 4 * M_PI * s.radius_m * s.radius_m;
+  return area / static_cast<double>(normals.size()) * sum;
 }
 
-void climb(const Grid& g, double diameter, double r_min, std::vector<Sphere>& spheres) {
-  constexpr int kTries = 4000;
-  std::mt19937 random(1);
-  const auto symmetric = [&] {
-    return 2.0 * static_cast<double>(random()) / std::mt19937::max() - 1.0;
-  };
-  int best = mismatch(g, spheres);
-  for (int k = 0; k < kTries; ++k) {
-    const double step = 0.12 * diameter * (1.0 - static_cast<double>(k) / kTries);
-    std::vector<Sphere> trial = spheres;
-    Sphere& s = trial[static_cast<std::size_t>(k) % trial.size()];
-    s.centre_m += step * Vector3d(symmetric(), symmetric(), symmetric());
-    s.radius_m = std::max(r_min, s.radius_m + 0.5 * step * symmetric());
-    const int now = mismatch(g, trial);
-    if (now <= best) {
-      best = now;
-      spheres = std::move(trial);
+/// Points inside the solid, a cell apart.
+std::vector<Vector3d> inner_points(const SolidColumns& solid) {
+  std::vector<Vector3d> points;
+  for (std::size_t k = 0; k < solid.size(); ++k)
+    for (const auto& [lo, hi] : solid.spans(k))
+      for (double z = lo + solid.cell_m() / 2; z < hi; z += solid.cell_m())
+        points.emplace_back(solid.x(k), solid.y(k), z);
+  return points;
+}
+
+/// Lloyd's algorithm from random points; each cluster as the sphere of its volume.
+Spheres clusters(const std::vector<Vector3d>& points, double cell_volume, int count,
+                 std::mt19937& random) {
+  Spheres out(static_cast<std::size_t>(count));
+  for (Sphere& s : out) s.centre_m = points[random() % points.size()];
+  for (int sweep = 0; sweep < 8; ++sweep) {
+    std::vector<Vector3d> sum(out.size(), Vector3d::Zero());
+    std::vector<int> members(out.size(), 0);
+    for (const Vector3d& p : points) {
+      std::size_t near = 0;
+      for (std::size_t i = 1; i < out.size(); ++i)
+        if ((p - out[i].centre_m).squaredNorm() < (p - out[near].centre_m).squaredNorm()) near = i;
+      sum[near] += p;
+      ++members[near];
     }
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (members[i] > 0) out[i].centre_m = sum[i] / members[i];
+      out[i].radius_m = std::cbrt(0.75 / M_PI * cell_volume * std::max(1, members[i]));
+    }
+  }
+  return out;
+}
+
+/// Adam with a step that falls to nothing.
+void descend(const SolidColumns& solid, double diameter, double r_min,
+             const std::vector<Vector3d>& normals, Spheres& spheres) {
+  constexpr double kKeep = 0.9, kKeepSquare = 0.99;
+  std::vector<Vector4d> mean(spheres.size(), Vector4d::Zero()), square = mean;
+  for (int k = 1; k <= kSteps; ++k) {
+    const double step = kFirstStep * diameter * (1 - static_cast<double>(k) / (kSteps + 1));
+    Spheres next = spheres;
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      const Vector4d g = gradient(solid, spheres, i, normals);
+      mean[i] = kKeep * mean[i] + (1 - kKeep) * g;
+      square[i] = kKeepSquare * square[i] + (1 - kKeepSquare) * g.cwiseAbs2();
+      const Vector4d m = mean[i] / (1 - std::pow(kKeep, k));
+      const Vector4d s = square[i] / (1 - std::pow(kKeepSquare, k));
+      const Vector4d by =
+          (step * m.array() / (s.array().sqrt() + 1e-4 * diameter * diameter)).matrix();
+      next[i].centre_m -= by.head<3>();
+      next[i].radius_m = std::max(r_min, next[i].radius_m - by[3]);
+    }
+    spheres = std::move(next);
   }
 }
 
 /// One offset of all radii gives the union the solid's volume.
-void match_volume(double volume, double diameter, std::vector<Sphere>& spheres) {
+void match_volume(double volume, double diameter, Spheres& spheres) {
   double lo = -0.1 * diameter, hi = 0.1 * diameter;
   const auto swollen = [&](double by) {
-    std::vector<Sphere> out = spheres;
+    Spheres out = spheres;
     for (Sphere& s : out) s.radius_m += by;
     return out;
   };
@@ -122,52 +148,54 @@ void match_volume(double volume, double diameter, std::vector<Sphere>& spheres) 
 
 }  // namespace
 
+double least_radius(int count) { return 0.2 * std::cbrt(6.0 / std::max(6, count)); }
+
 std::vector<Sphere> fit_spheres(const TriangleMesh& mesh, int count) {
   if (mesh.triangles.empty()) throw std::invalid_argument("the mesh has no facets");
   if (const auto faults = check_mesh(mesh); !faults.empty())
     throw std::invalid_argument("not a closed surface that faces outwards: " + faults[0].message);
   if (count < 1) throw std::invalid_argument("at least one sphere is needed");
-  const double solid = volume(mesh);
-  const double diameter = std::cbrt(6 * solid / M_PI);
-  const double r_min = 0.2 * diameter;
-  const Grid coarse = make_grid(mesh, 24, 0.05 * diameter);
-  std::vector<Sphere> spheres = greedy(coarse, count, r_min);
-  climb(make_grid(mesh, 36, 0.1 * diameter), diameter, r_min, spheres);
-  match_volume(solid, diameter, spheres);
-  return spheres;
+  const double whole = volume(mesh), diameter = std::cbrt(6 * whole / M_PI);
+  const SolidColumns solid(mesh, 64, 0.2 * diameter), coarse(mesh, 20, 0);
+  const std::vector<Vector3d> points = inner_points(coarse), normals = directions(kSurfacePoints);
+  if (points.empty()) throw std::invalid_argument("too thin to fit spheres in it");
+  std::mt19937 random(1);
+  Spheres best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int start = 0; start < kStarts; ++start) {
+    Spheres spheres = clusters(points, std::pow(coarse.cell_m(), 3), count, random);
+    descend(solid, diameter, least_radius(count) * diameter, normals, spheres);
+    const double now = mismatch(solid, spheres);
+    if (now >= least) continue;
+    least = now;
+    best = std::move(spheres);
+  }
+  match_volume(whole, diameter, best);
+  std::sort(best.begin(), best.end(),
+            [](const Sphere& a, const Sphere& b) { return a.radius_m > b.radius_m; });
+  return best;
 }
 
 double union_volume(const std::vector<Sphere>& spheres, int cells) {
   BoundingBox box;
   for (const Sphere& s : spheres) box.add(s.centre_m, s.radius_m);
-  const double h = (box.max - box.min).maxCoeff() / cells;
-  // Along each grid line (x, y) the spheres cover exact intervals in z.
-  double volume = 0;
-  std::vector<std::pair<double, double>> spans;
-  const std::vector<double> ys = midpoints(box.min.y(), box.max.y(), h);
-  for (const double x : midpoints(box.min.x(), box.max.x(), h))
-    for (const double y : ys) {
-      spans.clear();
-      for (const Sphere& s : spheres) {
-        const double dx = x - s.centre_m.x(), dy = y - s.centre_m.y();
-        const double half2 = s.radius_m * s.radius_m - dx * dx - dy * dy;
-        if (half2 <= 0) continue;
-        spans.emplace_back(s.centre_m.z() - std::sqrt(half2), s.centre_m.z() + std::sqrt(half2));
-      }
-      std::sort(spans.begin(), spans.end());
-      double top = -std::numeric_limits<double>::infinity();
-      for (const auto& [lo, hi] : spans) {
-        volume += h * h * std::max(0.0, hi - std::max(lo, top));
-        top = std::max(top, hi);
-      }
+  const Vector3d sides = box.max - box.min;
+  const double h = sides.maxCoeff() / cells;
+  const auto nx = std::lround(std::ceil(sides.x() / h)), ny = std::lround(std::ceil(sides.y() / h));
+  double length = 0;
+  Spans spans;
+  for (long i = 0; i < nx; ++i)
+    for (long j = 0; j < ny; ++j) {
+      union_spans(spheres, box.min.x() + (static_cast<double>(i) + 0.5) * h,
+                  box.min.y() + (static_cast<double>(j) + 0.5) * h, spans);
+      for (const auto& s : spans) length += s.second - s.first;
     }
-  return volume;
+  return length * h * h;
 }
 
 double symmetric_difference(const TriangleMesh& mesh, const std::vector<Sphere>& spheres) {
-  const double solid = volume(mesh);
-  const Grid g = make_grid(mesh, 48, 0.15 * std::cbrt(solid));
-  return mismatch(g, spheres) * g.cell * g.cell * g.cell / solid;
+  const double whole = volume(mesh);
+  return mismatch(SolidColumns(mesh, 160, 0.5 * std::cbrt(whole)), spheres) / whole;
 }
 
 }  // namespace dipper

@@ -1,7 +1,5 @@
 #include "coupler/run/installation.hpp"
 
-#include <cstdlib>
-
 namespace dipper {
 
 namespace fs = std::filesystem;
@@ -11,14 +9,6 @@ std::string program(const std::string& name) {
 }
 
 fs::path source_folder() { return DIPPER_SOURCE_FOLDER; }
-
-fs::path cache_folder() {
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg != '\0') {
-    return fs::path(xdg) / "dipper";
-  }
-  const char* home = std::getenv("HOME");
-  return fs::path(home != nullptr ? home : "/tmp") / ".cache" / "dipper";
-}
 
 std::string version() { return DIPPER_VERSION; }
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "coupler/core/cache_folder.hpp"
 #include "coupler/core/sha256.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"

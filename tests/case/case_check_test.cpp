@@ -181,12 +181,22 @@ TEST(CheckCase, Shapes) {
       "name: d400",
       "- name: d400\n  size_m: 0.40\n  mass_percent: 9\n  shapes:\n    - block\n    - bolder");
   write_text(checkout.root / "meshes/rocks/slab.yaml", "name: slab\n");
+  // A mesh that its YAML was not made from counts in its place.
+  const std::string facet =
+      " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n"
+      "   vertex 0 1 0\n  endloop\n endfacet\n";
+  write_text(checkout.root / "meshes/rocks/wedge.stl", "solid wedge\n" + facet + "endsolid\n");
+  const std::string open_edge = "facet 1: not closed: the edge ";
+  const fs::path wedge = checkout.root / "meshes/rocks/wedge.stl";
   expect_findings(
       check(checkout),
       {{checkout.file(), mixed, "rock.classes.1.shapes", "mixes spheres and other shapes"},
        {checkout.file(), unknown + 5, "rock.classes.2.shapes.1",
-        "no shape 'bolder'; there are block, slab, sphere, wedge"},
-       {checkout.root / "meshes/rocks/slab.yaml", 0, "rock.shape_folder", ""}});
+        "no shape 'bolder'; there are blade, block, chunk, column, shard, slab, sphere, wedge"},
+       {checkout.root / "meshes/rocks/slab.yaml", 0, "rock.shape_folder", "mesh_sha256: missing"},
+       {wedge, 0, "rock.shape_folder", open_edge},
+       {wedge, 0, "rock.shape_folder", open_edge},
+       {wedge, 0, "rock.shape_folder", open_edge}});
 }
 
 TEST(CheckCase, ClassWithoutARock) {

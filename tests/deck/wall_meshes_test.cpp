@@ -5,7 +5,7 @@
 
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
-#include "coupler/deck/rock_shape.hpp"
+#include "coupler/mesh/mass_properties.hpp"
 #include "coupler/mesh/mesh_check.hpp"
 #include "coupler/mesh/signed_distance.hpp"
 #include "coupler/mesh/stl.hpp"
@@ -57,19 +57,6 @@ TEST(WallMeshes, DoorLeavesNoGapForARock) {
   for (const double y : {-2.1, 0.0, 2.1})
     for (const double z : {-1.6, 0.0, 1.6})
       EXPECT_NEAR(signed_distance(door, Vector3d(0, y, z) - hinge), -0.02, 1e-6);
-}
-
-TEST(RockFiles, MatchTheirMeshes) {
-  for (const char* name : {"block", "wedge", "slab"}) {
-    const RockShape s = read_rock_shape(kMeshes / "rocks" / (std::string(name) + ".yaml"));
-    const TriangleMesh mesh = read_stl(kMeshes / "rocks" / (std::string(name) + ".stl"));
-    const MassProperties m = mass_properties(mesh);
-    EXPECT_NEAR(m.volume_m3, M_PI / 6, 1e-6) << name;
-    EXPECT_LT(m.com_m.norm(), 1e-6) << name;
-    EXPECT_TRUE(s.mass.inertia_m5.isApprox(m.inertia_m5, 1e-6)) << name;
-    EXPECT_NEAR(union_volume(s.spheres, 400) / m.volume_m3, 1, 2e-3) << name;
-    EXPECT_NEAR(symmetric_difference(mesh, s.spheres), s.symmetric_difference, 1e-3) << name;
-  }
 }
 
 TEST(PileShape, IsTheTrapezoid) {

@@ -1,0 +1,30 @@
+// Rock shapes by name: the files of a case's shape folder.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "coupler/deck/rock_shape.hpp"
+
+namespace dipper {
+
+/// Every NAME with a NAME.yaml or a NAME.stl in the folder.
+std::set<std::string> shape_names(const std::filesystem::path& folder);
+
+/// The mesh says what a shape is. NAME.yaml is used when it was made from the NAME.stl beside it,
+/// or there is no NAME.stl; else the mesh is fitted, a matter of seconds, and the result kept in
+/// the cache (cache_folder()/shapes) under the hash of the mesh. Safe against two at once. Throws
+/// std::runtime_error naming the file, and its first fault.
+RockShape find_rock_shape(const std::filesystem::path& folder, const std::string& name);
+
+/// True when find_rock_shape looks at NAME.stl rather than at NAME.yaml.
+bool is_made_from_mesh(const std::filesystem::path& folder, const std::string& name);
+
+/// make_rock_shape of an STL file, named after it. Throws std::runtime_error naming the file.
+RockShape fit_rock_shape(const std::filesystem::path& stl,
+                         const std::vector<ShapeResolution>& resolutions = {
+                             kShapeResolutions.begin(), kShapeResolutions.end()});
+
+}  // namespace dipper
