@@ -165,4 +165,22 @@ std::vector<double> read_channel(const std::filesystem::path& file, const std::s
   return values;
 }
 
+std::string read_attribute(const std::filesystem::path& file, const std::string& name) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (id < 0) throw std::runtime_error("cannot open " + file.string());
+  std::string text;
+  const hid_t attribute = H5Aopen(id, name.c_str(), H5P_DEFAULT);
+  if (attribute >= 0) {
+    const hid_t type = H5Aget_type(attribute);
+    text.resize(H5Tget_size(type));
+    if (H5Aread(attribute, type, text.data()) < 0) text.clear();
+    text.resize(text.find('\0') == std::string::npos ? text.size() : text.find('\0'));
+    H5Tclose(type);
+    H5Aclose(attribute);
+  }
+  H5Fclose(id);
+  return text;
+}
+
 }  // namespace dipper

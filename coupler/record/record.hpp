@@ -60,4 +60,7 @@ class Record {
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
                                  std::size_t column = 0);
 
+/// A text attribute of the file itself, such as "case_hash"; empty when there is none.
+std::string read_attribute(const std::filesystem::path& file, const std::string& name);
+
 }  // namespace dipper

@@ -11,6 +11,7 @@
 #include "coupler/run/observed.hpp"
 #include "coupler/run/paired_run.hpp"
 #include "coupler/run/replay.hpp"
+#include "coupler/run/report_command.hpp"
 
 namespace dipper {
 namespace {
@@ -142,10 +143,19 @@ int command_line(int argc, char** argv) {
   observe->add_option("--out", words.out, "the folder to write")->required();
   observe->add_option("--set", words.set,
                       "observation.KEY=VALUE instead of what the run's case says");
+  ReportWords report_words;
+  auto* report = app.add_subcommand("report", "metrics, tables and the page of a run, or of dumps");
+  report->add_option("DIR", report_words.folder, "a run's folder, or one with dumps of LIGGGHTS")
+      ->required();
+  report->add_option("--timestep", report_words.timestep_s, "of the DEM [s], when no file tells it")
+      ->check(CLI::PositiveNumber);
+  report->add_option("--mesh", report_words.mesh, "the dipper's STL, for dumps without a record");
+  report->add_option("--poses", report_words.poses, "its poses: time_s,x_m,y_m,z_m,qw,qx,qy,qz");
   try {
     app.parse(argc, argv);
     if (*check) return check_command(words.folder, overrides(words), std::cout);
     if (*again) return replay_command(words);
+    if (*report) return report_command(report_words);
     if (*observe) return observe_command(words);
     return run_command(words);
   } catch (const CLI::ParseError& e) {

@@ -1,0 +1,77 @@
+#include "analysis/wall_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/line_reader.hpp"
+#include "analysis/vtk_file.hpp"
+
+namespace dipper {
+namespace {
+
+/// One value a triangle: a cell's value goes to each of its triangles.
+std::vector<double> values_of(const VtkFile& vtk, const VtkArray& array, const WallDump& wall) {
+  const std::vector<double> all = read_array(vtk, array);
+  std::vector<double> out;
+  for (const std::size_t cell : wall.cell) {
+    double square = 0;
+    for (std::size_t k = 0; k < array.components; ++k)
+      square += std::pow(all.at(cell * array.components + k), 2);
+    out.push_back(array.components == 1 ? all[cell] : std::sqrt(square));
+  }
+  return out;
+}
+
+void add_frame(WallField& f, const std::vector<double>& values) {
+  if (f.last.empty()) {
+    f.mean.assign(values.size(), 0);
+    f.max = values;
+  }
+  f.last = values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    f.mean[i] += values[i];
+    f.max[i] = std::max(f.max[i], values[i]);
+  }
+}
+
+}  // namespace
+
+std::vector<WallField> read_wall_fields(const DumpFolder& dumps) {
+  std::vector<WallField> fields;
+  for (const auto& [body, files] : dumps.walls) {
+    std::map<std::string, WallField> of;
+    WallDump wall;
+    for (const auto& [step, file] : files) {
+      const VtkFile vtk = index_vtk(file);
+      if (vtk.cell_data.size() == 1 && vtk.cell_array("meshid") != nullptr) continue;
+      wall = read_wall_dump(vtk);
+      for (const VtkArray& array : vtk.cell_data) {
+        if (array.name == "meshid") continue;
+        const std::vector<double> values = values_of(vtk, array, wall);
+        WallField& f = of[array.name];
+        if (!f.last.empty() && f.last.size() != values.size())
+          throw input_error(file, array.line,
+                            fmt::format("{} has {} triangles, the frame before had {}", body,
+                                        values.size(), f.last.size()));
+        add_frame(f, values);
+        f.time_s = static_cast<double>(step) * dumps.timestep_s;
+      }
+    }
+    for (auto& [name, f] : of) {
+      f.body = body;
+      f.field = name;
+      for (double& m : f.mean) m /= static_cast<double>(files.size());
+      for (std::size_t t = 0; t < wall.mesh.triangles.size(); ++t) {
+        const Triangle c = wall.mesh.corners(t);
+        f.middle_m.push_back((c[0] + c[1] + c[2]) / 3);
+        f.area_m2.push_back(facet_area(wall.mesh, t));
+      }
+      fields.push_back(std::move(f));
+    }
+  }
+  return fields;
+}
+
+}  // namespace dipper
