@@ -41,6 +41,7 @@ struct RockCase {
   double youngs_modulus_Pa = 0;
   double poisson_ratio = 0;
   double coarse_graining = 1;          ///< every size is multiplied by this
+  double fines_fraction = 0;           ///< of the voids, filled with fines that move with the rock
   std::filesystem::path shape_folder;  ///< where the files of the shapes are (meshes/rocks)
   std::string shape_resolution = "coarse";  ///< spheres a rock: coarse, medium or fine
   std::vector<SizeClass> classes;
@@ -60,6 +61,16 @@ struct ContactCase {
   double friction_truck = 0;
   double rolling_friction_sphere = 0;  ///< Eq. 8; spheres with spheres, rocks and dipper
   double rolling_friction_ground = 0;  ///< spheres on ground and truck
+  double cohesion_Pa = 0;              ///< tensile strength of the moist pile
+  double adhesion_Pa = 0;              ///< the same against bodies and truck
+};
+
+/// crust: rock that is frozen or compacted together until it breaks.
+struct CrustCase {
+  double tensile_strength_Pa = 0;  ///< of the bonds; 0: no crust
+  double shear_ratio = 1;          ///< shear strength by tensile strength
+  double above_m = 0;              ///< height in W from which rock is bonded
+  double thickness_m = 0;          ///< straight down from the pile's surface; 0: no limit
 };
 
 /// pile: a bench of rock that fills x > toe (at its angle of repose), between side walls.
@@ -102,7 +113,9 @@ struct CouplingCase {
 /// output
 struct OutputCase {
   double dump_every_s = 0;
-  double checkpoint_every_s = 0;  ///< simulated time; 0: only when interrupted
+  double checkpoint_every_s = 0;    ///< simulated time; 0: only when interrupted
+  std::string wall_stress = "off";  ///< pressure on the bodies' triangles
+  double wear_m3_J = 0;             ///< Finnie's coefficient; 0: no wear
 };
 
 /// observation: how the mine's instruments see a run (analysis/observe.hpp).
@@ -130,6 +143,7 @@ struct Case {
   MachineCase machine;
   RockCase rock;
   ContactCase contact;
+  CrustCase crust;
   PileCase pile;
   std::map<std::string, std::filesystem::path>
       bodies;  ///< body name -> wall mesh, in its own frame

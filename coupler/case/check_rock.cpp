@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "coupler/case/check_parts.hpp"
+#include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/shape_library.hpp"
 #include "coupler/deck/stable_timestep.hpp"
@@ -99,6 +100,15 @@ void check_rock(const Case& c, Findings& findings) {
                     counts[i].rocks, counts[i].name,
                     percent < 100 ? fmt::format("at least {:.2g} percent, ", percent) : "",
                     c.rock.classes[i].size_m * std::cbrt(counts[i].rocks))));
+  }
+
+  const bool needs_voids =
+      c.rock.fines_fraction > 0 || c.contact.cohesion_Pa > 0 || c.contact.adhesion_Pa > 0;
+  if (needs_voids && porosity(c) <= 0) {
+    findings.push_back(finding_at(
+        c, "rock.bulk_density_kg_m3",
+        fmt::format("{:g} leaves no voids in rock of {:g} kg/m3; fines and moisture need some",
+                    c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
   }
 
   const double limit_s = stable_timestep(unmixed);

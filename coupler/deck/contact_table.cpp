@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "coupler/dem/muck/muck_law.hpp"
+
 namespace dipper {
 namespace {
 
@@ -17,6 +19,18 @@ double damping(double share_of_critical, double stiffness, double meff) {
 
 }  // namespace
 
+double porosity(const Case& c) {
+  return std::max(0.0, 1 - c.rock.bulk_density_kg_m3 / c.rock.density_kg_m3);
+}
+
+double laden_density(const Case& c) {
+  return c.rock.density_kg_m3 * (1 + c.rock.fines_fraction * porosity(c));
+}
+
+bool sticks(const Case& c) {
+  return c.contact.cohesion_Pa > 0 || c.contact.adhesion_Pa > 0 || c.crust.tensile_strength_Pa > 0;
+}
+
 std::vector<RockClass> rock_classes(const Case& c) {
   std::vector<RockClass> out;
   for (const SizeClass& s : c.rock.classes) {
@@ -25,7 +39,7 @@ std::vector<RockClass> rock_classes(const Case& c) {
       throw std::invalid_argument("rock.classes: " + s.name +
                                   ": shapes must be [sphere] or names of rock shapes");
     const double r = s.size_m * c.rock.coarse_graining / 2;
-    out.push_back({r, c.rock.density_kg_m3 * 4.0 / 3.0 * M_PI * r * r * r, spheres == 1});
+    out.push_back({r, laden_density(c) * 4.0 / 3.0 * M_PI * r * r * r, spheres == 1});
   }
   return out;
 }
@@ -40,7 +54,7 @@ ContactTable contact_table(const Case& c) {
 
   ContactTable t;
   for (Eigen::MatrixXd* m :
-       {&t.kn, &t.kt, &t.gamman, &t.gammat, &t.friction, &t.rolling, &t.meff_kg})
+       {&t.kn, &t.kt, &t.gamman, &t.gammat, &t.friction, &t.rolling, &t.meff_kg, &t.pull_off_Pa})
     m->setZero(types.count(), types.count());
   const auto set = [&](int a, int b, const Pair& p) {
     for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
@@ -78,6 +92,18 @@ ContactTable contact_table(const Case& c) {
     wall(types.ground(), k.friction_ground, k.rolling_friction_ground);
     wall(types.truck(), k.friction_truck, k.rolling_friction_ground);
     wall(types.sides(), 0, 0);
+  }
+
+  const int n = types.classes;
+  const auto stress = [&](double strength) {
+    return strength > 0 ? muck::pull_off_stress(strength, porosity(c)) : 0.0;
+  };
+  t.pull_off_Pa.topLeftCorner(n, n).setConstant(stress(k.cohesion_Pa));
+  for (const auto& [wall, strength] : {std::pair{types.ground(), k.cohesion_Pa},
+                                       {types.dipper(), k.adhesion_Pa},
+                                       {types.truck(), k.adhesion_Pa}}) {
+    t.pull_off_Pa.col(wall - 1).head(n).setConstant(stress(strength));
+    t.pull_off_Pa.row(wall - 1).head(n).setConstant(stress(strength));
   }
   return t;
 }

@@ -25,6 +25,17 @@
 
 namespace dipper {
 
+/// Share of the settled pile that is not rock.
+double porosity(const Case& c);
+
+/// Mass of a rock, with the fines that move with it, by the rock's volume: rho (1 + phi e). The
+/// fines fill the share phi of the voids e and are packed as densely as the rock, so the pile's
+/// bulk density rho (1 - e) becomes rho (1 - e)(1 + phi e).
+double laden_density(const Case& c);
+
+/// Whether the rock needs the cohesion model `muck`: moist, or with a crust.
+bool sticks(const Case& c);
+
 /// All bodies of a class have one mass: size is the volume-equivalent diameter.
 struct RockClass {
   double radius_m = 0;  ///< volume-equivalent, coarse-grained
@@ -49,13 +60,14 @@ AtomTypes atom_types(const Case& c);
 
 /// Symmetric; row and column are type - 1. Wall against wall never meets: zero.
 struct ContactTable {
-  Eigen::MatrixXd kn;        ///< N/m
-  Eigen::MatrixXd kt;        ///< N/m
-  Eigen::MatrixXd gamman;    ///< 1/s
-  Eigen::MatrixXd gammat;    ///< 1/s
-  Eigen::MatrixXd friction;  ///< mu, Eq. 7
-  Eigen::MatrixXd rolling;   ///< mu'
-  Eigen::MatrixXd meff_kg;   ///< m above; what gamman was computed with
+  Eigen::MatrixXd kn;           ///< N/m
+  Eigen::MatrixXd kt;           ///< N/m
+  Eigen::MatrixXd gamman;       ///< 1/s
+  Eigen::MatrixXd gammat;       ///< 1/s
+  Eigen::MatrixXd friction;     ///< mu, Eq. 7
+  Eigen::MatrixXd rolling;      ///< mu'
+  Eigen::MatrixXd meff_kg;      ///< m above; what gamman was computed with
+  Eigen::MatrixXd pull_off_Pa;  ///< of moist rock: force by diameter squared; 0 on the sides
 };
 
 /// K_n = C k1 r1 k2 r2/(k1 r1 + k2 r2), k = E/(3(1 - 2 nu)) (Eqs. 4, 5); a wall is the limit of the

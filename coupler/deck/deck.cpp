@@ -40,6 +40,11 @@ std::int64_t prime_seed(std::int64_t seed, int k) {
   return n;
 }
 
+std::string wall_arrays(const OutputCase& o) {
+  return std::string("\"id") + (o.wall_stress == "on" ? " stress" : "") +
+         (o.wear_m3_J > 0 ? " wear" : "") + "\"";
+}
+
 std::string case_in(const Case& c) {
   const PileShape pile = pile_shape(c);
   const AtomTypes types = atom_types(c);
@@ -61,6 +66,11 @@ std::string case_in(const Case& c) {
   text("ground_type", std::to_string(types.ground()), "");
   text("truck_type", std::to_string(types.truck()), "");
   text("sides_type", std::to_string(types.sides()), "frictionless");
+  text("cohesion", sticks(c) ? "muck" : "off", "model; muck is in dipper-liggghts only");
+  var("bond_tension", c.crust.tensile_strength_Pa, "Pa, of a crust");
+  var("bond_shear", c.crust.shear_ratio * c.crust.tensile_strength_Pa, "Pa");
+  text("wear", c.output.wear_m3_J > 0 ? "finnie" : "off", "of dipper and door");
+  text("wall_arrays", wall_arrays(c.output), "in their dumps");
   var("toe", c.pile.toe_x_m, "m, x of the bench's toe");
   var("rear", pile.rear_x_m, "m, x of the wall behind it");
   var("height", c.pile.height_m, "m");
@@ -108,6 +118,19 @@ std::string material_in(const Case& c) {
   out += table("gammat", "c_t/m [1/s], Eq. 6: 2 D_t sqrt(K_t/m)", t.gammat);
   out += table("coefficientFriction", "mu, Eq. 7", t.friction);
   out += table("coefficientRollingFriction", "mu', Eq. 8", t.rolling);
+  if (sticks(c)) {
+    out += table("moistPullOff", "F/d^2 [Pa], coupler/dem/muck/muck_law.hpp", t.pull_off_Pa);
+    out +=
+        "\n# A crust: strengths [Pa], and where it forms\n"
+        "fix bondTensileStrength all property/global bondTensileStrength scalar ${bond_tension}\n"
+        "fix bondShearStrength all property/global bondShearStrength scalar ${bond_shear}\n"
+        "fix crust_zone all property/atom crust_zone scalar no yes no 0.0\n";
+  }
+  if (c.output.wear_m3_J > 0) {
+    const Eigen::MatrixXd k =
+        Eigen::MatrixXd::Constant(t.kn.rows(), t.kn.cols(), c.output.wear_m3_J);
+    out += table("k_finnie", "Finnie's coefficient [m3/J]", k);
+  }
   return out;
 }
 
@@ -118,7 +141,7 @@ struct Template {
 
 std::string rocks_in(const Case& c, const std::map<std::string, RockShape>& shapes) {
   const std::vector<RockClass> classes = rock_classes(c);
-  const double rho = c.rock.density_kg_m3;
+  const double rho = laden_density(c);
   std::string out =
       "# Written by dipper from the case: one template a class and shape. Mass and inertia are "
       "the\n"
@@ -174,7 +197,7 @@ PileShape pile_shape(const Case& c) {
   s.crest_x_m = p.toe_x_m + run;
   s.rear_x_m = s.crest_x_m + p.crest_depth_m;
   s.volume_m3 = p.width_m * p.height_m * (run / 2 + p.crest_depth_m);
-  s.mass_kg = kSpare * kSettledFraction * c.rock.density_kg_m3 * s.volume_m3;
+  s.mass_kg = kSpare * kSettledFraction * laden_density(c) * s.volume_m3;
   s.pour_height_m = p.height_m * kSpare * kSettledFraction / kPouredFraction;
   return s;
 }

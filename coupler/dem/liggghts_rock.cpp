@@ -18,6 +18,8 @@
 #include <stdexcept>
 
 #include "coupler/core/sha256.hpp"
+#include "coupler/dem/muck/crust.hpp"
+#include "coupler/dem/muck/register_muck.hpp"
 #include "coupler/dem/wall_motion.hpp"
 
 namespace dipper {
@@ -31,6 +33,7 @@ LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup
   }
   std::vector<char*> args;
   for (auto& w : words) args.push_back(w.data());
+  register_muck();
   lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(args.size()), args.data(), comm);
   lmp_->input->file(setup.deck.c_str());
   for (const auto& body : setup_.bodies) walls_.push_back(WallMotion::attach(lmp_.get(), body));
@@ -48,6 +51,7 @@ ServerInfo LiggghtsRock::info() const {
   info.channels.push_back({"rock_kinetic_energy", "J", "-"});
   info.channels.push_back({"rocks", "1", "-"});      // multispheres
   info.channels.push_back({"particles", "1", "-"});  // spheres, those of the rocks included
+  if (setup_.crust) info.channels.push_back({"bonds", "1", "-"});  // of the crust, unbroken
   info.timestep_s = lmp_->update->dt;
   return info;
 }
@@ -58,6 +62,10 @@ RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
   }
   X_WB_ = X_WB;
   start();
+  if (setup_.crust && !setup_.resumed) {
+    form_crust(*lmp_, *setup_.crust);
+    start();
+  }
   return state();
 }
 
@@ -135,6 +143,7 @@ std::vector<double> LiggghtsRock::weigh() const {
     }
   }
   sums[n + 3] = atom->nlocal;
+  if (setup_.crust) sums.push_back(count_bonds(*lmp_));
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
                 comm_);
   return sums;

@@ -35,9 +35,12 @@ json to_json(const RockSetup& setup) {
           {array(w.load.torque), array(w.load.force), array(w.V_WB_W.w), array(w.V_WB_W.v)});
     }
   }
-  return {{"deck", setup.deck},     {"variables", setup.variables}, {"log", setup.log},
-          {"screen", setup.screen}, {"bodies", setup.bodies},       {"resumed", resumed},
-          {"scales", scales}};
+  json crust;  // null: none
+  if (setup.crust) crust = {setup.crust->above_m, setup.crust->thickness_m};
+  return {{"deck", setup.deck},     {"variables", setup.variables},
+          {"log", setup.log},       {"screen", setup.screen},
+          {"bodies", setup.bodies}, {"resumed", resumed},
+          {"scales", scales},       {"crust", crust}};
 }
 
 RockSetup rock_setup_from(const json& j) {
@@ -53,6 +56,9 @@ RockSetup rock_setup_from(const json& j) {
       setup.resumed->push_back(
           {{vector(w.at(0)), vector(w.at(1))}, {vector(w.at(2)), vector(w.at(3))}});
     }
+  }
+  if (const auto& crust = j.at("crust"); !crust.is_null()) {
+    setup.crust = CrustZone{crust.at(0), crust.at(1)};
   }
   for (const auto& s : j.at("scales")) {
     const auto R = s.at("R_WS").get<std::array<double, 4>>();

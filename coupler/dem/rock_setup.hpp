@@ -25,6 +25,12 @@ struct Scale {
   Vector3d min_m, max_m;
 };
 
+/// Where rock is bonded when a run begins (not when it is resumed).
+struct CrustZone {
+  double above_m = 0;      ///< height in W
+  double thickness_m = 0;  ///< straight down from the surface; 0: no limit
+};
+
 /// What dipper-dem is started with (written by the launcher as JSON).
 struct RockSetup {
   std::string deck;                                            ///< LIGGGHTS input script
@@ -33,6 +39,7 @@ struct RockSetup {
   std::string screen;                                          ///< LIGGGHTS screen output
   std::vector<std::string> bodies;                             ///< fix ids of the moving walls
   std::vector<Scale> scales;
+  std::optional<CrustZone> crust;
   /// Set, one a body, when the deck reads a checkpoint, with the walls in place.
   std::optional<std::vector<WallMemory>> resumed;
 };

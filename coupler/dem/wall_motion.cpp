@@ -12,26 +12,15 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "coupler/dem/put_fix.hpp"
+
 namespace dipper {
 
 using LAMMPS_NS::FixMeshSurface;
 using NodeVelocity = LAMMPS_NS::MultiVectorContainer<double, 3, 3>;
 
 WallMotion* WallMotion::attach(LAMMPS_NS::LAMMPS* lmp, const std::string& mesh_id) {
-  // Modify creates fixes by style name only, and its table of styles is private. So let it make a
-  // fix that does nothing, then put ours in its place: from there on Modify treats it like any.
-  const std::string id = mesh_id + "_motion";
-  std::vector<std::string> words = {id, "all", "print", "2000000000", "-", mesh_id};
-  std::vector<char*> args;
-  for (auto& w : words) args.push_back(w.data());
-  LAMMPS_NS::Modify* modify = lmp->modify;
-  modify->add_fix(5, args.data());
-  const int slot = modify->find_fix(id.c_str());
-  auto* motion = new WallMotion(lmp, static_cast<int>(args.size()), args.data());
-  delete modify->fix[slot];
-  modify->fix[slot] = motion;
-  modify->fmask[slot] = motion->setmask();
-  return motion;
+  return put_fix<WallMotion>(lmp, {mesh_id + "_motion", "all", mesh_id});
 }
 
 WallMotion::WallMotion(LAMMPS_NS::LAMMPS* l, int narg, char** arg) : Fix(l, narg, arg) {

@@ -13,6 +13,7 @@
 #include "coupler/case/case_hash.hpp"
 #include "coupler/core/coupling.hpp"
 #include "coupler/core/sha256.hpp"
+#include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/mesh/stl.hpp"
 #include "coupler/motion/motion.hpp"
@@ -92,7 +93,7 @@ class Leg {
     facts_.effects = c.effects;
     facts_.timestep_s = c.dem.timestep_s;
     facts_.struck_volume_m3 = shovel_.struck_volume_m3;
-    facts_.bulk_density_kg_m3 = c.rock.bulk_density_kg_m3;
+    facts_.bulk_density_kg_m3 = c.rock.bulk_density_kg_m3 * laden_density(c) / c.rock.density_kg_m3;
     if (from_) {
       dem_step_ = from_->dem_step;
       facts_.syncs = from_->step_index;

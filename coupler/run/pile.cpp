@@ -12,6 +12,7 @@
 
 #include "coupler/core/cache_folder.hpp"
 #include "coupler/core/sha256.hpp"
+#include "coupler/deck/contact_table.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
 #include "coupler/run/last_words.hpp"
@@ -62,8 +63,9 @@ Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
   const fs::path work = entry.string() + fmt::format(".{}.part", getpid());
   fs::create_directories(work);
   const fs::path screen = logs / "settle.screen";
+  const std::string binary = sticks(c) ? program("dipper-liggghts") : "liggghts";
   Process liggghts(
-      mpirun(c.dem.ranks, {"liggghts", "-in", (source_folder() / "dem_in" / "settle.in").string(),
+      mpirun(c.dem.ranks, {binary, "-in", (source_folder() / "dem_in" / "settle.in").string(),
                            "-log", (logs / "settle.liggghts").string(), "-screen", screen.string(),
                            "-var", "deck", deck.string(), "-var", "out", work.string(), "-var",
                            "ranks_y", std::to_string(c.dem.ranks)}),

@@ -75,6 +75,9 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
   setup.scales = {
       {"mass_in_dipper", "dipper", Pose{}, facts.dipper_load.min, facts.dipper_load.max},
       {"mass_in_truck", "", X_WT, facts.truck_bed.min, facts.truck_bed.max}};
+  if (c.crust.tensile_strength_Pa > 0) {
+    setup.crust = CrustZone{c.crust.above_m, c.crust.thickness_m};
+  }
   return to_json(setup);
 }
 
