@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/report/replay_blocks.hpp"
 #include "analysis/report/replay_source.hpp"
 
 namespace dipper {
@@ -19,19 +20,20 @@ struct ReportCurve {
 
 /// What the page shows. Every part may be missing: its section is then left out.
 struct ReportInput {
-  nlohmann::json metrics;               ///< as docs/metrics.md says
-  std::vector<double> time_s;           ///< of every curve
+  nlohmann::json metrics;      ///< as docs/metrics.md says
+  std::vector<double> time_s;  ///< of every curve
   std::vector<ReportCurve> curves;
-  std::string case_text;                ///< key=value lines
+  std::string case_text;       ///< key=value lines
   const ReplaySource* replay = nullptr;
 };
 
-/// Curves the page draws, read from a run's record.h5; fills time_s, curves and case_text.
-/// Throws std::runtime_error naming file and dataset.
-void read_record(const std::filesystem::path& record, ReportInput& input);
+/// The page's text. `title` goes into the browser's tab.
+std::string report_page(const std::string& title, const ReportInput& input,
+                        const ReplayLimits& limits = {});
 
-/// Writes `file` under another name and moves it into place, so no half page is left. Throws
+/// Writes the page under another name and moves it into place, so no half page is left. Throws
 /// std::runtime_error naming the file.
-void write_report_page(const ReportInput& input, const std::filesystem::path& file);
+void write_report_page(const std::string& title, const ReportInput& input,
+                       const std::filesystem::path& file);
 
 }  // namespace dipper

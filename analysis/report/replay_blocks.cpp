@@ -1,0 +1,135 @@
+#include "analysis/report/replay_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "analysis/report/packing.hpp"
+
+namespace dipper {
+namespace {
+
+using json = nlohmann::json;
+
+/// To `per_unit` parts of a unit; the quotient prints short, a product need not.
+double rounded(double x, double per_unit) { return std::round(x * per_unit) / per_unit; }
+
+/// Nine numbers a triangle [m], to the millimetre.
+json triangles(const TriangleMesh& mesh) {
+  json flat = json::array();
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    for (const auto& corner : mesh.corners(k)) {
+      for (const double x : {corner.x(), corner.y(), corner.z()}) {
+        flat.push_back(rounded(x, 1e3));
+      }
+    }
+  }
+  return flat;
+}
+
+json pose(const Pose& X) {
+  json row = json::array();
+  for (const double x : {X.p.x(), X.p.y(), X.p.z()}) row.push_back(rounded(x, 1e4));
+  for (const double q : {X.R.w(), X.R.x(), X.R.y(), X.R.z()}) row.push_back(rounded(q, 1e5));
+  return row;
+}
+
+std::vector<std::size_t> every(std::size_t stride, std::size_t count) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < count; i += stride) kept.push_back(i);
+  if (!kept.empty() && kept.back() != count - 1) kept.push_back(count - 1);
+  return kept;
+}
+
+/// Blocks and poses of the frames kept; nothing when they pass `bytes_max`.
+struct Encoded {
+  std::vector<std::vector<std::uint8_t>> blocks;
+  std::vector<std::size_t> frames_in_block;
+  std::vector<json> poses;  ///< one a wall
+};
+std::optional<Encoded> encode(const ReplaySource& source, const std::vector<std::size_t>& kept,
+                              ReplayEncoder encoder, const ReplayLimits& limits) {
+  Encoded out;
+  out.poses.assign(source.walls().size(), json::array());
+  std::vector<std::uint8_t> raw;
+  std::size_t bytes = 0, frames = 0;
+  ReplayFrame frame;
+  for (const std::size_t k : kept) {
+    source.read(k, frame);
+    encoder.encode(frame, raw);
+    ++frames;
+    for (std::size_t w = 0; w < out.poses.size(); ++w) {
+      out.poses[w].push_back(pose(frame.walls.at(w).X_WB));
+    }
+    if (raw.size() >= limits.block_bytes || k == kept.back()) {
+      out.blocks.push_back(gzip(raw.data(), raw.size()));
+      out.frames_in_block.push_back(frames);
+      bytes += out.blocks.back().size();
+      if (bytes > limits.bytes_max && kept.size() > 2) return std::nullopt;
+      raw.clear();
+      frames = 0;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limits) {
+  ReplayExtent extent;
+  ReplayFrame frame;
+  const auto& times = source.times_s();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    source.read(k, frame);
+    extent.add(frame);
+  }
+  std::size_t one_in = 1;
+  std::vector<ReplaySphere> spheres = extent.spheres;
+  while (spheres.size() > limits.spheres_max) {
+    ++one_in;
+    spheres.clear();
+    std::copy_if(extent.spheres.begin(), extent.spheres.end(), std::back_inserter(spheres),
+                 [&](const ReplaySphere& s) { return shown(s, one_in); });
+  }
+  // From the face inwards: what moves stands together, and zeros make long runs.
+  std::sort(spheres.begin(), spheres.end(), [](const ReplaySphere& a, const ReplaySphere& b) {
+    return std::make_pair(a.p_m.x(), a.id) < std::make_pair(b.p_m.x(), b.id);
+  });
+
+  const ReplayEncoder encoder(extent, spheres);
+  std::size_t stride = 1;
+  while (times.size() / stride * spheres.size() * 7 > limits.decoded_max) stride *= 2;
+  auto kept = every(stride, times.size());
+  auto encoded = encode(source, kept, encoder, limits);
+  while (!encoded) {
+    stride *= 2;
+    kept = every(stride, times.size());
+    encoded = encode(source, kept, encoder, limits);
+  }
+
+  json head = {{"spheres", spheres.size()},
+               {"spheres_in_run", extent.spheres.size()},
+               {"one_rock_in", one_in},
+               {"one_frame_in", stride},
+               {"frames_in_run", times.size()},
+               {"speed_max_m_s", extent.speed_max_m_s},
+               {"origin_m", {encoder.origin_m().x(), encoder.origin_m().y(), encoder.origin_m().z()}},
+               {"step_m", {encoder.step_m().x(), encoder.step_m().y(), encoder.step_m().z()}},
+               {"frames_in_block", encoded->frames_in_block}};
+  for (const std::size_t k : kept) head["times_s"].push_back(rounded(times[k], 1e6));
+  for (const auto& s : spheres) {
+    head["radius_m"].push_back(rounded(static_cast<double>(s.radius_m), 1e4));
+    head["type"].push_back(s.type);
+    head["rock"].push_back(s.rock);
+  }
+  head["walls"] = json::array();
+  for (std::size_t w = 0; w < source.walls().size(); ++w) {
+    const auto& wall = source.walls()[w];
+    head["walls"].push_back({{"name", wall.name},
+                             {"triangles_m", triangles(wall.mesh)},
+                             {"poses", encoded->poses[w]}});
+  }
+  return {std::move(head), std::move(encoded->blocks)};
+}
+
+}  // namespace dipper

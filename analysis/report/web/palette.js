@@ -1,0 +1,46 @@
+// Colours. Curves and classes: Okabe and Ito 2008, told apart with any colour vision. Scales get
+// darker all the way, so that they also read in grey; both as in scripts/plot_run.
+
+export const INK = '#1f262d';
+export const MUTED = '#5a646e';
+export const RULE = '#d9d5cd';
+export const STEEL = '#33404d';
+
+export const BLUE = '#0072b2';
+export const ORANGE = '#d55e00';
+export const GREEN = '#009e73';
+export const PURPLE = '#aa4499';
+export const OCHRE = '#b07d00';
+export const SKY = '#56b4e9';
+
+export const CLASSES = ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#f0e442', '#555555'];
+export const classColour = (type) => CLASSES[(type - 1) % CLASSES.length];
+
+export const SPEED = ['#dcd8d0', '#e0b25c', '#cf6a2e', '#7b2d5b', '#1b1440'];
+export const SIZE = ['#e6e3dc', '#a9c3cf', '#5f97b3', '#2b6490', '#12305c'];
+
+export const BULK = '#2b6490';
+export const FLOW = '#e08e2b';
+
+const PHASES = {
+  reach: '#e4e1db', approach: '#e4e1db', return: '#e4e1db', wait: '#f0eeea',
+  penetrate: '#e8c9a0', dig: '#e3d3ae', fill: '#e3d3ae',
+  breakout: '#cfdcc4', lift: '#cfdcc4', swing: '#c5d8e6', dump: '#dccbe0',
+};
+export const phaseTone = (name) => PHASES[name] ?? '#eceae6';
+
+/// [r, g, b], 0 to 255, of a scale at x in 0 to 1.
+export function ramp(stops, x) {
+  const at = Math.min(Math.max(x, 0), 1) * (stops.length - 1);
+  const k = Math.min(Math.floor(at), stops.length - 2);
+  const [a, b] = [rgb(stops[k]), rgb(stops[k + 1])];
+  return a.map((v, i) => Math.round(v + (b[i] - v) * (at - k)));
+}
+
+export function rgb(hex) {
+  const n = parseInt(hex.slice(1), 16);
+  return [n >> 16, (n >> 8) & 255, n & 255];
+}
+
+export const css = ([r, g, b]) => `rgb(${r} ${g} ${b})`;
+export const gradient = (stops) => `linear-gradient(90deg, ${stops.join(', ')})`;

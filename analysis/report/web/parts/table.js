@@ -1,0 +1,19 @@
+// A table whose columns know how to print themselves.
+import { h } from '../dom.js';
+
+/// columns: [{name, unit, cell(row), kind}]; the first column names the row. kind 'text' is left-aligned.
+export function table(caption, columns, rows, { foot = [], compact = false } = {}) {
+  const line = (row) => h('tr', columns.map((column, k) => h(k === 0 ? 'th' : 'td',
+    { scope: k === 0 ? 'row' : undefined, class: column.kind === 'text' ? 'text' : undefined,
+      'data-name': column.unit ? `${column.name} (${column.unit})` : column.name }, column.cell(row))));
+  return h('div.table', h(`table${compact ? '.compact' : ''}`, caption && h('caption', caption),
+    h('thead', h('tr', columns.map((column) => h('th', { scope: 'col', class: column.kind === 'text' ? 'text' : undefined },
+      column.name, column.unit && h('span.unit', column.unit))))),
+    h('tbody', rows.map(line)), foot.length > 0 && h('tfoot', foot.map(line))));
+}
+
+/// Names and values, two columns: [[name, value], …].
+export function facts(pairs) {
+  return h('dl.facts', pairs.filter(([, value]) => value !== undefined && value !== null).map(([name, value]) =>
+    h('div', h('dt', name), h('dd', value))));
+}

@@ -1,0 +1,135 @@
+// The replay with its controls.
+import { Vector3 } from 'three';
+import { h, onWidth } from '../dom.js';
+import { fixed, number, seconds } from '../format.js';
+import { SIZE, SPEED, classColour, css, gradient, phaseTone, ramp, rgb } from '../palette.js';
+import { Stage } from './stage.js';
+
+const SPEED_TOP = 2; // m/s; a falling rock is faster, but what matters is what creeps and what slides
+
+export function replay(head, frames, clock, phases, classNames, readout) {
+  const canvas = h('canvas', { tabindex: '0', role: 'img', 'aria-label': 'Replay of the dig in three dimensions. Drag to orbit, two fingers or the wheel to zoom.' });
+  const clockFace = h('output.clock', { 'aria-live': 'off' });
+  const loading = h('p.loading', { role: 'status' }, 'Unpacking the replay …');
+  const screen = h('div.screen', canvas, h('div.overlay', clockFace, readout?.element), loading);
+
+  let stage;
+  try {
+    stage = new Stage(canvas, head, frames, clock, SPEED_TOP);
+  } catch (error) {
+    return h('p.note', 'The replay needs WebGL 2, which this browser does not give: ', error.message);
+  }
+
+  const play = h('button.play', { type: 'button', 'aria-label': 'Play', onclick: () => clock.toggle() });
+  clock.addEventListener('state', () => {
+    play.setAttribute('aria-label', clock.playing ? 'Pause' : 'Play');
+    play.classList.toggle('on', clock.playing);
+  });
+  const scrub = h('input.scrub', {
+    type: 'range', min: clock.times[0], max: clock.end, step: 'any', value: clock.times[0], 'aria-label': 'Time',
+    oninput: () => { clock.pause(); clock.set(Number(scrub.value)); },
+  });
+  const track = h('div.track', phaseBand(phases, clock), scrub);
+  const rate = choice('Speed', [['0.25', '¼×'], ['1', '1×'], ['2', '2×'], ['4', '4×']], '1', (value) => { clock.rate = Number(value); });
+
+  const legend = h('div.legend');
+  const radii = [...new Set(head.radius_m ?? [])].sort((a, b) => a - b);
+  const colourBy = {
+    speed: () => {
+      stage.rocks.tint(null);
+      legend.replaceChildren(scaleLegend('speed', SPEED, 0, SPEED_TOP, 'm/s', true));
+    },
+    size: () => {
+      const [low, high] = [radii[0], radii[radii.length - 1]];
+      stage.rocks.tint((i) => ramp(SIZE, high > low ? (head.radius_m[i] - low) / (high - low) : 0.5));
+      legend.replaceChildren(scaleLegend('sphere diameter', SIZE, 2 * low, 2 * high, 'm'));
+    },
+    class: () => {
+      stage.rocks.tint((i) => rgb(classColour(head.type[i])));
+      const types = [...new Set(head.type ?? [])].sort((a, b) => a - b);
+      legend.replaceChildren(...types.map((type) => h('span.key',
+        h('i', { style: `background:${classColour(type)}` }), classNames[type - 1] ?? `class ${type}`)));
+    },
+  };
+  const colour = choice('Colour by', [['speed', 'speed'], ['size', 'size'], ['class', 'class']], 'speed', (value) => {
+    colourBy[value]();
+    stage.ask();
+  });
+  colourBy.speed();
+
+  const views = cameraViews(stage);
+  const camera = h('div.group', { role: 'group', 'aria-label': 'View' }, h('span.label', 'View'),
+    Object.keys(views).map((name) => h('button', { type: 'button', onclick: views[name] }, name)));
+  const cut = toggle('Cut through the dipper', (on) => { stage.cutting = on; stage.ask(); });
+  const solid = toggle('Solid walls', (on) => { stage.walls.forEach((wall) => wall.seeThrough(!on)); stage.ask(); });
+
+  const show = () => {
+    scrub.value = clock.time;
+    scrub.setAttribute('aria-valuetext', seconds(clock.time));
+    clockFace.textContent = seconds(clock.time);
+    readout?.show(clock.time);
+  };
+  clock.addEventListener('time', show);
+
+  onWidth(screen, (width) => stage.resize(width, screen.clientHeight));
+  frames.load(() => {
+    if (!stage.placed) {
+      stage.placed = true;
+      stage.draw();
+      views.Dig();
+    }
+    loading.textContent = `Unpacking the replay … ${Math.round(100 * frames.ready / clock.times.length)} %`;
+    if (frames.ready >= clock.times.length) loading.remove();
+    stage.ask();
+  });
+  show();
+  canvas.stage = stage; // for whoever measures how fast it draws
+  return h('div.replay', screen,
+    h('div.transport', play, track, rate),
+    h('div.options', colour, legend, camera, h('div.group', cut, solid)),
+    h('p.note', note(head), ' ', h('kbd', 'Space'), ' plays, ', h('kbd', '←'), ' ', h('kbd', '→'),
+      ' step a frame, with ', h('kbd', 'Shift'), ' a second.'));
+}
+
+function note(head) {
+  const few = head.one_rock_in > 1 ? ` One rock in ${head.one_rock_in} is shown.` : '';
+  const rare = head.one_frame_in > 1 ? ` Every ${head.one_frame_in}th frame of the dumps is shown.` : '';
+  const interval = head.times_s.length > 1 ? (head.times_s[head.times_s.length - 1] - head.times_s[0]) / (head.times_s.length - 1) : 0;
+  return `${fixed(head.spheres, 0)} spheres, ${head.times_s.length} frames ${number(interval, 2)} s apart, drawn on a straight line between them.${few}${rare}`;
+}
+
+function cameraViews(stage) {
+  const dipper = () => stage.dipper?.position ?? stage.rocks.geometry.boundingSphere.center;
+  const box = stage.rocks.geometry.boundingSphere;
+  const narrow = () => (stage.camera.aspect < 1 ? 1.7 : 1);
+  return {
+    Dig: () => stage.look(new Vector3(dipper().x + 3.5, dipper().y, 4.2), new Vector3(-11, -27, 10).multiplyScalar(narrow()), false),
+    Follow: () => stage.look(dipper().clone().add(new Vector3(1, 0, 0)), new Vector3(-5, -13, 5.5).multiplyScalar(narrow()), true),
+    Above: () => stage.look(new Vector3(dipper().x, box.center.y, 0), new Vector3(-0.5, 0, 52).multiplyScalar(narrow()), false),
+    All: () => stage.look(box.center.clone().setZ(3), new Vector3(-0.45, -0.72, 0.52).multiplyScalar(1.9 * box.radius * narrow()), false),
+  };
+}
+
+function phaseBand(phases, clock) {
+  const span = clock.end - clock.times[0];
+  return h('div.phases', { 'aria-hidden': 'true' }, phases.map((p) => {
+    const left = 100 * (p.from - clock.times[0]) / span;
+    const width = 100 * (Math.min(p.to, clock.end) - p.from) / span;
+    return width > 0 && h('span', { style: `left:${left}%;width:${width}%;background:${phaseTone(p.name)}`, title: p.name }, h('b', p.name));
+  }));
+}
+
+function choice(label, values, chosen, act) {
+  const name = `choice-${label.replace(/\W/g, '')}`;
+  return h('fieldset.choice', h('legend', label), values.map(([value, text]) => h('label',
+    h('input', { type: 'radio', name, value, checked: value === chosen, onchange: () => act(value) }), h('span', text))));
+}
+
+function toggle(label, act) {
+  return h('label.toggle', h('input', { type: 'checkbox', onchange: (event) => act(event.target.checked) }), h('span', label));
+}
+
+function scaleLegend(what, stops, low, high, unit, open) {
+  return h('span.scale', h('span', number(low, 2)), h('i', { style: `background:${gradient(stops)}` }),
+    h('span', `${open ? '≥ ' : ''}${number(high, 2)} ${unit}`), h('span.what', what));
+}

@@ -1,0 +1,118 @@
+// The scene: rocks, walls, ground, light and the camera.
+import {
+  Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshLambertMaterial, PerspectiveCamera,
+  Plane, PlaneGeometry, Scene, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { SPEED } from '../palette.js';
+import { Rocks } from './rocks.js';
+import { Wall } from './walls.js';
+
+const SKY = 0xeef1f2;
+
+export class Stage {
+  constructor(canvas, head, frames, clock, scaleTop) {
+    this.clock = clock;
+    this.frames = frames;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.scene = new Scene();
+    this.scene.background = new Color(SKY);
+    this.scene.fog = new Fog(SKY, 70, 160);
+    this.camera = new PerspectiveCamera(36, 2, 0.3, 400);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.maxPolarAngle = 0.495 * Math.PI;
+    this.controls.minDistance = 3;
+    this.controls.maxDistance = 120;
+    this.controls.addEventListener('change', () => this.ask());
+
+    this.rocks = new Rocks(head, frames, scaleTop, SPEED);
+    this.walls = head.walls.map((wall) => new Wall(wall));
+    this.dipper = this.walls.find((wall) => wall.name === 'dipper');
+    this.scene.add(this.rocks, ...this.walls, ground(), ...lights());
+    this.plane = new Plane();
+    this.cutting = false;
+    this.following = false;
+    this.frameTimes = [];
+    clock.addEventListener('time', () => this.ask());
+  }
+
+  resize(width, height) {
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.ask();
+  }
+
+  /// Draws once before the next picture of the screen, however often it is asked.
+  ask() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.draw();
+    });
+  }
+
+  draw() {
+    if (!this.frames.ready) return;
+    const { first, second, share } = this.between();
+    const before = this.dipper?.position.clone();
+    for (const wall of this.walls) wall.at(first, second, share);
+    this.rocks.at(first, second, share);
+    if (this.following && this.dipper && before) {
+      const moved = this.dipper.position.clone().sub(before);
+      this.camera.position.add(moved);
+      this.controls.target.add(moved);
+      this.camera.lookAt(this.controls.target);
+    }
+    this.rocks.cut(this.cutting ? this.middlePlane() : null);
+    const start = performance.now();
+    this.renderer.render(this.scene, this.camera);
+    this.lastDraw = performance.now() - start;
+  }
+
+  between() {
+    const last = this.frames.ready - 1;
+    const first = Math.min(this.clock.index(this.clock.time), last);
+    const second = Math.min(first + 1, last);
+    const [a, b] = [this.clock.times[first], this.clock.times[second]];
+    return { first, second, share: b > a ? Math.min((this.clock.time - a) / (b - a), 1) : 0 };
+  }
+
+  /// Through the dipper's middle; its positive side is the camera's.
+  middlePlane() {
+    if (!this.dipper) return null;
+    const lateral = new Vector3(0, 1, 0).applyQuaternion(this.dipper.quaternion);
+    if (lateral.dot(this.camera.position.clone().sub(this.dipper.position)) < 0) lateral.negate();
+    return this.plane.setFromNormalAndCoplanarPoint(lateral, this.dipper.position);
+  }
+
+  /// Looks from `offset` [m] at the dipper, or at a point.
+  look(target, offset, follow) {
+    this.following = follow;
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).add(offset);
+    this.controls.update();
+    this.ask();
+  }
+}
+
+function ground() {
+  const group = new Group();
+  const plane = new Mesh(new PlaneGeometry(400, 400), new MeshLambertMaterial({ color: 0xd9d6cf }));
+  plane.position.z = -0.03;
+  const grid = new GridHelper(200, 40, 0xb8b3a9, 0xc9c5bc);
+  grid.rotation.x = Math.PI / 2;
+  group.add(plane, grid);
+  return group;
+}
+
+function lights() {
+  const sun = new DirectionalLight(0xffffff, 1.6);
+  sun.position.set(-20, -30, 50);
+  const sky = new HemisphereLight(0xffffff, 0xb9b2a5, 1.9);
+  sky.position.set(0, 0, 1);
+  return [sun, sky];
+}

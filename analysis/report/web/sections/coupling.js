@@ -1,0 +1,49 @@
+// What the coupling did, and what it cost.
+import { h, section } from '../dom.js';
+import { duration, fixed, megajoules, number, percent } from '../format.js';
+import { bar } from '../parts/bar.js';
+import { curve } from '../parts/curve.js';
+import { facts } from '../parts/table.js';
+import { BLUE, CLASSES, GREEN, ORANGE, SKY } from '../palette.js';
+
+export function coupling(model, clock) {
+  const { coupling: c, dem, mbs, run } = model;
+  if (!c) return null;
+  const time = model.curves.time_s;
+  const work = model.channel('coupling/rock_work')?.map((v) => Math.max(Math.abs(v ?? 0), 1) / 1e6);
+  const residual = model.channel('coupling/energy_residual')?.map((v) => Math.max(Math.abs(v ?? 0), 1) / 1e6);
+  const sync = model.channel('sync_s')?.map((v) => (v ? v * 1e3 : null));
+  const steady = sync && Math.max(...sync) - Math.min(...sync.filter((v) => v)) < 1e-6;
+  const share = Math.abs(c.energy_residual_J / c.interface_work_J);
+  return section('coupling', 'What the coupling did',
+    `The two sides met ${fixed(c.syncs, 0)} times. Energy that the exchange made or lost is the residual: ${percent(share, 2)} of the work that passed between rock and machine.`,
+    work && residual && curve(time, [
+      { label: 'work between rock and machine', values: work, colour: BLUE },
+      { label: 'residual', values: residual, colour: ORANGE, width: 1.4 },
+    ], { title: 'Energy', unit: 'MJ', height: 190, logY: true, clock, bands: model.phases }),
+    sync && !steady && curve(time, [{ label: 'length of a sync step', values: sync, colour: GREEN, width: 1.4, stepped: true }],
+      { title: 'Sync step', unit: 'ms', height: 140, clock, bands: model.phases }),
+    timeSpent(model),
+    facts([
+      ['Scheme', c.scheme],
+      ['Sync step', `${number(1e3 * c.sync_step_mean_s, 3)} ms${steady ? '' : ' (mean)'}`],
+      ['DEM step', dem && `${number(1e3 * dem.timestep_s, 3)} ms, ${fixed(dem.steps, 0)} of them`],
+      ['Residual', `${megajoules(c.energy_residual_J, 3)} of ${megajoules(c.interface_work_J, 2)} MJ`],
+      ['Messages sent again', c.resends],
+      ['Wall time', dem && duration(dem.wall_s)],
+      ['Processor time', run.cpu_s && `${duration(run.cpu_s)}; ${number(run.cpu_s_per_sim_s, 3)} s a simulated second`],
+      ['Rock side', dem && `${number(dem.particle_steps_per_cpu_s / 1e6, 3)} million particle steps a processor second`],
+      ['Machine side', mbs && `${number(mbs.realtime_factor, 2)} times real time`],
+    ]));
+}
+
+function timeSpent(model) {
+  const { dem, coupling: c } = model;
+  if (!dem || !Number.isFinite(c.overhead_fraction)) return null;
+  const rock = (1 - c.overhead_fraction) * dem.wall_s;
+  const machine = Math.min(model.mbs?.cpu_s ?? 0, dem.wall_s - rock);
+  const rest = Math.max(dem.wall_s - rock - machine, 0);
+  const part = (name, value, colour) => ({ name, value, colour, text: `${duration(value)}, ${percent(value / dem.wall_s)}` });
+  return h('div', h('h3', 'Time spent where'), bar('Wall time', [
+    part('rock (DEM)', rock, CLASSES[4]), part('machine', machine, SKY), part('exchange, record and waiting', rest, CLASSES[1])]));
+}

@@ -1,0 +1,43 @@
+// Title and the figures a reader looks for first.
+import { h } from '../dom.js';
+import { duration, fixed, meganewtons, megajoules, number, percent, seconds, tonnes } from '../format.js';
+import { table } from '../parts/table.js';
+
+export function masthead(model) {
+  const { run } = model;
+  return h('header.masthead',
+    h('p.eyebrow', 'Dipper report'),
+    h('h1', model.title),
+    h('p.lead', [
+      run.rocks && `${fixed(run.rocks, 0)} rocks of ${fixed(run.particles, 0)} spheres`,
+      run.sim_s && `${seconds(run.sim_s, 1)} of digging`,
+      run.cpu_s && `computed in ${duration(run.cpu_s)} of processor time`,
+      run.seed !== undefined && `seed ${run.seed}`,
+    ].filter(Boolean).join(' · ')),
+    run.status && run.status !== 'complete' && h('p.warning', { role: 'alert' }, `This run is ${run.status}: the figures are of the part that there is.`));
+}
+
+export function headline(model) {
+  const { passes, run } = model;
+  if (!passes.length) return null;
+  const columns = [
+    { name: 'Pass', cell: (p) => p.pass },
+    { name: 'Payload', unit: 't', cell: (p) => tonnes(p.payload_kg) },
+    { name: 'In the truck', unit: 't', cell: (p) => tonnes(p.truck_kg) },
+    { name: 'Fill factor', cell: (p) => fixed(p.fill_factor, 2) },
+    { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
+    { name: 'peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
+    { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
+    { name: 'Spilt', unit: 't', cell: (p) => tonnes(p.spillage_kg, 2) },
+    { name: 'Cycle', unit: 's', cell: (p) => fixed(p.t_end_s - p.t_start_s, 1) },
+    { name: 'Cost', unit: 'CPU s', cell: (p) => number((p.t_end_s - p.t_start_s) * run.cpu_s_per_sim_s, 3) },
+  ].filter((column) => passes.some((p) => column.cell(p) !== '–'));
+  const sum = (key) => passes.reduce((total, p) => total + (p[key] ?? NaN), 0);
+  const total = passes.length > 1 ? [{
+    pass: 'All', payload_kg: sum('payload_kg'), truck_kg: sum('truck_kg'), fill_factor: sum('fill_factor') / passes.length,
+    dig_force_mean_N: NaN, dig_force_peak_N: Math.max(...passes.map((p) => p.dig_force_peak_N)), dig_work_J: sum('dig_work_J'),
+    spillage_kg: sum('spillage_kg'), t_start_s: passes[0].t_start_s, t_end_s: passes[passes.length - 1].t_end_s,
+  }] : [];
+  return h('section', { id: 'headline', 'aria-label': 'Headline figures', class: passes.length === 1 ? 'single' : undefined },
+    table(null, columns, passes, { foot: total }));
+}

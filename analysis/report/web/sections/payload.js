@@ -1,0 +1,1 @@
+export function payload(model) { return null; }
