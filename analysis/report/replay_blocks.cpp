@@ -107,15 +107,16 @@ ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limit
     encoded = encode(source, kept, encoder, limits);
   }
 
-  json head = {{"spheres", spheres.size()},
-               {"spheres_in_run", extent.spheres.size()},
-               {"one_rock_in", one_in},
-               {"one_frame_in", stride},
-               {"frames_in_run", times.size()},
-               {"speed_max_m_s", extent.speed_max_m_s},
-               {"origin_m", {encoder.origin_m().x(), encoder.origin_m().y(), encoder.origin_m().z()}},
-               {"step_m", {encoder.step_m().x(), encoder.step_m().y(), encoder.step_m().z()}},
-               {"frames_in_block", encoded->frames_in_block}};
+  json head = {
+      {"spheres", spheres.size()},
+      {"spheres_in_run", extent.spheres.size()},
+      {"one_rock_in", one_in},
+      {"one_frame_in", stride},
+      {"frames_in_run", times.size()},
+      {"speed_max_m_s", extent.speed_max_m_s},
+      {"origin_m", {encoder.origin_m().x(), encoder.origin_m().y(), encoder.origin_m().z()}},
+      {"step_m", {encoder.step_m().x(), encoder.step_m().y(), encoder.step_m().z()}},
+      {"frames_in_block", encoded->frames_in_block}};
   for (const std::size_t k : kept) head["times_s"].push_back(rounded(times[k], 1e6));
   for (const auto& s : spheres) {
     head["radius_m"].push_back(rounded(static_cast<double>(s.radius_m), 1e4));
@@ -125,9 +126,8 @@ ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limit
   head["walls"] = json::array();
   for (std::size_t w = 0; w < source.walls().size(); ++w) {
     const auto& wall = source.walls()[w];
-    head["walls"].push_back({{"name", wall.name},
-                             {"triangles_m", triangles(wall.mesh)},
-                             {"poses", encoded->poses[w]}});
+    head["walls"].push_back(
+        {{"name", wall.name}, {"triangles_m", triangles(wall.mesh)}, {"poses", encoded->poses[w]}});
   }
   return {std::move(head), std::move(encoded->blocks)};
 }

@@ -14,9 +14,9 @@ namespace dipper {
 
 struct ReplayLimits {
   std::size_t spheres_max = 40000;
-  std::size_t bytes_max = 15'000'000;        ///< 20 MB as base64, of a page's 25
-  std::size_t decoded_max = 200'000'000;     ///< held by the browser while it plays
-  std::size_t block_bytes = 4'000'000;       ///< before compression; each is shown as it is read
+  std::size_t bytes_max = 15'000'000;     ///< 20 MB as base64, of a page's 25
+  std::size_t decoded_max = 200'000'000;  ///< held by the browser while it plays
+  std::size_t block_bytes = 4'000'000;    ///< before compression; each is shown as it is read
 };
 
 struct ReplayBlocks {

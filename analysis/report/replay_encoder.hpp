@@ -24,7 +24,7 @@ class ReplayExtent {
  public:
   void add(const ReplayFrame& frame);
 
-  BoundingBox box;         ///< of the centres
+  BoundingBox box;  ///< of the centres
   double speed_max_m_s = 0;
   std::vector<ReplaySphere> spheres;  ///< one an id, as it was first seen
 

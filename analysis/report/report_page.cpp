@@ -30,7 +30,8 @@ json round_to(const std::vector<double>& values, int digits) {
 }
 
 json curves(const ReportInput& input) {
-  json out = {{"time_s", round_to(thin_times(input.time_s, kBins), 7)}, {"channels", json::object()}};
+  json out = {{"time_s", round_to(thin_times(input.time_s, kBins), 7)},
+              {"channels", json::object()}};
   for (const auto& c : input.curves) {
     if (c.values.size() != input.time_s.size()) {
       throw std::invalid_argument("report: " + c.name + " has " + std::to_string(c.values.size()) +
@@ -68,10 +69,9 @@ json slices(const ReportInput& input) {
   ReplayFrame frame;
   for (const auto& stage : *stages) {
     const double t = stage.at("t_s").get<double>();
-    const auto nearest =
-        std::min_element(times.begin(), times.end(), [t](double a, double b) {
-          return std::abs(a - t) < std::abs(b - t);
-        });
+    const auto nearest = std::min_element(times.begin(), times.end(), [t](double a, double b) {
+      return std::abs(a - t) < std::abs(b - t);
+    });
     input.replay->read(static_cast<std::size_t>(nearest - times.begin()), frame);
     json s = to_json(slice(frame, walls, dipper));
     s["stage"] = stage;
@@ -84,11 +84,20 @@ std::string html_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -117,8 +126,10 @@ std::string report_page(const std::string& title, const ReportInput& input,
       "<title>{} – Dipper</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>",
       html_text(title));
   page += kReportStyle;
-  page += "</style>\n</head>\n<body>\n<noscript>This report draws itself with JavaScript, which is "
-          "off here. Its numbers are in metrics.json beside it.</noscript>\n<main id=\"report\"></main>\n";
+  page +=
+      "</style>\n</head>\n<body>\n<noscript>This report draws itself with JavaScript, which is "
+      "off here. Its numbers are in metrics.json beside it.</noscript>\n<main "
+      "id=\"report\"></main>\n";
   const auto add = [&page](const std::string& kind, const std::vector<std::uint8_t>& bytes) {
     page += "<script type=\"text/plain\" data-" + kind + ">" + base64(bytes) + "</script>\n";
   };
@@ -143,7 +154,8 @@ void write_report_page(const std::string& title, const ReportInput& input,
   if (!out || failed) {
     std::error_code ignored;
     std::filesystem::remove(part, ignored);
-    throw std::runtime_error(file.string() + ": cannot be written; is the disk full, or the folder "
+    throw std::runtime_error(file.string() +
+                             ": cannot be written; is the disk full, or the folder "
                              "not yours?");
   }
 }

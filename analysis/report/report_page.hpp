@@ -23,7 +23,7 @@ struct ReportInput {
   nlohmann::json metrics;      ///< as docs/metrics.md says
   std::vector<double> time_s;  ///< of every curve
   std::vector<ReportCurve> curves;
-  std::string case_text;       ///< key=value lines
+  std::string case_text;  ///< key=value lines
   const ReplaySource* replay = nullptr;
 };
 

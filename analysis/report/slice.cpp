@@ -48,8 +48,7 @@ Slice slice(const ReplayFrame& frame, const std::vector<ReplayWall>& walls, std:
     const Vector3d p = seen(p_W);
     const auto r = static_cast<double>(sphere.radius_m);
     if (std::abs(p.y()) > 0.5 * window.thickness_m || !inside_window(p.x(), p.z(), r)) continue;
-    const Vector3d v_of_dipper =
-        state.V_WB_W.v + state.V_WB_W.w.cross(Vector3d(p_W - X_WB.p));
+    const Vector3d v_of_dipper = state.V_WB_W.v + state.V_WB_W.w.cross(Vector3d(p_W - X_WB.p));
     const double speed = (sphere.v_m_s.cast<double>() - v_of_dipper).norm();
     found.push_back({p.y(), {p.x(), p.z(), r, sphere.rock, speed, X_BW * p_W}});
   }

@@ -12,9 +12,9 @@ namespace dipper {
 /// to the face, `up` away from the ground [m], both from the dipper's origin.
 struct SliceSphere {
   double out, up, radius;
-  std::int64_t rock;         ///< as ReplaySphere::rock
-  double relative_speed;     ///< [m/s] of the sphere in the moving dipper
-  Eigen::Vector3d p_B;       ///< [m]
+  std::int64_t rock;      ///< as ReplaySphere::rock
+  double relative_speed;  ///< [m/s] of the sphere in the moving dipper
+  Eigen::Vector3d p_B;    ///< [m]
 };
 struct SliceSegment {
   std::array<double, 2> from, to;  ///< (out, up)

@@ -14,7 +14,8 @@ int main(int argc, char** argv) {
   }
   using namespace dipper;
   const double T = std::atof(argv[4]);
-  const test::SyntheticDig dig(static_cast<std::size_t>(std::atol(argv[2])), static_cast<std::size_t>(std::atol(argv[3])), T);
+  const test::SyntheticDig dig(static_cast<std::size_t>(std::atol(argv[2])),
+                               static_cast<std::size_t>(std::atol(argv[3])), T);
   ReportInput input;
   input.replay = &dig;
   ReportCurve hoist{"machine/hoist_force", "N", {}}, crowd{"machine/crowd_force", "N", {}},
@@ -29,7 +30,8 @@ int main(int argc, char** argv) {
   input.curves = {hoist, crowd, load};
   input.case_text = "title=\"A synthetic dig\"\nrock.density_kg_m3=3215\n";
   input.metrics = {{"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
-                   {"phases", {{{"phase", "reach"}, {"t_start_s", 0}, {"t_end_s", 0.2 * T}},
-                               {{"phase", "dig"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
+                   {"phases",
+                    {{{"phase", "reach"}, {"t_start_s", 0}, {"t_end_s", 0.2 * T}},
+                     {{"phase", "dig"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
   write_report_page("A synthetic dig", input, argv[1]);
 }

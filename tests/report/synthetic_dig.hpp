@@ -14,7 +14,8 @@ class SyntheticDig : public ReplaySource {
   /// `noise_m` is how far rocks at rest tremble, about what contacts leave.
   SyntheticDig(std::size_t spheres, std::size_t frames, double duration_s, double noise_m = 1e-4)
       : spheres_(spheres), noise_m_(noise_m) {
-    walls_ = {{"dipper", box({0, -2, -1.5}, {4, 2, 1.5})}, {"door", box({-0.2, -2, -1.5}, {0, 2, 1.5})}};
+    walls_ = {{"dipper", box({0, -2, -1.5}, {4, 2, 1.5})},
+              {"door", box({-0.2, -2, -1.5}, {0, 2, 1.5})}};
     for (std::size_t k = 0; k < frames; ++k) {
       times_.push_back(duration_s * static_cast<double>(k) / static_cast<double>(frames - 1));
     }
@@ -54,7 +55,8 @@ class SyntheticDig : public ReplaySource {
       Vector3d v = Vector3d::Zero();
       if (t > met && std::abs(rest.y()) < 2 && rest.z() < 5) {
         const double a = 3 * (t - met) + static_cast<double>(i % 7);
-        p += dipper(t).X_WB.p - dipper(met).X_WB.p + 0.3 * Vector3d(std::sin(a), std::cos(a), std::sin(2 * a));
+        p += dipper(t).X_WB.p - dipper(met).X_WB.p +
+             0.3 * Vector3d(std::sin(a), std::cos(a), std::sin(2 * a));
         v = dipper(t).V_WB_W.v + 0.9 * Vector3d(std::cos(a), -std::sin(a), 2 * std::cos(2 * a));
       } else {
         const double a = static_cast<double>(i * 31 + index * 17);

@@ -19,6 +19,12 @@ export function fixed(x, places) {
   return typeof x === 'number' && Number.isFinite(x) ? grouped(x.toFixed(places)) : '–';
 }
 
+/// A number beside an axis: no more digits than it has.
+export function tick(x) {
+  if (x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e6)) return `10${power(Math.round(Math.log10(Math.abs(x))))}`;
+  return grouped(String(Number(x.toPrecision(6))));
+}
+
 function grouped(text) {
   const [whole, part] = text.replace('-', MINUS).split('.');
   const spaced = whole.length > 5 ? whole.replace(/\B(?=(\d{3})+$)/g, THIN) : whole;

@@ -1,7 +1,7 @@
 // The page: reads what it carries, puts the sections one under the other.
 import { Clock, listenToKeys } from './clock.js';
 import { h, section } from './dom.js';
-import { meganewtons, seconds, tonnes } from './format.js';
+import { meganewtons, tonnes } from './format.js';
 import { Model } from './model.js';
 import { replay } from './replay/replay.js';
 import { caseSection } from './sections/case.js';
@@ -14,7 +14,10 @@ import { signals } from './sections/signals.js';
 import { Frames, readHead } from './unpack.js';
 
 async function start() {
+  // Curves are painted text and all: their font has to be there first.
+  const fonts = ['400', '500', '600'].map((weight) => document.fonts.load(`${weight} 12px "IBM Plex Sans"`));
   const model = new Model(await readHead());
+  await Promise.all(fonts);
   const page = document.getElementById('report');
   const frames = model.replay && new Frames(model.replay);
   const clock = new Clock(frames?.times.length ? frames.times : model.curves.time_s);

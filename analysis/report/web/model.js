@@ -1,5 +1,7 @@
 // What the page draws, made from metrics.json (docs/metrics.md) and the curves of the record.
 
+const FLOW_FASTER = 0.1; // m/s against the dipper; docs/metrics.md
+
 export class Model {
   constructor(head) {
     const m = head.metrics ?? {};
@@ -13,10 +15,17 @@ export class Model {
     this.coupling = m.coupling;
     this.dem = m.dem;
     this.mbs = m.mbs;
-    this.zones = m.zones;
+    const { frames, dipper } = m;
+    this.zones = frames?.flow_kg && {
+      threshold_m_s: FLOW_FASTER,
+      cavity: dipper?.cavity,
+      time_s: frames.time_s,
+      all_t: frames.in_dipper_kg.map((kg) => kg / 1e3),
+      bulk_t: frames.bulk_kg.map((kg) => kg / 1e3),
+    };
     this.phases = (m.phases ?? []).map((p) => ({ name: p.phase, from: p.t_start_s, to: p.t_end_s }));
     this.run = m.run ?? {};
-    this.classNames = (m.classes ?? []).map((c) => c.name ?? c);
+    this.classNames = (m.sizes ?? []).map((c) => c.name);
   }
 
   channel(name) {

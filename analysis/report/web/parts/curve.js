@@ -1,7 +1,7 @@
 // Curves on one axis, by uPlot: bands behind them, a marker that follows a clock, a click that sets it.
 import uPlot from 'uplot';
 import { h, onWidth } from '../dom.js';
-import { number } from '../format.js';
+import { number, tick } from '../format.js';
 import { INK, MUTED, phaseTone } from '../palette.js';
 
 const FONT = '12px "IBM Plex Sans", system-ui, sans-serif';
@@ -9,7 +9,7 @@ const cursors = uPlot.sync('time');
 
 /// lines: [{label, values, colour, width, dash, fill}]; x and values are arrays of the same length.
 /// options: title, unit, height, bands [{name, from, to}], clock, logX, logY, xLabel, xRange, yRange,
-/// stepped, describe (what a screen reader says).
+/// xTicks (where labels stand), describe (what a screen reader says).
 export function curve(x, lines, options) {
   const box = h('div.plot', { role: 'img', 'aria-label': options.describe ?? `${options.title}: ${lines.map((l) => l.label).join(', ')}` });
   const keys = lines.map((line) => ({ line, value: h('span.value', '') }));
@@ -48,9 +48,9 @@ function settings(lines, options, width, showValues) {
       y: { distr: options.logY ? 3 : 1, range: options.yRange ? () => options.yRange : undefined },
     },
     axes: [
-      { ...axis, size: options.xLabel ? 46 : 28, label: options.xLabel, labelFont: FONT, labelSize: 18, space: 56,
-        values: (_plot, ticks) => ticks.map((t) => (t === null ? '' : number(t, 3))) },
-      { ...axis, size: 48, space: 34, values: (_plot, ticks) => ticks.map((t) => (t === null ? '' : number(t, 3))) },
+      { ...axis, size: 26, label: options.xLabel, labelFont: FONT, labelSize: 20, labelGap: 0, space: 56, values: labels,
+        splits: options.xTicks && (() => options.xTicks), filter: options.xTicks && ((_plot, ticks) => ticks) },
+      { ...axis, size: 48, space: 34, values: labels, splits: options.logY && decades },
     ],
     series: [{}, ...lines.map((line) => ({
       label: line.label, stroke: line.colour, width: line.width ?? 2, dash: line.dash, fill: line.fill,
@@ -62,6 +62,14 @@ function settings(lines, options, width, showValues) {
       setCursor: [(plot) => showValues(plot, plot.cursor.idx)],
     },
   };
+}
+
+const labels = (_plot, ticks) => ticks.map((t) => (t === null ? '' : tick(t)));
+
+function decades(_plot, _axis, low, high) {
+  const [from, to] = [Math.ceil(Math.log10(low)), Math.floor(Math.log10(high))];
+  const every = Math.max(1, Math.ceil((to - from) / 4));
+  return Array.from({ length: Math.floor((to - from) / every) + 1 }, (_, k) => 10 ** (from + k * every));
 }
 
 function drawBands(plot, bands) {

@@ -31,7 +31,7 @@ export function sliceFigure(slice, zone, clock, index) {
       'stroke-width': 0.11, fill: 'none', 'stroke-linecap': 'round' })),
     h('figcaption', h('button.stage', { type: 'button', title: 'Show this moment in the replay', onclick: () => { clock.pause(); clock.set(slice.time_s); } },
       h('b', `${stage.stage ?? index + 1}`), h('span', `${fixed(slice.time_s, 2)} s`)),
-    h('span', stage.title ?? stage.name ?? '')));
+    h('span', stage.name ?? '', Number.isFinite(stage.mass_kg) && ` · ${tonnes(stage.mass_kg)} t in the dipper`)));
 }
 
 function extent(slice) {

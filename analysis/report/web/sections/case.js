@@ -3,7 +3,7 @@ import { h, section } from '../dom.js';
 import { facts } from '../parts/table.js';
 
 export function caseSection(model) {
-  const groups = new Map();
+  const groups = new Map([['case', []]]);
   for (const line of model.caseText.split('\n')) {
     const at = line.indexOf('=');
     if (at < 0) continue;
@@ -19,8 +19,8 @@ export function caseSection(model) {
       ['Case', run.case], ['Seed', run.seed], ['Dipper', run.version], ['Rock side', run.rock_version],
       ['Machine side', run.machine_version], ['Case hash', hash(run.case_hash)], ['End state hash', hash(run.state_hash)],
     ]),
-    [...groups].map(([name, keys]) => h('details', h('summary', name, h('span.count', `${keys.length}`)),
-      h('dl.keys', keys.map(([key, value]) => h('div', h('dt', key), h('dd', value)))))));
+    h('div.groups', [...groups].filter(([, keys]) => keys.length).map(([name, keys]) => h('details', h('summary', name, h('span.count', `${keys.length}`)),
+      h('dl.keys', keys.map(([key, value]) => h('div', h('dt', key), h('dd', value))))))));
 }
 
 // 17 digits say the same number as the fewest that give it back.

@@ -13,7 +13,9 @@ export function coupling(model, clock) {
   const work = model.channel('coupling/rock_work')?.map((v) => Math.max(Math.abs(v ?? 0), 1) / 1e6);
   const residual = model.channel('coupling/energy_residual')?.map((v) => Math.max(Math.abs(v ?? 0), 1) / 1e6);
   const sync = model.channel('sync_s')?.map((v) => (v ? v * 1e3 : null));
-  const steady = sync && Math.max(...sync) - Math.min(...sync.filter((v) => v)) < 1e-6;
+  // The last step is cut to the run's end, and the first row is the start.
+  const within = sync?.slice(2, -2).filter((v) => v);
+  const steady = within?.length > 0 && Math.max(...within) - Math.min(...within) < 1e-6;
   const share = Math.abs(c.energy_residual_J / c.interface_work_J);
   return section('coupling', 'What the coupling did',
     `The two sides met ${fixed(c.syncs, 0)} times. Energy that the exchange made or lost is the residual: ${percent(share, 2)} of the work that passed between rock and machine.`,

@@ -26,7 +26,7 @@ export function headline(model) {
     { name: 'In the truck', unit: 't', cell: (p) => tonnes(p.truck_kg) },
     { name: 'Fill factor', cell: (p) => fixed(p.fill_factor, 2) },
     { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
-    { name: 'peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
+    { name: 'Dig force, peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
     { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
     { name: 'Spilt', unit: 't', cell: (p) => tonnes(p.spillage_kg, 2) },
     { name: 'Cycle', unit: 's', cell: (p) => fixed(p.t_end_s - p.t_start_s, 1) },

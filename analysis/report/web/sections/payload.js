@@ -1,1 +1,46 @@
-export function payload(model) { return null; }
+// The payload by three ways, and where the rock went that they do not share.
+import { h, section } from '../dom.js';
+import { percent, seconds, tonnes } from '../format.js';
+import { bar } from '../parts/bar.js';
+import { table } from '../parts/table.js';
+import { BLUE, GREEN, OCHRE, ORANGE, PURPLE } from '../palette.js';
+
+export function payload(model) {
+  const passes = model.passes.filter((p) => p.payload_ways);
+  if (!passes.length) return null;
+  return section('payload', 'The payload by three ways',
+    'The rock counted inside the dipper, what the walls weigh while the dipper hangs still, and what arrives in the truck.',
+    passes.flatMap((p) => [passes.length > 1 && h('h3', `Pass ${p.pass}`), ways(p), notes(p), fate(p)]));
+}
+
+function ways(pass) {
+  const w = pass.payload_ways;
+  const rows = [
+    ['rocks inside the dipper', w.inside_kg, `mean over ${span(w)}`],
+    ['weight on dipper and door', w.wrench_kg, `while it hangs still, ${span(w)}`],
+    ['gained by the truck', w.truck_kg, 'to the end of the pass'],
+  ].filter(([, kg]) => Number.isFinite(kg));
+  const first = rows[0][1];
+  return table(null, [
+    { name: 'Way', cell: (r) => r[0] },
+    { name: 'Mass', unit: 't', cell: (r) => tonnes(r[1], 2) },
+    { name: 'against the first', unit: '', cell: (r) => (r === rows[0] ? '–' : `${r[1] >= first ? '+' : ''}${percent(r[1] / first - 1, 2)}`) },
+    { name: 'When', kind: 'text', cell: (r) => r[2] },
+  ], rows, { compact: true });
+}
+
+const span = (w) => (Number.isFinite(w.still_from_s) ? `${seconds(w.still_from_s)} to ${seconds(w.still_to_s)}` : 'the last second before the door opens');
+
+function notes(pass) {
+  const list = pass.payload_ways.notes ?? [];
+  return list.length > 0 && h('ul.notes', list.map((text) => h('li', text)));
+}
+
+function fate(pass) {
+  const of = (name, key, colour) => ({ name, value: pass[key] ?? 0, colour, text: `${tonnes(pass[key], 2)} t` });
+  if (!Number.isFinite(pass.lifted_kg)) return null;
+  const rest = ['carry_back_kg', 'back_in_pile_kg', 'spillage_kg'].reduce((sum, key) => sum + (pass[key] ?? 0), 0);
+  return h('div', h('h3', `Where the ${tonnes(pass.lifted_kg)} t that were lifted went`), bar('Fate of the load', [
+    { name: 'truck', value: pass.lifted_kg - rest, colour: GREEN, text: `${tonnes(pass.lifted_kg - rest, 2)} t` },
+    of('spilt', 'spillage_kg', ORANGE), of('back in the pile', 'back_in_pile_kg', OCHRE), of('still in the dipper', 'carry_back_kg', PURPLE)]));
+}

@@ -1,0 +1,12 @@
+// The curves of the report, from a run's record.
+#pragma once
+
+#include "analysis/report/report_page.hpp"
+
+namespace dipper {
+
+/// Fills `time_s` and `curves`: drives, rock and coupling, and "dig_force" [N], the paper's Eq. 11.
+/// Throws std::runtime_error naming file and dataset.
+void read_curves(const std::filesystem::path& record, ReportInput& input);
+
+}  // namespace dipper
