@@ -59,6 +59,10 @@ class Page(unittest.TestCase):
         self.browser.run("dipper.clock.set(0)")
         at_rest = self.picture()
         self.assertGreater(len(set(at_rest.getdata())), 200, "no shaded spheres: the canvas is blank or flat")
+        # The dipper is inside the pile: cut it open. What it carries moves.
+        cut = self.browser.driver.find_element(By.XPATH, "//label[contains(., 'Cut')]/input")
+        cut.click()
+        self.addCleanup(cut.click)
         self.browser.run("dipper.clock.set(4)")
         # What moves is ochre to violet, with little green; rest, ground and walls are nearly grey.
         moving = lambda image: sum(max(r, b) - g > 25 for r, g, b in image.getdata())
