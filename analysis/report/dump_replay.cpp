@@ -1,68 +1,23 @@
 #include "analysis/report/dump_replay.hpp"
 
-#include <algorithm>
 #include <array>
-#include <memory>
-
-#include "analysis/vtk_file.hpp"
-#include "coupler/record/record.hpp"
 
 namespace dipper {
-namespace {
 
-/// Recorded poses and twists of a body, and the row for a time.
-class RecordedBody {
- public:
-  RecordedBody(const std::filesystem::path& record, const std::string& body)
-      : time_(read_channel(record, "time_s")) {
-    for (std::size_t k = 0; k < 7; ++k) {
-      pose_[k] = read_channel(record, "bodies/" + body + "/pose", k);
-    }
-    for (std::size_t k = 0; k < 6; ++k) {
-      twist_[k] = read_channel(record, "bodies/" + body + "/twist", k);
-    }
-  }
-  bool empty() const { return time_.empty(); }
-
-  /// The last row at or before a time; sync steps are a small part of a frame.
-  BodyState at(double time_s) const {
-    const auto after = std::upper_bound(time_.begin(), time_.end(), time_s + 1e-9);
-    const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - time_.begin() - 1, 0));
-    const auto p = [&](std::size_t k) { return pose_[k][i]; };
-    const auto v = [&](std::size_t k) { return twist_[k][i]; };
-    BodyState s;
-    s.X_WB.p = {p(0), p(1), p(2)};
-    s.X_WB.R = Quaterniond(p(3), p(4), p(5), p(6)).normalized();
-    s.V_WB_W.w = {v(0), v(1), v(2)};
-    s.V_WB_W.v = {v(3), v(4), v(5)};
-    return s;
-  }
-
- private:
-  std::vector<double> time_;
-  std::array<std::vector<double>, 7> pose_;
-  std::array<std::vector<double>, 6> twist_;
-};
-
-const std::array<std::string, 2> kDriven{"dipper", "door"};
-
-}  // namespace
-
-std::vector<MovingWall> walls_of_run(const std::filesystem::path& record, const DumpFolder& dumps) {
+std::vector<MovingWall> replay_walls(const RunFolder& run) {
   std::vector<MovingWall> walls;
-  for (const auto& [name, steps] : dumps.walls) {
-    if (steps.empty()) continue;
-    const auto& [step, file] = *steps.begin();
-    MovingWall wall{{name, read_wall_dump(index_vtk(file)).mesh},
-                    [](double) { return BodyState{}; }};
-    if (std::find(kDriven.begin(), kDriven.end(), name) != kDriven.end()) {
-      const auto body = std::make_shared<RecordedBody>(record, name);
-      if (body->empty()) continue;
-      const Pose X_BW = inverse(body->at(static_cast<double>(step) * dumps.timestep_s).X_WB);
-      for (auto& vertex : wall.wall.mesh.vertices) vertex = X_BW * vertex;
-      wall.state = [body](double t) { return body->at(t); };
+  for (const auto& [name, mesh] : run.meshes) {
+    const auto recorded = run.signals.walls.find(name);
+    if (recorded != run.signals.walls.end()) {
+      walls.push_back(
+          {{name, mesh}, [&track = recorded->second](double t) { return track.at(t); }});
+    } else if (name == "dipper" && !run.dipper.empty()) {
+      walls.push_back({{name, mesh}, [&track = run.dipper](double t) { return track.at(t); }});
+    } else if (name == "truck") {
+      walls.push_back({{name, mesh}, [X_WT = run.places.X_WT](double) {
+                         return BodyState{X_WT, {}};
+                       }});
     }
-    walls.push_back(std::move(wall));
   }
   return walls;
 }

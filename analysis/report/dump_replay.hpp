@@ -5,6 +5,7 @@
 
 #include "analysis/dump_folder.hpp"
 #include "analysis/report/replay_source.hpp"
+#include "analysis/run_folder.hpp"
 
 namespace dipper {
 
@@ -14,10 +15,9 @@ struct MovingWall {
   std::function<BodyState(double time_s)> state;
 };
 
-/// The walls of a run of Dipper: those in its record, with the meshes of its first wall dump put
-/// back into their own frames, and the others of its dumps, which stand still. Throws what the
-/// record's and the dump's readers throw.
-std::vector<MovingWall> walls_of_run(const std::filesystem::path& record, const DumpFolder& dumps);
+/// The walls of a run, or of dumps with a mesh and poses: dipper and door on their tracks, the
+/// truck where it stands. `run` has to outlive them.
+std::vector<MovingWall> replay_walls(const RunFolder& run);
 
 /// Needs the columns id, x, y, z and radius; type, id_multisphere and vx, vy, vz when they are
 /// there.

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "analysis/report/run_page.hpp"
 #include "analysis/report_files.hpp"
 #include "analysis/run_folder.hpp"
 #include "coupler/motion/input_error.hpp"
@@ -46,9 +47,11 @@ int report_command(const ReportWords& words) {
     if (run.is_run) check_dumps_are_of(run, dumps);
     const Metrics metrics = compute_metrics(run, dumps);
     const fs::path folder = fs::path(words.folder) / "report";
-    write_report(metrics, folder);
+    write_report(metrics, folder, [&](const fs::path& made) {
+      write_run_page(run, dumps, metrics.values, made / "report.html");
+    });
     print_passes(metrics.values);
-    fmt::print("{}\n", (folder / "metrics.json").string());
+    fmt::print("{}\n", (folder / "report.html").string());
     return 0;
   } catch (const InputError& e) {
     fmt::print(stderr, "dipper: {}\n", e.what());

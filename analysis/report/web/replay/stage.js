@@ -34,7 +34,6 @@ export class Stage {
     this.plane = new Plane();
     this.cutting = false;
     this.following = false;
-    this.frameTimes = [];
     clock.addEventListener('time', () => this.ask());
   }
 
@@ -68,9 +67,7 @@ export class Stage {
       this.camera.lookAt(this.controls.target);
     }
     this.rocks.cut(this.cutting ? this.middlePlane() : null);
-    const start = performance.now();
     this.renderer.render(this.scene, this.camera);
-    this.lastDraw = performance.now() - start;
   }
 
   between() {
@@ -101,9 +98,9 @@ export class Stage {
 
 function ground() {
   const group = new Group();
-  const plane = new Mesh(new PlaneGeometry(400, 400), new MeshLambertMaterial({ color: 0xd9d6cf }));
+  const plane = new Mesh(new PlaneGeometry(400, 400), new MeshLambertMaterial({ color: 0xcdc9c0 }));
   plane.position.z = -0.03;
-  const grid = new GridHelper(200, 40, 0xb8b3a9, 0xc9c5bc);
+  const grid = new GridHelper(200, 40, 0xb3aea3, 0xc0bbb1);
   grid.rotation.x = Math.PI / 2;
   group.add(plane, grid);
   return group;

@@ -1,0 +1,22 @@
+#include "analysis/report/run_page.hpp"
+
+#include "analysis/report/dump_replay.hpp"
+#include "analysis/report/record_curves.hpp"
+#include "analysis/report/report_page.hpp"
+
+namespace dipper {
+
+void write_run_page(const RunFolder& run, const DumpFolder& dumps,
+                    const nlohmann::ordered_json& metrics, const std::filesystem::path& file) {
+  const DumpReplay replay(dumps, replay_walls(run));
+  ReportInput input;
+  input.metrics = metrics;
+  input.case_text = run.case_text;
+  input.replay = &replay;
+  if (run.is_run) read_curves(run.folder / "record.h5", input);
+  std::string title = run.text("title");
+  if (title.empty()) title = std::filesystem::weakly_canonical(run.folder).filename().string();
+  write_report_page(title, input, file);
+}
+
+}  // namespace dipper

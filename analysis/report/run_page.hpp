@@ -1,0 +1,17 @@
+// The report's page of a run's folder, or of dumps alone.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "analysis/dump_folder.hpp"
+#include "analysis/run_folder.hpp"
+
+namespace dipper {
+
+/// `metrics` as docs/metrics.md says. Throws what the record's and the dumps' readers throw, and
+/// std::runtime_error when the file cannot be written.
+void write_run_page(const RunFolder& run, const DumpFolder& dumps,
+                    const nlohmann::ordered_json& metrics, const std::filesystem::path& file);
+
+}  // namespace dipper
