@@ -83,7 +83,9 @@ class Loader {
       }
     }
     if (free_names) {
-      if (node.children.empty()) add(node, key, "is empty; write at least one entry");
+      if (node.children.empty() && is_required(pattern)) {
+        add(node, key, "is empty; write at least one entry");
+      }
       return;
     }
     for (const std::string& name : known) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,14 @@ struct ServerInfo {
   std::vector<Channel> channels;
   double timestep_s = 0;  ///< the side's own step; the sync step is a multiple of the DEM's
 };
+
+/// Where a channel is in every `channels` vector. Throws std::invalid_argument when there is none.
+inline std::size_t channel_index(const ServerInfo& info, const std::string& name) {
+  for (std::size_t i = 0; i < info.channels.size(); ++i) {
+    if (info.channels[i].name == name) return i;
+  }
+  throw std::invalid_argument(info.version + " has no channel " + name);
+}
 
 /// The machine at one instant. One entry a body; `channels` as announced.
 struct MachineState {

@@ -7,6 +7,7 @@
 #include "coupler/case/check_command.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
+#include "coupler/run/machine_replay.hpp"
 #include "coupler/run/network.hpp"
 #include "coupler/run/observed.hpp"
 #include "coupler/run/paired_run.hpp"
@@ -85,7 +86,21 @@ int run_command(const Words& words) {
   return static_cast<int>(paired_run(c, options));
 }
 
+int changed_machine_command(const Words& words) {
+  if (words.side != "mbs" || words.out.empty()) {
+    throw CLI::ValidationError("--set", "replays another machine: it needs --side mbs and --out");
+  }
+  std::vector<Finding> findings;
+  const Case changed = case_of_run(words.folder, overrides(words), findings);
+  for (const Finding& f : findings) fmt::print(stderr, "{}\n", to_string(f));
+  if (!findings.empty()) return 2;
+  enter_private_network();
+  observe_changed_machine(words.folder, changed, words.out);
+  return 0;
+}
+
 int replay_command(const Words& words) {
+  if (!words.set.empty()) return changed_machine_command(words);
   enter_private_network();
   const ReplayResult r = replay(words.folder, words.side);
   fmt::print(
@@ -133,6 +148,9 @@ int command_line(int argc, char** argv) {
   again->add_option("DIR", words.folder, "a run's folder")
       ->required()
       ->check(CLI::ExistingDirectory);
+  again->add_option("--set", words.set,
+                    "KEY=VALUE of another machine, which is observed into --out (with --side mbs)");
+  again->add_option("--out", words.out, "the folder to observe another machine into");
   again->add_option("--side", words.side, "the side to run: dem or mbs")
       ->check(CLI::IsMember({"dem", "mbs"}))
       ->capture_default_str();

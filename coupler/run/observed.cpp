@@ -33,7 +33,6 @@ void write(const fs::path& file, const std::string& text) {
 }  // namespace
 
 void write_observed(const fs::path& record, const ObservationCase& o, const fs::path& out) {
-  const Instruments instruments{o.rate_Hz, o.lag_s, o.scale_gain, o.truck_spill};
   DriveSignals s;
   s.time_s = read_channel(record, "time_s");
   s.hoist_m = read_channel(record, "machine/hoist");
@@ -41,13 +40,19 @@ void write_observed(const fs::path& record, const ObservationCase& o, const fs::
   s.swing_rad = read_channel(record, "machine/swing");
   s.hoist_force_N = read_channel(record, "machine/hoist_force");
   s.crowd_force_N = read_channel(record, "machine/crowd_force");
+  write_observed(s, read_pass_signals(record), o, out);
+}
+
+void write_observed(const DriveSignals& drives, const PassSignals& pass_signals,
+                    const ObservationCase& o, const fs::path& out) {
+  const Instruments instruments{o.rate_Hz, o.lag_s, o.scale_gain, o.truck_spill};
   std::string signals = "time_s,hoist_m,crowd_m,swing_rad,hoist_force_kN,crowd_force_kN\n";
-  for (const LoggedSample& l : log_signals(s, instruments)) {
+  for (const LoggedSample& l : log_signals(drives, instruments)) {
     signals += fmt::format("{:.6g},{:.5f},{:.5f},{:.6f},{:.4f},{:.4f}\n", l.time_s, l.hoist_m,
                            l.crowd_m, l.swing_rad, l.hoist_force_kN, l.crowd_force_kN);
   }
   std::string passes = "pass,t_start_s,t_end_s,truck_mass_t\n";
-  for (const WeighedPass& p : weigh(find_passes(read_pass_signals(record)), instruments)) {
+  for (const WeighedPass& p : weigh(find_passes(pass_signals), instruments)) {
     passes +=
         fmt::format("{},{:.4f},{:.4f},{:.5f}\n", p.pass, p.t_start_s, p.t_end_s, p.truck_mass_t);
   }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "analysis/observe.hpp"
 #include "coupler/case/case.hpp"
 
 namespace dipper {
@@ -11,6 +12,10 @@ namespace dipper {
 /// (created; files there are replaced). Throws std::runtime_error naming the file.
 void write_observed(const std::filesystem::path& record, const ObservationCase& observation,
                     const std::filesystem::path& out);
+
+/// The same from signals at hand.
+void write_observed(const DriveSignals& drives, const PassSignals& passes,
+                    const ObservationCase& observation, const std::filesystem::path& out);
 
 /// The observation.* lines of a run's case.txt. Throws std::runtime_error naming file and line.
 ObservationCase read_observation(const std::filesystem::path& case_txt);

@@ -165,6 +165,7 @@ class Leg {
     record_ = std::make_unique<RunRecord>(
         folder_.record(), sides_->machine().info(), rock_->info(),
         std::map<std::string, std::string>{{"case", case_.text},
+                                           {"case_folder", case_.folder.string()},
                                            {"case_hash", setup.case_hash},
                                            {"version", version()},
                                            {"machine_version", sides_->machine().info().version},
@@ -174,8 +175,8 @@ class Leg {
 
   void drive() {
     const ServerInfo rock_info = rock_->info();
-    particles_ = channel(rock_info, "particles");
-    rocks_ = channel(rock_info, "rocks");
+    particles_ = channel_index(rock_info, "particles");
+    rocks_ = channel_index(rock_info, "rocks");
     Coupling coupling(sides_->machine(), *rock_, scheme_from(case_.coupling.scheme));
     if (from_) {
       sides_->machine().load(from_->machine());
@@ -189,7 +190,7 @@ class Leg {
     } else {
       take(coupling.start());
     }
-    const auto payload = channel(rock_info, "mass_in_dipper");
+    const auto payload = channel_index(rock_info, "mass_in_dipper");
     Progress progress(time_s(), static_cast<double>(end_step_) * case_.dem.timestep_s);
     auto flushed = Clock::now();
     double checkpoint_s = time_s();
@@ -237,13 +238,6 @@ class Leg {
       walls_.push_back(w.rock.bodies[b].X_WB);
       memory_.push_back({w.rock.bodies[b].end, w.V_WB_wall[b]});
     }
-  }
-
-  static std::size_t channel(const ServerInfo& info, const std::string& name) {
-    for (std::size_t i = 0; i < info.channels.size(); ++i) {
-      if (info.channels[i].name == name) return i;
-    }
-    throw std::logic_error("no channel " + name);
   }
 
   void checkpoint(const Coupling& coupling) {

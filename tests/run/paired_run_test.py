@@ -102,6 +102,33 @@ class PairedRun(RunTest):
             force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
             np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-5 * np.abs(force_a).max())
 
+    def observed(self, *command):
+        """hoist and crowd force of signals.csv that a command writes, kN."""
+        out = self.folder / "observed"
+        done = subprocess.run([DIPPER, *command, "--out", out, "--set", "observation.rate_Hz=5"],
+                              text=True, capture_output=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return np.loadtxt(out / "signals.csv", delimiter=",", skiprows=1)
+
+    def test_effects_change_a_run_as_they_do_its_replayed_machine(self):
+        run, worn = self.folder / "plain", self.folder / "worn"
+        self.run_case(run, "--ranks", "1")
+        self.run_case(worn, "--ranks", "1", "--set", "effects.crowd_friction=100")
+        self.assertEqual(self.summary(worn)["effects"], {"crowd_friction": 100})
+        # Friction does not move the dipper: the rock is the same to the bit.
+        self.assertEqual(self.summary(run)["passes"][0]["payload_kg"],
+                         self.summary(worn)["passes"][0]["payload_kg"])
+        plain = self.observed("observe", run)
+        again = self.observed("replay", run, "--side", "mbs")
+        np.testing.assert_allclose(again, plain, rtol=0, atol=1e-6)
+        replayed = self.observed("replay", run, "--side", "mbs", "--set", "effects.crowd_friction=100")
+        np.testing.assert_allclose(replayed, self.observed("observe", worn), rtol=0, atol=1e-3)
+        # The crowd moves out from 1 s on; its force is 100 kN more, the hoist's the same.
+        np.testing.assert_allclose(replayed[5:, 5] - plain[5:, 5], 100, atol=0.5)
+        np.testing.assert_allclose(replayed[:, 4], plain[:, 4], rtol=1e-9)
+        files = {p.name for p in (run / "observed").iterdir()}
+        self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})
+
     def test_bad_input_starts_nothing_and_writes_nothing(self):
         out, err = self.run_case(self.folder / "x", "--set", "rock.density_t_m3=3.2",
                                  "--set", "coupling.sync_steps=0", status=2)

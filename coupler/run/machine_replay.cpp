@@ -1,0 +1,133 @@
+#include "coupler/run/machine_replay.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "coupler/record/record.hpp"
+#include "coupler/run/dipper_layers.hpp"
+#include "coupler/run/installation.hpp"
+#include "coupler/run/last_words.hpp"
+#include "coupler/run/observed.hpp"
+#include "coupler/run/process.hpp"
+#include "coupler/run/sides_setup.hpp"
+#include "coupler/run/summary.hpp"
+#include "coupler/transport/lcm_transport.hpp"
+#include "coupler/transport/peer_config.hpp"
+#include "coupler/transport/remote.hpp"
+
+namespace dipper {
+namespace fs = std::filesystem;
+namespace {
+
+/// The rock's mean wrench on a body, a row a sync step.
+class RecordedWrench {
+ public:
+  RecordedWrench(const fs::path& record, const std::string& body) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      columns_[k] = read_channel(record, "bodies/" + body + "/wrench_mean", k);
+    }
+  }
+  Wrench at(std::size_t row) const {
+    const auto& c = columns_;
+    return {{c[0][row], c[1][row], c[2][row]}, {c[3][row], c[4][row], c[5][row]}};
+  }
+
+ private:
+  std::array<std::vector<double>, 6> columns_;
+};
+
+/// A shovel in a process of its own, for as long as this lives.
+class LoneMachine {
+ public:
+  LoneMachine(PeerConfig config, const fs::path& folder)
+      : log_(folder / "mbs.log"),
+        process_((write_peer_config(folder / "mbs.json", config),
+                  std::vector<std::string>{program("dipper-mbs"), (folder / "mbs.json").string()}),
+                 log_),
+        transport_(config.lcm_url, {Channels::from_mbs}),
+        link_("mbs", transport_, Channels::to_mbs, Channels::from_mbs, config.identity, options()),
+        machine_(link_) {}
+  ~LoneMachine() {
+    machine_.stop();
+    process_.wait(std::chrono::seconds(5));
+    process_.end();
+  }
+  LoneMachine(const LoneMachine&) = delete;
+  LoneMachine& operator=(const LoneMachine&) = delete;
+
+  Machine& machine() { return machine_; }
+
+ private:
+  LinkOptions options() {
+    LinkOptions o;
+    o.watch = [this] {
+      if (process_.ended()) throw PeerError("mbs", last_words(log_, ""));
+    };
+    return o;
+  }
+
+  fs::path log_;
+  Process process_;
+  LcmTransport transport_;
+  Link link_;
+  RemoteMachine machine_;
+};
+
+}  // namespace
+
+Case case_of_run(const fs::path& run, const std::vector<Override>& changes,
+                 std::vector<Finding>& findings) {
+  // The text has the values that effects of the case have changed: the effects are in it.
+  std::vector<Override> all = {{"effects", "{}"}};
+  std::ifstream text(run / "case.txt");
+  if (!text) findings.push_back({run / "case.txt", 0, "", "cannot be read; name a run's folder"});
+  for (std::string line; std::getline(text, line);) {
+    const auto equals = line.find('=');
+    all.push_back({line.substr(0, equals), line.substr(equals + 1)});
+  }
+  const fs::path record = run / "record.h5";
+  const std::string folder = findings.empty() ? read_attribute(record, "case_folder") : "";
+  if (folder.empty()) findings.push_back({record, 0, "case_folder", "does not name the run's case"});
+  all.insert(all.end(), changes.begin(), changes.end());
+  if (!findings.empty()) return {};
+  return load_case(folder, all, findings);
+}
+
+void observe_changed_machine(const fs::path& run, const Case& changed, const fs::path& out) {
+  const fs::path record = run / "record.h5";
+  const auto time_s = read_channel(record, "time_s");
+  const RecordedWrench dipper(record, "dipper"), door(record, "door");
+
+  PeerConfig config = read_peer_config(run / "logs" / "mbs.json");
+  config.settings = mbs_settings(changed, dipper_layers(changed, read_mesh_facts(changed).cavity));
+  const fs::path scratch = out.string() + ".part";
+  fs::create_directories(scratch);
+  DriveSignals s;
+  {
+    LoneMachine lone(config, scratch);
+    const ServerInfo info = lone.machine().info();
+    const auto put = [&](double t_s, const MachineState& state) {
+      s.time_s.push_back(t_s);
+      s.hoist_m.push_back(state.channels[channel_index(info, "hoist")]);
+      s.crowd_m.push_back(state.channels[channel_index(info, "crowd")]);
+      s.swing_rad.push_back(state.channels[channel_index(info, "swing")]);
+      s.hoist_force_N.push_back(state.channels[channel_index(info, "hoist_force")]);
+      s.crowd_force_N.push_back(state.channels[channel_index(info, "crowd_force")]);
+    };
+    put(time_s.at(0), lone.machine().state());
+    // The corrected scheme repeats a window with its own mean wrench, the serial one holds the
+    // last.
+    const std::size_t late = changed.coupling.scheme == "serial" ? 1 : 0;
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+      const auto t_ns = std::llround(time_s[i] * 1e9);
+      put(time_s[i], lone.machine().step(t_ns, {dipper.at(i - late), door.at(i - late)}, true));
+    }
+  }
+  fs::remove_all(scratch);
+  write_observed(s, read_pass_signals(record), changed.observation, out);
+}
+
+}  // namespace dipper
