@@ -1,0 +1,101 @@
+"""The optional rock physics in paired runs: each works there, and does what docs/physics_options.md says."""
+
+import json
+import pathlib
+import subprocess
+import unittest
+
+import h5py
+import numpy as np
+
+from runs import DIPPER, RunTest
+
+
+def option(**keys):
+    return [word for key, value in keys.items()
+            for word in ("--set", f"{key.replace('__', '.')}={value}")]
+
+
+ALL = option(contact__cohesion_Pa=3000, contact__adhesion_Pa=1000, crust__tensile_strength_Pa=2e5,
+             crust__above_m=0.5, rock__fines_fraction=0.5, output__wall_stress="on",
+             output__wear_m3_J=1e-12, seed=2)
+# Rock without rolling friction, which would run off the bench.
+LOOSE = option(contact__rolling_friction_sphere=0, contact__friction_sphere_sphere=0.2,
+               contact__friction_sphere_rock=0.2, contact__friction_rock_rock=0.2, pile__settle_s=0.6,
+               pile__relax_s=0.1, end_s=0.9)
+
+
+def column(file, name):
+    with h5py.File(file / "record.h5", "r") as f:
+        return f[name][:]
+
+
+def cell_arrays(file):
+    """name -> values of a mesh dump."""
+    import vtk
+    from vtk.util.numpy_support import vtk_to_numpy
+    reader = vtk.vtkPolyDataReader()
+    reader.SetFileName(str(file))
+    reader.ReadAllScalarsOn()
+    reader.Update()
+    cells = reader.GetOutput().GetCellData()
+    return {cells.GetArray(i).GetName(): vtk_to_numpy(cells.GetArray(i))
+            for i in range(cells.GetNumberOfArrays())}
+
+
+class RockPhysics(RunTest):
+    def test_everything_at_once_runs_resumes_and_replays(self):
+        whole, parts = self.folder / "whole", self.folder / "parts"
+        self.run_case(whole, *ALL)
+        bonds = column(whole, "rock/bonds")
+        self.assertGreater(bonds[0], 50)
+        self.assertTrue((np.diff(bonds) <= 0).all(), "a bond has come back")
+        self.assertLess(bonds[-1], bonds[0])
+        self.assertEqual(self.summary(whole)["status"], "complete")
+
+        first = sorted((whole / "dumps").glob("dipper_*.vtk"), key=lambda f: int(f.stem[7:]))
+        worn = [cell_arrays(f)["wear"] for f in first]
+        self.assertEqual(worn[0].max(), 0)
+        self.assertGreater(worn[-1].max(), 0)
+        self.assertTrue(all((b >= a).all() for a, b in zip(worn, worn[1:])), "wear went back")
+        self.assertGreater(cell_arrays(first[-1])["normal_stress_average"].max(), 0)
+
+        done = subprocess.run([DIPPER, "replay", whole, "--side", "dem"], text=True,
+                              capture_output=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("to the bit", done.stdout)
+
+        self.run_case(parts, *ALL, "--set", "end_s=1.8")
+        self.run_case(parts, *ALL, "--resume")
+        resumed = column(parts, "rock/bonds")
+        at = np.searchsorted(column(parts, "time_s"), 1.8 + 1e-9)
+        self.assertEqual(resumed[at], bonds[at])  # the first row after the checkpoint
+        np.testing.assert_allclose(resumed, bonds, atol=0.02 * bonds[0])
+        again = cell_arrays(parts / "dumps" / first[-1].name)["wear"]
+        np.testing.assert_allclose(again.sum(), worn[-1].sum(), rtol=0.05)
+
+    def test_a_crust_and_moisture_hold_a_face_that_would_run(self):
+        runs = {"loose": [], "moist": option(contact__cohesion_Pa=20000),
+                "crust": option(crust__tensile_strength_Pa=2e6)}
+        energy = {}
+        for name, keys in runs.items():
+            self.run_case(self.folder / name, *LOOSE, *keys, "--ranks", "1")
+            energy[name] = column(self.folder / name, "rock/rock_kinetic_energy")[100:].mean()
+        self.assertLess(energy["crust"], 0.3 * energy["loose"], energy)
+        self.assertLess(energy["moist"], 0.6 * energy["loose"], energy)
+        bonds = column(self.folder / "crust", "rock/bonds")
+        self.assertGreater(bonds[-1], 0.9 * bonds[0])
+
+    def test_fines_add_their_mass(self):
+        mass = {}
+        for fines in (0, 1):
+            out = self.folder / str(fines)
+            self.run_case(out, "--set", f"rock.fines_fraction={fines}", "--set", "end_s=0.03",
+                          "--ranks", "1")
+            mass[fines] = column(out, "rock/rock_mass")[0]
+        # The same bench, 1 + phi e times as heavy, but for which rocks its profile cuts off.
+        self.assertAlmostEqual(mass[1] / mass[0], 1 + (1 - 1903 / 3215), delta=0.05)
+
+
+if __name__ == "__main__":
+    unittest.main()
