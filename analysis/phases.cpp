@@ -57,8 +57,8 @@ std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t
   if (swings) {
     leave_dig = crossing(t, turned, 0, n, rules.swing_from * swing, true);
     arrive = crossing(t, turned, 0, n, rules.dump_from * swing, true);
-    std::size_t there = 0;
-    while (there < n && t[there] < arrive) ++there;
+    const auto there =
+        static_cast<std::size_t>(std::max_element(turned.begin(), turned.end()) - turned.begin());
     depart = crossing(t, turned, there, n, rules.dump_from * swing, false);
   }
   const std::array<double, 6> marks = {at_stroke(rules.penetrate_from),

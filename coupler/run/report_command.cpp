@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "analysis/paraview_files.hpp"
 #include "analysis/report/run_page.hpp"
 #include "analysis/report_files.hpp"
 #include "analysis/run_folder.hpp"
@@ -49,6 +50,7 @@ int report_command(const ReportWords& words) {
     const fs::path folder = fs::path(words.folder) / "report";
     write_report(metrics, folder, [&](const fs::path& made) {
       write_run_page(run, dumps, metrics.values, made / "report.html");
+      write_paraview_files(dumps, made, fs::absolute(folder));
     });
     print_passes(metrics.values);
     fmt::print("{}\n", (folder / "report.html").string());

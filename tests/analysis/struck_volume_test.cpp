@@ -5,37 +5,12 @@
 #include <cmath>
 
 #include "coupler/mesh/stl.hpp"
+#include "tests/analysis/tray.hpp"
 
 namespace dipper {
 namespace {
 
 using Eigen::Vector3d;
-
-/// A box-shaped solid between two corners.
-void add_block(TriangleMesh& mesh, const Vector3d& a, const Vector3d& b) {
-  const auto p = [&](int k) {
-    return Vector3d((k & 1) != 0 ? b.x() : a.x(), (k & 2) != 0 ? b.y() : a.y(),
-                    (k & 4) != 0 ? b.z() : a.z());
-  };
-  const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& f : faces) {
-    mesh.add_loose({p(f[0]), p(f[1]), p(f[2])});
-    mesh.add_loose({p(f[0]), p(f[2]), p(f[3])});
-  }
-}
-
-/// Five plates 4 cm thick around a cavity of 2 x 1 x 1.5 m that opens to +x.
-TriangleMesh tray() {
-  TriangleMesh m;
-  constexpr double t = 0.04;
-  add_block(m, {-t, -0.5 - t, -0.75 - t}, {0, 0.5 + t, 0.75 + t});
-  add_block(m, {-t, -0.5 - t, -0.75 - t}, {2, -0.5, 0.75 + t});
-  add_block(m, {-t, 0.5, -0.75 - t}, {2, 0.5 + t, 0.75 + t});
-  add_block(m, {-t, -0.5 - t, -0.75 - t}, {2, 0.5 + t, -0.75});
-  add_block(m, {-t, -0.5 - t, 0.75}, {2, 0.5 + t, 0.75 + t});
-  return m;
-}
 
 TEST(StruckVolume, ABoxOfThinPlatesHoldsItsCavity) {
   const StruckVolume s = struck_volume(tray());
