@@ -34,6 +34,16 @@ struct SizeClass {
   std::vector<std::string> shapes;  ///< "sphere", or names of shapes in shape_folder
 };
 
+/// rock.sieve: a measured size distribution, in place of rock.classes (coupler/deck/sieve.hpp).
+struct SieveCase {
+  std::filesystem::path file;  ///< CSV: size_m, passing_percent; empty: none
+  int classes = 5;             ///< made of it
+  double min_size_m = 0;       ///< finer rock is counted in the smallest class; 0: the curve's
+  double max_size_m = 0;       ///< coarser rock is counted in the largest class; 0: the curve's
+  double spheres_below_m = 0;  ///< classes below are spheres
+  std::vector<std::string> shapes;  ///< of the others; none: spheres
+};
+
 /// rock: the material of a single rock.
 struct RockCase {
   double density_kg_m3 = 0;
@@ -45,6 +55,7 @@ struct RockCase {
   std::filesystem::path shape_folder;  ///< where the files of the shapes are (meshes/rocks)
   std::string shape_resolution = "coarse";  ///< spheres a rock: coarse, medium or fine
   std::vector<SizeClass> classes;
+  SieveCase sieve;  ///< what the classes were made from, when they were
 };
 
 /// contact: Eqs. 3-8 of the paper; one number a kind of pair.

@@ -17,6 +17,7 @@
 #include "coupler/deck/deck.hpp"
 #include "coupler/mesh/stl.hpp"
 #include "coupler/motion/motion.hpp"
+#include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/dump_index.hpp"
 #include "coupler/run/installation.hpp"
@@ -290,7 +291,14 @@ class Leg {
   }
 
   void write_summary() {
-    const auto summary = summarise(facts_, folder_.record());
+    auto summary = summarise(facts_, folder_.record());
+    const auto grading = achieved_grading(case_, folder_.dumps());
+    std::ofstream(folder_.deck() / "achieved.csv") << to_csv(grading);
+    for (const AchievedClass& k : grading)
+      summary["rock"].push_back({{"class", k.name},
+                                 {"rocks", k.rocks},
+                                 {"mass_percent", k.mass_percent},
+                                 {"wanted_percent", k.wanted_percent}});
     std::ofstream out(folder_.summary());
     out << summary.dump(2) << '\n';
     if (!out.flush()) throw std::runtime_error("cannot write " + folder_.summary().string());

@@ -199,6 +199,56 @@ TEST(CheckCase, Shapes) {
        {wedge, 0, "rock.shape_folder", open_edge}});
 }
 
+/// The case's classes replaced by a sieve curve.
+void use_sieve(const Checkout& checkout, const std::string& rows, const std::string& keys) {
+  const std::string text = read_text(checkout.file());
+  const auto from = std::min(text.find("  classes:"), text.find("  sieve:")),
+             to = text.find("contact:");
+  write_text(checkout.file(),
+             text.substr(0, from) + "  sieve: {file: sieve.csv, " + keys + "}\n" + text.substr(to));
+  write_text(checkout.folder() / "sieve.csv", "size_m,passing_percent\n" + rows);
+}
+
+std::vector<Finding> load_findings(const Checkout& checkout) {
+  std::vector<Finding> findings;
+  load_case(checkout.folder(), {}, findings);
+  return findings;
+}
+
+TEST(CheckCase, SieveCurveInPlaceOfClasses) {
+  Checkout checkout;
+  use_sieve(checkout, "0.15,0\n0.25,40\n0.4,60\n0.8,100\n",
+            "classes: 3, spheres_below_m: 0.25, shapes: [block, shard]");
+  std::vector<Finding> findings;
+  const Case c = load_case(checkout.folder(), {}, findings);
+  ASSERT_TRUE(findings.empty()) << to_string(findings[0]);
+  ASSERT_EQ(c.rock.classes.size(), 3U);
+  EXPECT_EQ(c.rock.classes[0].shapes, std::vector<std::string>{"sphere"});
+  EXPECT_EQ(c.rock.classes[2].shapes, (std::vector<std::string>{"block", "shard"}));
+  EXPECT_NE(c.text.find("rock.classes.2.size_m="), std::string::npos);
+  EXPECT_EQ(c.text.find("rock.sieve"), std::string::npos);  // the text is a case: one of the two
+  expect_findings(check(checkout), {});
+}
+
+TEST(CheckCase, SieveFaults) {
+  Checkout checkout;
+  use_sieve(checkout, "0.15,0\n0.25,140\n", "classes: 3");
+  const int line = checkout.line("sieve:");
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), line, "rock.sieve.file", "sieve.csv:3: passing_percent is"}});
+  use_sieve(checkout, "0.15,0\n0.25,100\n", "min_size_m: 0.3");
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), line, "rock.sieve", "nothing between the smallest size"}});
+}
+
+TEST(CheckCase, SieveAndClasses) {
+  Checkout checkout;
+  const int line = checkout.replace("coarse_graining", "coarse_graining: 2\nsieve: {file: a.csv}");
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), line + 1, "rock.sieve",
+                    "the case has rock.classes as well; write the sizes"}});
+}
+
 TEST(CheckCase, ClassWithoutARock) {
   Checkout checkout;
   const int line = checkout.replace(

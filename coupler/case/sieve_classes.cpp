@@ -1,0 +1,32 @@
+#include "coupler/case/sieve_classes.hpp"
+
+#include <stdexcept>
+
+#include "coupler/deck/sieve.hpp"
+#include "coupler/motion/input_error.hpp"
+
+namespace dipper {
+
+void make_sieve_classes(Case& c, std::vector<Finding>& findings) {
+  if (c.origins.count("rock.sieve") == 0) return;
+  if (c.origins.count("rock.classes") != 0) {
+    findings.push_back(finding_at(
+        c, "rock.sieve", "the case has rock.classes as well; write the sizes in one of the two"));
+    return;
+  }
+  if (c.rock.sieve.file.empty()) {
+    findings.push_back(finding_at(c, "rock.sieve",
+                                  "has no file; write file: NAME.csv with size_m,passing_percent"));
+    return;
+  }
+  try {
+    c.rock.classes = size_classes(read_sieve(c.rock.sieve.file), c.rock.sieve);
+  } catch (const InputError& e) {
+    for (const std::string& message : e.messages())
+      findings.push_back(finding_at(c, "rock.sieve.file", message));
+  } catch (const std::invalid_argument& e) {
+    findings.push_back(finding_at(c, "rock.sieve", e.what()));
+  }
+}
+
+}  // namespace dipper
