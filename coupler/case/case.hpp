@@ -53,6 +53,7 @@ struct RockCase {
   double coarse_graining = 1;          ///< every size is multiplied by this
   double fines_fraction = 0;           ///< of the voids, filled with fines that move with the rock
   std::filesystem::path shape_folder;  ///< where the files of the shapes are (meshes/rocks)
+  double coarse_graining_limit_m = 0;  ///< no size is grown beyond this; 0: none
   std::string shape_resolution = "coarse";  ///< spheres a rock: coarse, medium or fine
   std::vector<SizeClass> classes;
   SieveCase sieve;  ///< what the classes were made from, when they were

@@ -31,6 +31,11 @@ bool sticks(const Case& c) {
   return c.contact.cohesion_Pa > 0 || c.contact.adhesion_Pa > 0 || c.crust.tensile_strength_Pa > 0;
 }
 
+double grained_size_m(const RockCase& rock, double size_m) {
+  const double grown = size_m * rock.coarse_graining, limit = rock.coarse_graining_limit_m;
+  return limit > 0 && grown > limit ? std::max(size_m, limit) : grown;
+}
+
 std::vector<RockClass> rock_classes(const Case& c) {
   std::vector<RockClass> out;
   for (const SizeClass& s : c.rock.classes) {
@@ -38,7 +43,7 @@ std::vector<RockClass> rock_classes(const Case& c) {
     if (s.shapes.empty() || (spheres != 0 && s.shapes.size() != 1))
       throw std::invalid_argument("rock.classes: " + s.name +
                                   ": shapes must be [sphere] or names of rock shapes");
-    const double r = s.size_m * c.rock.coarse_graining / 2;
+    const double r = grained_size_m(c.rock, s.size_m) / 2;
     out.push_back({r, laden_density(c) * 4.0 / 3.0 * M_PI * r * r * r, spheres == 1});
   }
   return out;

@@ -8,8 +8,8 @@
 //   F_t = kt s_t - gammat m v_t        kt = C_tan kn, gammat = 2 D_t sqrt(kt/m)
 //   M   = mu' r1 r2/(r1 + r2) kn d_n   rolling; against a wall mu' r kn d_n              (Eq. 8)
 //
-// limitForce keeps F_n >= 0: rock does not stick. tests/deck/two_body_test and rolling_test hold each
-// line to its closed form. What LIGGGHTS does otherwise than the paper:
+// limitForce keeps F_n >= 0: rock does not stick. tests/deck/two_body_test and rolling_test hold
+// each line to its closed form. What LIGGGHTS does otherwise than the paper:
 // - Eq. 7 bounds the spring only. While it is at mu F_n there is no damping; before, the damper is
 //   unbounded, so that a first touch at a grazing angle (v_t = 10 v_n, D as in the paper) gives 2.7
 //   times the tangential impulse mu would. Rock that already slides is not touched by this.
@@ -42,6 +42,9 @@ struct RockClass {
   double mass_kg = 0;
   bool is_sphere = false;
 };
+
+/// A size as it is dug: times coarse_graining, but not grown beyond coarse_graining_limit_m.
+double grained_size_m(const RockCase& rock, double size_m);
 
 /// One per case.rock.classes, in order. Throws std::invalid_argument for a class that mixes spheres
 /// and other shapes, or has no shape.

@@ -90,5 +90,17 @@ TEST(RockClasses, RefusesAMixOfSpheresAndShapes) {
   EXPECT_THROW(rock_classes(c), std::invalid_argument);
 }
 
+TEST(RockClasses, CoarseGrainingGrowsTheSmallAndSparesTheLarge) {
+  RockCase rock;
+  rock.coarse_graining = 2;
+  EXPECT_DOUBLE_EQ(grained_size_m(rock, 0.85), 1.7);
+  rock.coarse_graining_limit_m = 0.6;
+  EXPECT_DOUBLE_EQ(grained_size_m(rock, 0.2), 0.4);
+  EXPECT_DOUBLE_EQ(grained_size_m(rock, 0.4), 0.6);    // held at the limit
+  EXPECT_DOUBLE_EQ(grained_size_m(rock, 0.85), 0.85);  // never made smaller than it is
+  rock.coarse_graining = 0.5;
+  EXPECT_DOUBLE_EQ(grained_size_m(rock, 0.85), 0.425);  // made finer on purpose
+}
+
 }  // namespace
 }  // namespace dipper
