@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "coupler/deck/deck.hpp"
+#include "coupler/deck/stable_timestep.hpp"
 #include "coupler/motion/motion.hpp"
 #include "coupler/motion/seconds.hpp"
 
@@ -20,9 +21,10 @@ std::string summary(const Case& c) {
   const double settle_steps = std::ceil((c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s);
   return fmt::format(
       "about {:.0f} rocks, {:g} s simulated in {:.0f} steps and {:.0f} windows of {:g} ms, after "
-      "{:.0f} steps that settle the pile",
+      "{:.0f} steps that settle the pile; the step is {:.0f} % of the largest stable one, {:.3g} s",
       rocks, end_s, steps, std::ceil(steps / c.coupling.sync_steps),
-      c.coupling.sync_steps * c.dem.timestep_s * 1e3, settle_steps);
+      c.coupling.sync_steps * c.dem.timestep_s * 1e3, settle_steps,
+      100 * c.dem.timestep_s / stable_timestep(c), stable_timestep(c));
 }
 
 }  // namespace

@@ -295,7 +295,7 @@ TEST(CheckCommand, SoundCase) {
   EXPECT_THAT(out.str(),
               MatchesRegex("quick is sound: about [0-9]+ rocks, [0-9.]+ s simulated in [0-9]+ "
                            "steps and [0-9]+ windows of [0-9.]+ ms, after [0-9]+ steps that settle "
-                           "the pile\n"));
+                           "the pile; the step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"));
 }
 
 TEST(CheckCommand, PrintsEveryFindingAndTheirNumber) {
