@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <vector>
 
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/deck/stable_timestep.hpp"
 #include "tests/deck/liggghts_run.hpp"
 #include "tests/deck/quick_case.hpp"
 
@@ -51,14 +53,17 @@ class SettleAndDig : public testing::Test {
     status = run_liggghts("dem_in/settle.in", deck(), 1, folder / "settle");
   }
   static std::string deck() { return "-var deck '" + (folder / "deck").string() + "' "; }
-  static Dump dig(int ranks, int steps) {
+  static Dump dig(int ranks, int steps, double timestep = tiny_case().dem.timestep_s) {
     const fs::path out = folder / fmt::format("dig{}", ranks);
+    fs::remove_all(out);
     fs::create_directories(out);
     EXPECT_EQ(
-        run_liggghts("dem_in/dig.in",
-                     deck() + fmt::format("-var pile '{}' -var run_steps {} -var dump_steps {}",
-                                          (folder / "settle/pile.restart").string(), steps, steps),
-                     ranks, out),
+        run_liggghts(
+            "dem_in/dig.in",
+            deck() + fmt::format("-var pile '{}' -var run_steps {} -var dump_steps {} "
+                                 "-var timestep {}",
+                                 (folder / "settle/pile.restart").string(), steps, steps, timestep),
+            ranks, out),
         0)
         << read_text(out / "screen.txt");
     for (const char* wall : {"dipper", "door", "truck"})
@@ -107,6 +112,24 @@ TEST_F(SettleAndDig, OneAndTwoRanksAgree) {
     for (const char* k : {"x", "y", "z"})
       EXPECT_NEAR(one.get(row, k), two.get(two.rows.at(id), k), 1e-6) << id;
   }
+}
+
+TEST_F(SettleAndDig, StableStepIsStable) {
+  // The bench at rest, for 0.4 s more: at the largest stable step it stays so; at twice that it
+  // boils.
+  ASSERT_EQ(status, 0);
+  const double limit = stable_timestep(tiny_case());
+  const auto speed = [&](double share) {
+    const Dump d = dig(1, static_cast<int>(0.4 / (share * limit)), share * limit);
+    double sum = 0;
+    for (const auto& [id, row] : d.rows)
+      for (const char* v : {"vx", "vy", "vz"}) sum += d.get(row, v) * d.get(row, v);
+    return std::sqrt(sum / static_cast<double>(d.rows.size()));
+  };
+  const double small = speed(0.3), stable = speed(1), boiling = speed(2);
+  RecordProperty("rms_speeds_m_s", fmt::format("{:.3g} {:.3g} {:.3g}", small, stable, boiling));
+  EXPECT_LT(stable, 0.02 + 2 * small);
+  EXPECT_GT(boiling, 10 * stable);
 }
 
 }  // namespace
