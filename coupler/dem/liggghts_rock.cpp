@@ -104,17 +104,27 @@ RockState LiggghtsRock::state() {
 
 std::vector<double> LiggghtsRock::weigh() const {
   const std::size_t n = setup_.scales.size();
-  std::vector<Pose> X_SW(n);
+  // Most rock is far from every box: a sphere about each rejects it, without turning it into its
+  // frame.
+  struct Reach {
+    Pose X_SW;
+    Vector3d centre_W;
+    double square;
+  };
+  std::vector<Reach> reach(n);
   for (std::size_t k = 0; k < n; ++k) {
     const auto& s = setup_.scales[k];
     const auto body = std::find(setup_.bodies.begin(), setup_.bodies.end(), s.body);
-    X_SW[k] = inverse(body == setup_.bodies.end() ? s.X_WS : X_WB_[body - setup_.bodies.begin()]);
+    const Pose X_WS = body == setup_.bodies.end() ? s.X_WS : X_WB_[body - setup_.bodies.begin()];
+    reach[k] = {inverse(X_WS), X_WS * Vector3d((s.min_m + s.max_m) / 2),
+                1.0001 * (s.max_m - s.min_m).squaredNorm() / 4};
   }
   std::vector<double> sums(n + 4, 0.0);
   const auto count = [&](const double* x, const double* v, double mass) {
     const Vector3d p_W = Eigen::Map<const Vector3d>(x);
     for (std::size_t k = 0; k < n; ++k) {
-      const Vector3d p_S = X_SW[k] * p_W;
+      if ((p_W - reach[k].centre_W).squaredNorm() > reach[k].square) continue;
+      const Vector3d p_S = reach[k].X_SW * p_W;
       const auto& s = setup_.scales[k];
       if ((p_S.array() >= s.min_m.array()).all() && (p_S.array() <= s.max_m.array()).all()) {
         sums[k] += mass;
