@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "coupler/deck/contact_table.hpp"
+#include "coupler/deck/domain_split.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
 #include "coupler/deck/shape_library.hpp"
@@ -56,6 +57,10 @@ std::string case_in(const Case& c) {
     out += fmt::format("variable {:<16} index {}   # {}\n", name, v, note);
   };
   var("timestep", c.dem.timestep_s, "s");
+  const DomainSplit split = best_split(c, c.dem.ranks);
+  text("split_x", std::to_string(split.parts[0]),
+       "parts of the box along x and z; y takes the rest");
+  text("split_z", std::to_string(split.parts[2]), "");
   const std::array<const char*, 3> axis = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
     var(fmt::format("{}lo", axis[static_cast<std::size_t>(i)]), c.domain.min_m[i], "m, box");
