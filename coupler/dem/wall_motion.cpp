@@ -33,7 +33,9 @@ WallMotion::WallMotion(LAMMPS_NS::LAMMPS* l, int narg, char** arg) : Fix(l, narg
   mesh_ = wall_->mesh();
   // Before the first run every rank holds the whole mesh, in the body frame.
   for (int i = 0; i < mesh_->sizeLocal(); ++i) {
-    auto& nodes = reference_[mesh_->id_slow(i)];
+    const auto element = static_cast<std::size_t>(mesh_->id_slow(i));
+    if (element >= reference_.size()) reference_.resize(element + 1);
+    auto& nodes = reference_[element];
     for (int j = 0; j < 3; ++j) mesh_->node_slow(i, j, nodes[j].data());
   }
   mesh_->registerMove(false, true, true);
@@ -48,7 +50,7 @@ void WallMotion::place(const Pose& X_WB) {
 
 void WallMotion::adopt(const Pose& X_WB, const WallMemory& remembered) {
   const Pose X_BW = inverse(X_WB);
-  for (auto& [element, nodes] : reference_) {
+  for (auto& nodes : reference_) {
     for (auto& p : nodes) p = X_BW * p;
   }
   last_ = remembered.load;
@@ -129,7 +131,7 @@ Pose WallMotion::pose_from_nodes() const {
   Eigen::Map<Vector3d> sum_b(sums + 1), sum_w(sums + 4);
   Eigen::Map<Eigen::Matrix3d> sum_wb(sums + 7);
   for (int i = 0; i < mesh_->sizeLocal(); ++i) {
-    const auto& nodes = reference_.at(mesh_->id_slow(i));
+    const auto& nodes = reference_[static_cast<std::size_t>(mesh_->id_slow(i))];
     for (int j = 0; j < 3; ++j) {
       Vector3d p_W;
       mesh_->node_slow(i, j, p_W.data());

@@ -4,7 +4,6 @@
 #include <fix.h>
 
 #include <array>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -60,7 +59,7 @@ class WallMotion : public LAMMPS_NS::Fix {
   LAMMPS_NS::FixMeshSurface* wall_ = nullptr;
   LAMMPS_NS::AbstractMesh* mesh_ = nullptr;
   /// Body-frame nodes of every element, by element id: what the pose is read back against.
-  std::map<int, std::array<Vector3d, 3>> reference_;
+  std::vector<std::array<Vector3d, 3>> reference_;
   Pose X_WB_;
   Twist V_WB_W_;
   Wrench sum_, last_;
