@@ -113,6 +113,7 @@ struct DomainCase {
 struct DemCase {
   double timestep_s = 0;
   int ranks = 1;
+  double hold_below_m_s = 0;  ///< rock slower than this may be held (coupler/dem/hold.hpp); 0: none
 };
 
 /// coupling

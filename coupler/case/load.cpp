@@ -317,6 +317,12 @@ void check_between_keys(const Case& c, std::vector<Finding>& findings) {
     if (is_identifier(body.first)) continue;
     findings.push_back(finding_at(c, "bodies." + body.first, "is a name; write " + word));
   }
+  if (c.dem.hold_below_m_s > 0 && c.crust.tensile_strength_Pa > 0) {
+    findings.push_back(
+        finding_at(c, "dem.hold_below_m_s",
+                   "cannot be used with a crust, whose bonds are not followed in rock "
+                   "that is held; leave one of the two out"));
+  }
   if (sound("domain.min_m") && sound("domain.max_m")) {
     for (int i = 0; i < 3; ++i) {
       if (c.domain.min_m[i] < c.domain.max_m[i]) continue;

@@ -185,6 +185,9 @@ std::vector<KeySpec> make_schema() {
        "below the stability limit, which `dipper check` tells", SLOT(c.dem.timestep_s)},
       {"dem.ranks", "", between(1, 100000), {}, optional,
        "MPI processes; 1", SLOT(c.dem.ranks)},
+      {"dem.hold_below_m_s", "m/s", between(0, 1), {}, optional,
+       "rock slower than this, far from the machine, is held until something comes; 0, the default, is off",
+       SLOT(c.dem.hold_below_m_s)},
 
       {"coupling.scheme", "", any, {"corrected", "serial"}, required,
        "how a window is stepped", SLOT(c.coupling.scheme)},

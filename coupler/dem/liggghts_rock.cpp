@@ -18,6 +18,7 @@
 #include <stdexcept>
 
 #include "coupler/core/sha256.hpp"
+#include "coupler/dem/hold.hpp"
 #include "coupler/dem/muck/crust.hpp"
 #include "coupler/dem/muck/register_muck.hpp"
 #include "coupler/dem/wall_motion.hpp"
@@ -51,6 +52,7 @@ ServerInfo LiggghtsRock::info() const {
   info.channels.push_back({"rock_kinetic_energy", "J", "-"});
   info.channels.push_back({"rocks", "1", "-"});      // multispheres
   info.channels.push_back({"particles", "1", "-"});  // spheres, those of the rocks included
+  if (setup_.hold) info.channels.push_back({"rock_parked", "kg", "-"});
   if (setup_.crust) info.channels.push_back({"bonds", "1", "-"});  // of the crust, unbroken
   info.timestep_s = lmp_->update->dt;
   return info;
@@ -80,9 +82,26 @@ void LiggghtsRock::start() {
   update->laststep = update->endstep = update->ntimestep + std::numeric_limits<int>::max();
   lmp_->output->init();
   lmp_->output->setup(0);
+  if (setup_.hold && !hold_) hold_ = std::make_unique<HoldRock>(*lmp_, *setup_.hold, comm_);
+}
+
+void LiggghtsRock::hold(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
+  std::vector<MovingBody> bodies;
+  const double window_s = static_cast<double>(n_steps) * lmp_->update->dt;
+  for (std::size_t b = 0; b < walls_.size(); ++b) {
+    BodyBox box = walls_[b]->box();
+    for (const auto& s : setup_.scales) {  // what is weighed with a body is never parked
+      if (s.body != setup_.bodies[b]) continue;
+      box.min_m = box.min_m.cwiseMin(s.min_m);
+      box.max_m = box.max_m.cwiseMax(s.max_m);
+    }
+    bodies.push_back({box, X_WB_[b], twist_between(X_WB_[b], X_WB_target[b], window_s)});
+  }
+  hold_->before_window(n_steps, bodies);
 }
 
 RockState LiggghtsRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
+  if (hold_) hold(n_steps, X_WB_target);
   for (std::size_t b = 0; b < walls_.size(); ++b) {
     walls_[b]->begin_window(X_WB_target[b], static_cast<long>(n_steps));
   }
@@ -119,7 +138,7 @@ std::vector<double> LiggghtsRock::weigh() const {
     reach[k] = {inverse(X_WS), X_WS * Vector3d((s.min_m + s.max_m) / 2),
                 1.0001 * (s.max_m - s.min_m).squaredNorm() / 4};
   }
-  std::vector<double> sums(n + 4, 0.0);
+  std::vector<double> sums(n + (setup_.hold ? 5 : 4), 0.0);
   const auto count = [&](const double* x, const double* v, double mass) {
     const Vector3d p_W = Eigen::Map<const Vector3d>(x);
     for (std::size_t k = 0; k < n; ++k) {
@@ -153,6 +172,15 @@ std::vector<double> LiggghtsRock::weigh() const {
     }
   }
   sums[n + 3] = atom->nlocal;
+  if (hold_) {
+    for (const auto& m : hold_->parked()) {
+      const double still[3] = {0, 0, 0};
+      count(m.p_W.data(), still, m.mass_kg);
+      sums[n + 2] += m.packed.empty() ? 0 : 1;
+      sums[n + 4] += m.mass_kg;
+    }
+    sums[n + 3] += static_cast<double>(hold_->spheres_parked());
+  }
   if (setup_.crust) sums.push_back(count_bonds(*lmp_));
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
                 comm_);
@@ -160,6 +188,7 @@ std::vector<double> LiggghtsRock::weigh() const {
 }
 
 void LiggghtsRock::save(const std::filesystem::path& file) {
+  if (hold_) hold_->release();
   lmp_->input->one(("write_restart " + file.string()).c_str());
   // The command moves atoms between ranks, so lists and forces have to be set up again, just as
   // they are in a run that goes on from the file.
@@ -173,6 +202,7 @@ void LiggghtsRock::load(const std::filesystem::path&) {
 }
 
 std::string LiggghtsRock::state_hash() {
+  if (hold_) hold_->release();
   struct Particle {
     double id;
     double state[6];

@@ -16,6 +16,7 @@ class LAMMPS;
 
 namespace dipper {
 
+class HoldRock;
 class WallMotion;
 
 /// Every method is collective: each rank of the communicator makes the same call.
@@ -39,12 +40,14 @@ class LiggghtsRock final : public Rock {
   void start();
   RockState state();
   std::vector<double> weigh() const;
+  void hold(std::int64_t n_steps, const std::vector<Pose>& X_WB_target);
 
   RockSetup setup_;
   MPI_Comm comm_;
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::vector<WallMotion*> walls_;  // owned by LIGGGHTS
   std::vector<Pose> X_WB_;
+  std::unique_ptr<HoldRock> hold_;
 };
 
 }  // namespace dipper

@@ -35,12 +35,23 @@ json to_json(const RockSetup& setup) {
           {array(w.load.torque), array(w.load.force), array(w.V_WB_W.w), array(w.V_WB_W.v)});
     }
   }
+  json hold;  // null: off
+  if (const auto& h = setup.hold)
+    hold = {{"below_m_s", h->below_m_s}, {"rest_s", h->rest_s},   {"unbalance", h->unbalance},
+            {"average_s", h->average_s}, {"layer_m", h->layer_m}, {"margin_m", h->margin_m},
+            {"ahead_s", h->ahead_s},     {"check_s", h->check_s}, {"gather_s", h->gather_s},
+            {"sight_s", h->sight_s}};
   json crust;  // null: none
   if (setup.crust) crust = {setup.crust->above_m, setup.crust->thickness_m};
-  return {{"deck", setup.deck},     {"variables", setup.variables},
-          {"log", setup.log},       {"screen", setup.screen},
-          {"bodies", setup.bodies}, {"resumed", resumed},
-          {"scales", scales},       {"crust", crust}};
+  return {{"deck", setup.deck},
+          {"variables", setup.variables},
+          {"log", setup.log},
+          {"screen", setup.screen},
+          {"bodies", setup.bodies},
+          {"resumed", resumed},
+          {"scales", scales},
+          {"crust", crust},
+          {"hold", hold}};
 }
 
 RockSetup rock_setup_from(const json& j) {
@@ -59,6 +70,20 @@ RockSetup rock_setup_from(const json& j) {
   }
   if (const auto& crust = j.at("crust"); !crust.is_null()) {
     setup.crust = CrustZone{crust.at(0), crust.at(1)};
+  }
+  // A recording made before rock could be held has no such entry.
+  if (const auto hold = j.find("hold"); hold != j.end() && !hold->is_null()) {
+    HoldSettings& h = setup.hold.emplace();
+    h.below_m_s = hold->at("below_m_s");
+    h.rest_s = hold->at("rest_s");
+    h.unbalance = hold->at("unbalance");
+    h.layer_m = hold->at("layer_m");
+    h.average_s = hold->at("average_s");
+    h.margin_m = hold->at("margin_m");
+    h.ahead_s = hold->at("ahead_s");
+    h.check_s = hold->at("check_s");
+    h.gather_s = hold->at("gather_s");
+    h.sight_s = hold->at("sight_s");
   }
   for (const auto& s : j.at("scales")) {
     const auto R = s.at("R_WS").get<std::array<double, 4>>();

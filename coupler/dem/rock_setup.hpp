@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupler/core/frames.hpp"
+#include "coupler/dem/hold_policy.hpp"
 
 namespace dipper {
 
@@ -40,6 +41,7 @@ struct RockSetup {
   std::vector<std::string> bodies;                             ///< fix ids of the moving walls
   std::vector<Scale> scales;
   std::optional<CrustZone> crust;
+  std::optional<HoldSettings> hold;  ///< not set: all rock is computed all the time
   /// Set, one a body, when the deck reads a checkpoint, with the walls in place.
   std::optional<std::vector<WallMemory>> resumed;
 };

@@ -68,6 +68,17 @@ void WallMotion::begin_window(const Pose& X_WB_target, long n_steps) {
   steps_ = 0;
 }
 
+BodyBox WallMotion::box() const {
+  BodyBox box{Vector3d::Constant(1e300), Vector3d::Constant(-1e300)};
+  for (const auto& [element, nodes] : reference_) {
+    for (const auto& p : nodes) {
+      box.min_m = box.min_m.cwiseMin(p);
+      box.max_m = box.max_m.cwiseMax(p);
+    }
+  }
+  return box;
+}
+
 BodyLoad WallMotion::end_window() {
   if (steps_ == 0) return {last_, last_, pose_from_nodes()};
   return {(1.0 / static_cast<double>(steps_)) * (sum_ + (-0.5) * last_), last_, pose_from_nodes()};

@@ -9,6 +9,7 @@
 
 #include "coupler/core/frames.hpp"
 #include "coupler/core/server.hpp"
+#include "coupler/dem/hold_policy.hpp"
 #include "coupler/dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
@@ -40,6 +41,9 @@ class WallMotion : public LAMMPS_NS::Fix {
 
   /// From the next step on: moves at constant twist to reach X_WB_target after n_steps.
   void begin_window(const Pose& X_WB_target, long n_steps);
+
+  /// The mesh's extent, in the body frame.
+  BodyBox box() const;
 
   /// The window's mean and last wrench, and the pose read back from the mesh nodes.
   BodyLoad end_window();

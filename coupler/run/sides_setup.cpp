@@ -69,6 +69,7 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
                      {"dipper_z", "0"},
                      {"door_z", "0"}};
   setup.bodies = {"dipper", "door"};
+  if (c.dem.hold_below_m_s > 0) setup.hold.emplace().below_m_s = c.dem.hold_below_m_s;
   Pose X_WT;
   X_WT.p = c.truck.position_m;
   X_WT.R = from_rotation_vector({0, 0, c.truck.heading_deg * M_PI / 180});

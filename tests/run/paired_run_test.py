@@ -129,6 +129,26 @@ class PairedRun(RunTest):
         files = {p.name for p in (run / "observed").iterdir()}
         self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})
 
+    def test_a_run_that_holds_rock_replays_and_resumes(self):
+        hold = ("--set", "dem.hold_below_m_s=0.3")
+        self.run_case(self.folder / "whole", *hold)
+        self.run_case(self.folder / "parts", "--set", "end_s=1.8", *hold)
+        self.run_case(self.folder / "parts", "--resume", *hold)
+        done = subprocess.run([DIPPER, "replay", self.folder / "whole", "--side", "dem"], text=True,
+                              capture_output=True, timeout=120)
+        self.assertIn("to the bit", done.stdout)
+        with h5py.File(self.folder / "whole" / "record.h5") as a, \
+                h5py.File(self.folder / "parts" / "record.h5") as b:
+            mass, parked = a["rock/rock_mass"][:], a["rock/rock_parked"][:]
+            self.assertGreater(parked.max(), 0.2 * mass[0])
+            self.assertEqual(parked[0], 0)
+            np.testing.assert_allclose(mass, mass[0], rtol=1e-12)  # what is out is counted
+            before = slice(0, np.searchsorted(b["time_s"][:], 1.8 + 1e-9))
+            for name in ("bodies/dipper/wrench_mean", "rock/rock_parked"):
+                np.testing.assert_array_equal(a[name][before], b[name][before], name)
+            force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
+            np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-3 * np.abs(force_a).max())
+
     def test_bad_input_starts_nothing_and_writes_nothing(self):
         out, err = self.run_case(self.folder / "x", "--set", "rock.density_t_m3=3.2",
                                  "--set", "coupling.sync_steps=0", status=2)
