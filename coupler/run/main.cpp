@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "coupler/calibrate/calibrate_command.hpp"
 #include "coupler/case/check_command.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
@@ -169,8 +170,10 @@ int command_line(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   report->add_option("--mesh", report_words.mesh, "the dipper's STL, for dumps without a record");
   report->add_option("--poses", report_words.poses, "its poses: time_s,x_m,y_m,z_m,qw,qx,qy,qz");
+  const auto calibrate = add_calibrate_command(app);
   try {
     app.parse(argc, argv);
+    if (app.got_subcommand("calibrate")) return calibrate();
     if (*check) return check_command(words.folder, overrides(words), std::cout);
     if (*again) return replay_command(words);
     if (*report) return report_command(report_words);

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "coupler/calibrate/calibration.hpp"
+#include "coupler/calibrate/calibration_decks.hpp"
+#include "coupler/calibrate/measured_run.hpp"
+#include "coupler/calibrate/request_check.hpp"
+#include "coupler/run/installation.hpp"
+
+namespace dipper {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSeeds = 5;
+constexpr double kSmallestBox = 4;  // in largest rocks: so much as the paper's, 3.6 of its 850 mm
+const char* const kKey = "rock.density_kg_m3";
+
+class BoxCalibration {
+ public:
+  BoxCalibration(const CalibrationRequest& request, const Case& c) : request_(request), case_(c) {
+    const double d = largest_rock(c);
+    rig_.edge_m = request.size_m > 0 ? request.size_m : std::max(kPaperBox_m, kBoxEdge * d);
+    if (request_.target <= 0) request_.target = c.rock.bulk_density_kg_m3;
+    if (request_.seeds <= 0) request_.seeds = kSeeds;
+  }
+
+  int run() {
+    const double d = largest_rock(case_);
+    const std::vector<double> rocks = poured_rocks(case_, poured_mass(case_, rig_));
+    const std::string missing = missing_classes(case_, rocks);
+    if (rig_.edge_m < kSmallestBox * d - 1e-9 || !missing.empty()) {
+      fmt::print(
+          "--size {:g} m is too small{}: the box is to be at least {:g} of the largest rocks "
+          "wide, {:.3g} m\n",
+          rig_.edge_m, missing.empty() ? "" : ", it has " + missing, kSmallestBox,
+          kSmallestBox * d);
+      return 2;
+    }
+    const std::vector<PlannedRun> first = plan("case", case_.rock.density_kg_m3);
+    std::vector<DeckRun> decks;
+    for (const PlannedRun& p : first) decks.push_back(p.run);
+    const std::vector<bool> there = cached_runs(decks);
+    fmt::print(
+        "bulk density: box of {:.3g} m edge, {:.3g} m3, {:.2g} of the largest rocks wide, "
+        "about {:.0f} rocks\n{} runs ({} kept from before), then as many with the scaled "
+        "density, {} at a time\n",
+        rig_.edge_m, std::pow(rig_.edge_m, 3), rig_.edge_m / d,
+        std::accumulate(rocks.begin(), rocks.end(), 0.0), first.size(),
+        std::count(there.begin(), there.end(), true), jobs_of(request_));
+    std::vector<MeasuredRun> runs = make(first);
+    const MeanOfSeeds before = mean_of_seeds(runs, "case");
+    print("the case as it is", case_.rock.density_kg_m3, before, interior(runs, "case"));
+    // Rock is stiff: how it packs does not depend on what it weighs, so one step is enough.
+    const double density = case_.rock.density_kg_m3 * request_.target / before.mean;
+    for (MeasuredRun& r : make(plan("confirm", density))) runs.push_back(std::move(r));
+    const MeanOfSeeds after = mean_of_seeds(runs, "confirm");
+    print("scaled", density, after, interior(runs, "confirm"));
+    const bool met = std::abs(after.mean / request_.target - 1) <= 0.01;
+    fmt::print("target {:g} kg/m3 +- 1 %: {}\n", request_.target, met ? "met" : "missed");
+
+    std::filesystem::create_directories(request_.out);
+    write_runs_csv(runs, request_.out / "runs.csv");
+    write_overlay({{kKey, density}}, request_.out / "calibrated.set");
+    const Json json = {
+        {"what", "bulk-density"},
+        {"case", case_.name},
+        {"version", version()},
+        {"target_kg_m3", request_.target},
+        {"edge_m", rig_.edge_m},
+        {"case_as_it_is", summary(case_.rock.density_kg_m3, before, interior(runs, "case"))},
+        {"confirmed", summary(density, after, interior(runs, "confirm"))},
+        {"on_target", met}};
+    std::ofstream(request_.out / "calibration.json") << json.dump(1) << '\n';
+    fmt::print("{}: runs.csv, calibration.json, calibrated.set\ndipper run {} --set {}={:.6g}\n",
+               request_.out.string(), request_.case_folder.string(), kKey, density);
+    return 0;
+  }
+
+ private:
+  std::vector<PlannedRun> plan(const std::string& stage, double density) const {
+    std::vector<PlannedRun> out;
+    const std::vector<std::pair<std::string, double>> set = {{kKey, density}};
+    for (int k = 0; k < request_.seeds; ++k)
+      out.push_back({stage, set, box_run(changed_case(request_, set, case_.seed + k), rig_)});
+    return out;
+  }
+
+  std::vector<MeasuredRun> make(const std::vector<PlannedRun>& runs) const {
+    return make_runs(
+        runs, jobs_of(request_), [&](const DeckRun& run, const std::filesystem::path& dump) {
+          const BulkDensity b = measure_box(run.c, dump, rig_);
+          return Measures{{"bulk_kg_m3", b.box_kg_m3}, {"interior_kg_m3", b.interior_kg_m3}};
+        });
+  }
+
+  static double interior(const std::vector<MeasuredRun>& runs, const std::string& stage) {
+    double sum = 0, n = 0;
+    for (const MeasuredRun& r : runs)
+      if (r.stage == stage) sum += r.measures[1].second, n += 1;
+    return sum / n;
+  }
+
+  static void print(const char* of, double density, const MeanOfSeeds& m, double inside) {
+    fmt::print(
+        "{}, rock of {:.1f} kg/m3: bulk {:.1f} +- {:.1f} kg/m3 over {} seeds (one run: +- "
+        "{:.1f}); a rock's width off walls and floor {:.1f}: the walls cost {:.1f} %\n",
+        of, density, m.mean, m.sigma_of_mean, m.n, m.sigma, inside, 100 * (1 - m.mean / inside));
+  }
+
+  static Json summary(double density, const MeanOfSeeds& m, double inside) {
+    return {{"rock_kg_m3", density},
+            {"bulk_kg_m3", m.mean},
+            {"seed_sigma_kg_m3", m.sigma},
+            {"mean_sigma_kg_m3", m.sigma_of_mean},
+            {"seeds", m.n},
+            {"interior_kg_m3", inside},
+            {"solid_fraction", m.mean / density}};
+  }
+
+  CalibrationRequest request_;
+  Case case_;
+  BoxRig rig_;
+};
+
+}  // namespace
+
+int calibrate_bulk_density(const CalibrationRequest& request) {
+  const std::optional<Case> c = checked_case(request);
+  return c ? BoxCalibration(request, *c).run() : 2;
+}
+
+}  // namespace dipper

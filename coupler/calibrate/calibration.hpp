@@ -1,0 +1,39 @@
+// dipper calibrate: what is asked for, and the two calibrations.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper {
+
+/// A key to search and its range.
+struct SearchRange {
+  std::string key;
+  double low = 0, high = 0;
+};
+
+struct CalibrationRequest {
+  std::filesystem::path case_folder;
+  std::vector<Override> overrides;  ///< --set and --seed
+  std::vector<SearchRange> search;  ///< pile-angle only; empty: measure the case as it is
+  double size_m = 0;                ///< lift of the sheet, or edge of the box; 0: by the rocks
+  double target = 0;                ///< deg or kg/m3; 0: the paper's, or the case's
+  double sigma = 1;                 ///< of the target, deg
+  int seeds = 0;                    ///< a point of the search, or of the measurement; 0: default
+  int jobs = 0;                     ///< runs at once; 0: as many as there are cores
+  std::filesystem::path out;        ///< the result's folder; must not exist yet
+};
+
+/// The mean of the six waste rock piles of the paper's Table 4.
+inline constexpr double kPaperPileAngle_deg = 34.7;
+
+/// Exit status: 0 done; 2 the request or the case is wrong, nothing started. Throws Interrupted and
+/// std::runtime_error as run_decks does. Both leave runs.csv, calibration.json and, when the case
+/// should change, calibrated.set in `out`.
+int calibrate_pile_angle(const CalibrationRequest& request);
+int calibrate_bulk_density(const CalibrationRequest& request);
+
+}  // namespace dipper

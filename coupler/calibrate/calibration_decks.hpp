@@ -1,0 +1,51 @@
+// The two calibration decks for a case: how large, how many rocks, and how their dumps are
+// measured.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/pile_angle.hpp"
+#include "coupler/calibrate/deck_runs.hpp"
+
+namespace dipper {
+
+/// Diameter [m] of the largest class, coarse-grained.
+double largest_rock(const Case& c);
+
+/// dem_in/calibrate_pile.in. Width and depth follow from the rock: narrower, and the walls carry
+/// it.
+struct PileRig {
+  double size_m = 0;   ///< lift of the sheet; the paper's 12.2 m are 14 of its largest rocks
+  double width_m = 0;  ///< 4 of the largest rocks
+  double depth_m = 0;  ///< 3.5 of the largest rocks
+};
+inline constexpr double kPileSize = 7;  ///< default lift, in largest rocks
+PileRig pile_rig(const Case& c, double size_m);
+
+/// dem_in/calibrate_box.in: a cube.
+struct BoxRig {
+  double edge_m = 0;
+};
+inline constexpr double kPaperBox_m = 3.037;  ///< edge of the paper's 28 m3
+inline constexpr double kBoxEdge = 5;         ///< default edge, in largest rocks, if that is more
+
+/// Rock that the deck pours [kg], and how many of each class that is.
+double poured_mass(const Case& c, const PileRig& rig);
+double poured_mass(const Case& c, const BoxRig& rig);
+std::vector<double> poured_rocks(const Case& c, double mass_kg);
+
+DeckRun pile_run(const Case& c, const PileRig& rig);
+DeckRun box_run(const Case& c, const BoxRig& rig);
+
+/// The flank in front of the sheet. Throws std::runtime_error naming the dump when there is none.
+PileAngle measure_pile(const std::filesystem::path& dump, const PileRig& rig);
+
+struct BulkDensity {
+  double box_kg_m3 = 0;       ///< all that lies under the rim, by the box's volume: the paper's
+  double interior_kg_m3 = 0;  ///< one largest rock away from walls and floor
+};
+BulkDensity measure_box(const Case& c, const std::filesystem::path& dump, const BoxRig& rig);
+
+}  // namespace dipper

@@ -1,0 +1,170 @@
+#include "coupler/calibrate/deck_runs.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "coupler/core/sha256.hpp"
+#include "coupler/deck/deck.hpp"
+#include "coupler/run/installation.hpp"
+#include "coupler/run/interrupt.hpp"
+#include "coupler/run/last_words.hpp"
+#include "coupler/run/process.hpp"
+
+namespace dipper {
+namespace fs = std::filesystem;
+namespace {
+
+std::string read_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+fs::path sheet() { return source_folder() / "dem_in" / "sheet.stl"; }
+
+fs::path script(const DeckRun& run) { return source_folder() / "dem_in" / (run.deck + ".in"); }
+
+/// A deck written to a folder of its own in the cache, gone at the end.
+class Workplace {
+ public:
+  explicit Workplace(const DeckRun& run) {
+    static int count = 0;
+    folder_ = cache_folder() / "calibrations" / fmt::format("{}.{}.part", getpid(), ++count);
+    fs::create_directories(folder_);
+    write_deck(run.c, run.c.rock.shape_folder, folder_ / "deck");
+    // The walls of the case's own bench: of no use here.
+    for (const char* unused : {"funnel.stl", "sides.stl"}) fs::remove(folder_ / "deck" / unused);
+  }
+  ~Workplace() {
+    std::error_code gone;
+    fs::remove_all(folder_, gone);
+  }
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+
+ private:
+  fs::path folder_;
+};
+
+/// Of case.in only what the calibration decks read: the rest is the bench and the machine.
+std::string run_hash(const DeckRun& run, const fs::path& deck) {
+  std::string all =
+      fmt::format("LIGGGHTS 3.8.0\nseed {}\ntimestep {:.17g}\n", run.c.seed, run.c.dem.timestep_s);
+  for (const auto& [name, value] : run.variables) all += name + ' ' + value + '\n';
+  all += read_file(script(run)) + read_file(sheet());
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(deck))
+    if (entry.path().filename() != "case.in") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const auto& file : files) all += file.filename().string() + '\n' + read_file(file);
+  return sha256(all);
+}
+
+fs::path entry_of(const std::string& hash) { return cache_folder() / "calibrations" / hash; }
+
+/// CPU time of the run that made an entry.
+double cost_of(const fs::path& entry) {
+  double cpu_s = 0;
+  std::ifstream(entry / "cpu_s") >> cpu_s;
+  return cpu_s;
+}
+
+bool is_there(const DeckRun& run, const fs::path& entry) { return fs::exists(entry / run.dump); }
+
+/// A run at work.
+struct Active {
+  std::size_t index;
+  std::string hash;
+  std::unique_ptr<Workplace> place;
+  std::unique_ptr<Process> liggghts;
+};
+
+std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
+  // Started in its own folder: on an error LIGGGHTS leaves a restart file where it stands.
+  std::vector<std::string> words = {
+      "env",           "-C",           work.string(), "liggghts", "-in",  script(run).string(),
+      "-log",          "liggghts.log", "-screen",     "screen",   "-var", "deck",
+      "deck",          "-var",         "out",         ".",        "-var", "sheet_mesh",
+      sheet().string()};
+  for (const auto& [name, value] : run.variables) words.insert(words.end(), {"-var", name, value});
+  return words;
+}
+
+/// Moves a finished run into the cache. Another may have been faster: its result is the same.
+DeckResult keep(const DeckRun& run, Active& active) {
+  const fs::path entry = entry_of(active.hash), work = active.place->folder();
+  std::ofstream(work / "cpu_s") << active.liggghts->cpu_s() << '\n';
+  std::error_code lost_race;
+  fs::rename(work, entry, lost_race);
+  if (!is_there(run, entry)) throw std::runtime_error(entry.string() + ": cannot be written");
+  return {entry / run.dump, active.hash, false, cost_of(entry)};
+}
+
+}  // namespace
+
+std::vector<bool> cached_runs(const std::vector<DeckRun>& runs) {
+  std::vector<bool> out;
+  for (const DeckRun& run : runs) {
+    const Workplace place(run);
+    out.push_back(is_there(run, entry_of(run_hash(run, place.folder() / "deck"))));
+  }
+  return out;
+}
+
+std::vector<DeckResult> run_decks(
+    const std::vector<DeckRun>& runs, int jobs,
+    const std::function<void(std::size_t, const DeckResult&)>& finished) {
+  std::vector<DeckResult> results(runs.size());
+  std::vector<Active> active;
+  std::size_t next = 0;
+  const auto done = [&](std::size_t i, DeckResult result) {
+    results[i] = std::move(result);
+    finished(i, results[i]);
+  };
+  while (next < runs.size() || !active.empty()) {
+    while (next < runs.size() && active.size() < static_cast<std::size_t>(jobs)) {
+      const DeckRun& run = runs[next];
+      auto place = std::make_unique<Workplace>(run);
+      const std::string hash = run_hash(run, place->folder() / "deck");
+      const fs::path entry = entry_of(hash);
+      if (is_there(run, entry)) {
+        done(next++, {entry / run.dump, hash, true, cost_of(entry)});
+        continue;
+      }
+      auto liggghts =
+          std::make_unique<Process>(command(run, place->folder()), place->folder() / "stderr");
+      active.push_back({next++, hash, std::move(place), std::move(liggghts)});
+    }
+    if (interrupts() > 0) throw Interrupted();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    for (auto it = active.begin(); it != active.end();) {
+      if (!it->liggghts->ended()) {
+        ++it;
+        continue;
+      }
+      const DeckRun& run = runs[it->index];
+      const fs::path work = it->place->folder();
+      if (!it->liggghts->succeeded() || !fs::exists(work / run.dump)) {
+        throw std::runtime_error(
+            fmt::format("{}.in failed with seed {}: {} ({})", run.deck, run.c.seed,
+                        last_words(work / "stderr", work / "screen"), *it->liggghts->ended()));
+      }
+      done(it->index, keep(run, *it));
+      it = active.erase(it);
+    }
+  }
+  return results;
+}
+
+}  // namespace dipper

@@ -1,0 +1,291 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "coupler/calibrate/calibration.hpp"
+#include "coupler/calibrate/calibration_decks.hpp"
+#include "coupler/calibrate/measured_run.hpp"
+#include "coupler/calibrate/request_check.hpp"
+#include "coupler/calibrate/response_surface.hpp"
+#include "coupler/run/installation.hpp"
+
+namespace dipper {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Parameters = std::vector<std::pair<std::string, double>>;
+
+constexpr int kSearchSeeds = 2;   // a point of the design
+constexpr int kConfirmSeeds = 5;  // of the case, or of the set found
+
+/// Between the ranges' ends and -1 ... 1.
+class Scale {
+ public:
+  explicit Scale(const std::vector<SearchRange>& ranges) : ranges_(ranges) {}
+
+  Parameters values(const Point& x) const {
+    Parameters out;
+    for (std::size_t i = 0; i < ranges_.size(); ++i)
+      out.emplace_back(ranges_[i].key, middle(i) + half(i) * x[static_cast<Eigen::Index>(i)]);
+    return out;
+  }
+  Point point(const std::vector<double>& values) const {
+    Point x(static_cast<Eigen::Index>(ranges_.size()));
+    for (std::size_t i = 0; i < ranges_.size(); ++i)
+      x[static_cast<Eigen::Index>(i)] = (values[i] - middle(i)) / half(i);
+    return x;
+  }
+  double half(std::size_t i) const { return (ranges_[i].high - ranges_[i].low) / 2; }
+
+ private:
+  double middle(std::size_t i) const { return (ranges_[i].high + ranges_[i].low) / 2; }
+  std::vector<SearchRange> ranges_;
+};
+
+/// The case's own values of the searched keys.
+std::vector<double> values_of(const Case& c, const std::vector<SearchRange>& ranges) {
+  std::vector<double> out;
+  for (const SearchRange& r : ranges) {
+    const auto at = ("\n" + c.text).find("\n" + r.key + "=");
+    out.push_back(std::stod(c.text.substr(at + r.key.size() + 1)));
+  }
+  return out;
+}
+
+class PileCalibration {
+ public:
+  PileCalibration(const CalibrationRequest& request, const Case& c)
+      : request_(request), case_(c), rig_(pile_rig(c, request.size_m)), scale_(request.search) {
+    if (request_.target <= 0) request_.target = kPaperPileAngle_deg;
+  }
+
+  int run() {
+    const std::vector<double> rocks = poured_rocks(case_, poured_mass(case_, rig_));
+    const std::string missing = missing_classes(case_, rocks);
+    if (!missing.empty() || rig_.size_m < 3 * largest_rock(case_)) {
+      fmt::print(
+          "--size {:g} m is too small{}: the pile is to be at least 3 of the largest rocks "
+          "({:.3g} m) high\n",
+          rig_.size_m, missing.empty() ? "" : ", it has " + missing, 3 * largest_rock(case_));
+      return 2;
+    }
+    std::vector<PlannedRun> plan =
+        request_.search.empty() ? seeds_at("case", {}, kConfirmSeeds) : search_plan();
+    announce(plan, std::accumulate(rocks.begin(), rocks.end(), 0.0));
+    runs_ = make(plan);
+    if (request_.search.empty()) return measured();
+    return searched();
+  }
+
+ private:
+  std::vector<PlannedRun> seeds_at(const std::string& stage, const Parameters& p, int n) const {
+    std::vector<PlannedRun> out;
+    for (int k = 0; k < n; ++k)
+      out.push_back({stage, p, pile_run(changed_case(request_, p, case_.seed + k), rig_)});
+    return out;
+  }
+
+  int seeds(int otherwise) const { return request_.seeds > 0 ? request_.seeds : otherwise; }
+
+  std::vector<PlannedRun> search_plan() {
+    std::vector<PlannedRun> plan;
+    for (const Point& x : composite_design(static_cast<int>(request_.search.size())))
+      for (PlannedRun& p : seeds_at("search", scale_.values(x), seeds(kSearchSeeds)))
+        plan.push_back(std::move(p));
+    return plan;
+  }
+
+  void announce(const std::vector<PlannedRun>& plan, double rocks) const {
+    std::vector<DeckRun> decks;
+    for (const PlannedRun& p : plan) decks.push_back(p.run);
+    const std::vector<bool> there = cached_runs(decks);
+    fmt::print("pile angle: sheet lifted {:.3g} m at 0.61 m/s, {:.3g} m wide, about {:.0f} rocks\n",
+               rig_.size_m, rig_.width_m, rocks);
+    fmt::print(
+        "{} runs ({} kept from before){}, {} at a time\n", plan.size(),
+        std::count(there.begin(), there.end(), true),
+        request_.search.empty() ? "" : fmt::format(", then {} at the set found", kConfirmSeeds),
+        jobs_of(request_));
+    std::fflush(stdout);
+  }
+
+  std::vector<MeasuredRun> make(const std::vector<PlannedRun>& plan) const {
+    return make_runs(
+        plan, jobs_of(request_), [&](const DeckRun&, const std::filesystem::path& dump) {
+          const PileAngle a = measure_pile(dump, rig_);
+          return Measures{
+              {"angle_deg", a.angle_deg}, {"fit_sigma_deg", a.sigma_deg}, {"height_m", a.height_m}};
+        });
+  }
+
+  Json about() const {
+    return {{"what", "pile-angle"},
+            {"case", case_.name},
+            {"version", version()},
+            {"target_deg", request_.target},
+            {"target_sigma_deg", request_.sigma},
+            {"lift_m", rig_.size_m},
+            {"width_m", rig_.width_m},
+            {"depth_m", rig_.depth_m}};
+  }
+
+  Json summary_of(const MeanOfSeeds& m) const {
+    const double off = m.mean - request_.target;
+    return {{"mean_deg", m.mean},
+            {"seed_sigma_deg", m.sigma},
+            {"mean_sigma_deg", m.sigma_of_mean},
+            {"seeds", m.n},
+            {"off_target_deg", off},
+            {"on_target", std::abs(off) <= request_.sigma}};
+  }
+
+  void print_mean(const char* of, const MeanOfSeeds& m) const {
+    fmt::print(
+        "{}: {:.2f} +- {:.2f} deg over {} seeds (one run: +- {:.2f}); target {:g} +- {:g}: {}\n",
+        of, m.mean, m.sigma_of_mean, m.n, m.sigma, request_.target, request_.sigma,
+        std::abs(m.mean - request_.target) <= request_.sigma ? "met" : "missed");
+  }
+
+  void write(const Json& json) const {
+    std::filesystem::create_directories(request_.out);
+    write_runs_csv(runs_, request_.out / "runs.csv");
+    std::ofstream(request_.out / "calibration.json") << json.dump(1) << '\n';
+    fmt::print("{}: runs.csv, calibration.json{}\n", request_.out.string(),
+               std::filesystem::exists(request_.out / "calibrated.set") ? ", calibrated.set" : "");
+  }
+
+  int measured() {
+    const MeanOfSeeds m = mean_of_seeds(runs_, "case");
+    print_mean("the case as it is", m);
+    Json json = about();
+    json["result"] = summary_of(m);
+    write(json);
+    return 0;
+  }
+
+  int searched() {
+    std::vector<Point> x;
+    std::vector<double> y;
+    for (const MeasuredRun& r : runs_) {
+      std::vector<double> values;
+      for (const auto& p : r.parameters) values.push_back(p.second);
+      x.push_back(scale_.point(values));
+      y.push_back(r.value());
+    }
+    const ResponseSurface surface(x, y);
+    Json json = about();
+    json["surface"] = describe(surface, seed_sigma(x, y));
+    const auto found =
+        nearest_with(surface, request_.target, scale_.point(values_of(case_, request_.search)));
+    if (!found) {
+      const auto [least, most] = std::minmax_element(y.begin(), y.end());
+      fmt::print(
+          "no set in these ranges gives {:g} deg: the runs lie between {:.1f} and {:.1f}; "
+          "search wider, or another key\n",
+          request_.target, *least, *most);
+      json["found"] = nullptr;
+      write(json);
+      return 0;
+    }
+    json["found"] = describe(surface, *found);
+    const Parameters set = scale_.values(*found);
+    fmt::print("confirming with {} seeds\n", kConfirmSeeds);
+    for (MeasuredRun& r : make(seeds_at("confirm", set, kConfirmSeeds)))
+      runs_.push_back(std::move(r));
+    const MeanOfSeeds m = mean_of_seeds(runs_, "confirm");
+    print_mean("the set found", m);
+    json["confirmed"] = summary_of(m);
+    std::filesystem::create_directories(request_.out);
+    write_overlay(set, request_.out / "calibrated.set");
+    write(json);
+    fmt::print("dipper run {}", request_.case_folder.string());
+    for (const auto& [key, value] : set) fmt::print(" --set {}={:.6g}", key, value);
+    fmt::print("\n");
+    return 0;
+  }
+
+  Json describe(const ResponseSurface& s, std::optional<double> seeds) const {
+    fmt::print("surface: one run lies {:.2f} deg about it ({} degrees of freedom)",
+               s.residual_sigma(), s.degrees_of_freedom());
+    if (seeds) fmt::print("; seeds alone: {:.2f} deg", *seeds);
+    fmt::print("\n");
+    const Eigen::VectorXd& c = s.coefficients();
+    Json out = {{"coefficients", std::vector<double>(c.data(), c.data() + c.size())},
+                {"of", "1, x_i, x_i x_j (i <= j); x from -1 to 1 over each range"},
+                {"residual_sigma_deg", s.residual_sigma()},
+                {"degrees_of_freedom", s.degrees_of_freedom()}};
+    out["seed_sigma_deg"] = seeds ? Json(*seeds) : Json(nullptr);
+    for (const SearchRange& r : request_.search) out["ranges"][r.key] = {r.low, r.high};
+    return out;
+  }
+
+  /// The set, how well the angle pins it down, and where it might as well be.
+  Json describe(const ResponseSurface& s, const Point& x) const {
+    const Prediction p = s.at(x);
+    const Point g = s.gradient(x);
+    const double sigma = std::hypot(request_.sigma, p.sigma);
+    Json out = {{"predicted_deg", p.value}, {"predicted_sigma_deg", p.sigma}};
+    const Parameters set = scale_.values(x);
+    fmt::print("set found, predicted {:.2f} +- {:.2f} deg:\n", p.value, p.sigma);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      const double slope = g[static_cast<Eigen::Index>(i)] / scale_.half(i);
+      out["set"][set[i].first] = {{"value", set[i].second},
+                                  {"deg_per_unit", slope},
+                                  {"sigma_alone", sigma / std::abs(slope)}};
+      fmt::print("  {} = {:.4g} (+- {:.2g} if the rest stays: {:.3g} deg a unit)\n", set[i].first,
+                 set[i].second, sigma / std::abs(slope), slope);
+    }
+    out["unique"] = false;
+    const std::vector<Point> lines = neutral_directions(s, x);
+    if (lines.empty()) {
+      fmt::print(
+          "one angle fixes one number: with any other key changed, another value would fit. "
+          "Search two keys to see along which line\n");
+      out["note"] = "one key searched: unique in it alone, not among sets of several keys";
+      return out;
+    }
+    fmt::print("the set is not unique; the angle stays the same along\n");
+    for (const Point& line : lines) {
+      Json direction, ends = Json::array();
+      std::string words;
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        const double unit = line[static_cast<Eigen::Index>(i)] * scale_.half(i);
+        direction[set[i].first] = unit;
+        words += fmt::format("{}{} {:+.3g}", i == 0 ? "" : ", ", set[i].first, unit);
+      }
+      std::string from_to;
+      for (const double way : {-1.0, 1.0}) {
+        Json end;
+        for (const auto& [key, value] : scale_.values(follow(s, x, way * line))) {
+          end[key] = value;
+          from_to +=
+              fmt::format("{}{:.4g}", end.size() == 1 ? (way < 0 ? "" : " to (") : ", ", value);
+        }
+        from_to += ")";
+        ends.push_back(end);
+      }
+      fmt::print("  {}: in these ranges from ({}\n", words, from_to);
+      out["neutral"].push_back({{"direction", direction}, {"ends", ends}});
+    }
+    return out;
+  }
+
+  CalibrationRequest request_;
+  Case case_;
+  PileRig rig_;
+  Scale scale_;
+  std::vector<MeasuredRun> runs_;
+};
+
+}  // namespace
+
+int calibrate_pile_angle(const CalibrationRequest& request) {
+  const std::optional<Case> c = checked_case(request);
+  return c ? PileCalibration(request, *c).run() : 2;
+}
+
+}  // namespace dipper

@@ -1,0 +1,26 @@
+// What is wrong with a request, before anything starts.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "coupler/calibrate/calibration.hpp"
+
+namespace dipper {
+
+/// The case as asked for, checked as `dipper run` checks it; prints every finding, or what the case
+/// is. Nothing when something is wrong with it, or with the request.
+std::optional<Case> checked_case(const CalibrationRequest& request);
+
+/// The case with other values of some keys and another seed; for values checked_case has seen.
+/// Throws std::invalid_argument with the finding when it does not load.
+Case changed_case(const CalibrationRequest& request,
+                  const std::vector<std::pair<std::string, double>>& parameters, std::int64_t seed);
+
+/// "7 of d200, ..." when a class has less than one rock among those poured; "" when all have.
+std::string missing_classes(const Case& c, const std::vector<double>& rocks);
+
+/// How many runs at once.
+int jobs_of(const CalibrationRequest& request);
+
+}  // namespace dipper
