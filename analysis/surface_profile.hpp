@@ -17,7 +17,7 @@ struct SurfaceProfile {
 
 struct SurfaceOptions {
   double cell_m = 0;   ///< side of the columns looked down; 0: a quarter of the smallest radius
-  double step_m = 0;   ///< width of a bin of x; 0: the smallest radius
+  double step_m = 0;   ///< width of a bin of x; 0: half the smallest radius
   double floor_m = 0;  ///< z where there is no rock
 };
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "coupler/core/cache_folder.hpp"
 #include "coupler/core/sha256.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/run/installation.hpp"

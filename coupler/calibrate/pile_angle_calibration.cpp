@@ -74,7 +74,7 @@ class PileCalibration {
       return 2;
     }
     std::vector<PlannedRun> plan =
-        request_.search.empty() ? seeds_at("case", {}, kConfirmSeeds) : search_plan();
+        request_.search.empty() ? seeds_at("case", {}, seeds(kConfirmSeeds)) : search_plan();
     announce(plan, std::accumulate(rocks.begin(), rocks.end(), 0.0));
     runs_ = make(plan);
     if (request_.search.empty()) return measured();

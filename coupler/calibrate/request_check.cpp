@@ -58,6 +58,9 @@ std::optional<Case> checked_case(const CalibrationRequest& request) {
   }
   if (request.search.size() > 3)
     faults.push_back("--search: one to three keys can be searched at once");
+  // Three levels and three terms: nothing would be left to tell the noise by.
+  if (request.search.size() == 1 && request.seeds == 1)
+    faults.push_back("--seeds 1 is too few to search one key; take 2 or more");
   if (std::filesystem::exists(request.out))
     faults.push_back(request.out.string() + " is there already; choose another --out");
   for (const std::string& fault : faults) std::cout << fault << '\n';

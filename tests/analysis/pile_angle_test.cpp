@@ -144,8 +144,8 @@ TEST(PileAngle, SaysWhenThereIsNoFlank) {
 }
 
 TEST(SurfaceProfile, OfOneBallIsItsTop) {
-  const SurfaceProfile p = surface_profile({{{1, 0, 0.5}, 0.5}});
-  ASSERT_EQ(p.x_m.size(), 2U);  // bins as wide as the radius
+  const SurfaceProfile p = surface_profile({{{1, 0, 0.5}, 0.5}}, {0, 0.5, 0});
+  ASSERT_EQ(p.x_m.size(), 2U);  // bins of 0.5 m
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(p.x_m[i], 0.75 + 0.5 * static_cast<double>(i), 1e-12);
     EXPECT_NEAR(p.z_m[i], 0.5 + std::sqrt(0.25 - 0.0625), 0.06);

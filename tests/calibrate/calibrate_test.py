@@ -1,0 +1,133 @@
+"""`dipper calibrate` end to end on some hundred soft rocks: for the command, not for its figures."""
+
+import csv
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+DIPPER = os.environ["DIPPER"]
+TINY = pathlib.Path(__file__).parent.parent / "run" / "tiny"
+# Softer rock takes longer steps: a run takes seconds.
+SOFT = ["--set", "contact.normal_scale=2e-4", "--set", "dem.timestep_s=1.5e-3",
+        "--set", "coupling.sync_steps=2"]
+ROLLING = "contact.rolling_friction_sphere"
+
+
+class Calibrate(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="dipper-calibrate-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.environment = dict(os.environ, XDG_CACHE_HOME=str(cls.folder / "cache"))
+
+    def start(self, *words):
+        return subprocess.Popen([DIPPER, "calibrate", *map(str, words)], text=True, cwd=self.folder,
+                                env=self.environment, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE)
+
+    def calibrate(self, *words, status=0):
+        process = self.start(*words)
+        try:
+            out, err = process.communicate(timeout=150)
+        finally:
+            process.kill()
+        self.assertEqual(process.returncode, status, out + err)
+        return out, err
+
+    def rows(self, out):
+        with open(out / "runs.csv", newline="") as f:
+            return list(csv.DictReader(f))
+
+    def cache(self):
+        return sorted(p.name for p in (self.folder / "cache" / "dipper" / "calibrations").glob("*"))
+
+    def test_higher_rolling_friction_stands_steeper(self):
+        out = self.folder / "search"
+        words = ["pile-angle", TINY, *SOFT, "--size", 3.2, "--seeds", 2, "--out", out,
+                 "--search", ROLLING + "=0.0:1.0", "--target", 32]
+        text, _ = self.calibrate(*words)
+        self.assertIn("6 runs (0 kept from before), then 5 at the set found", text)
+        rows = [r for r in self.rows(out) if r["stage"] == "search"]
+        self.assertEqual(len(rows), 6)
+        angle = {v: sum(float(r["angle_deg"]) for r in rows if float(r[ROLLING]) == v) / 2
+                 for v in (0.0, 1.0)}
+        self.assertGreater(angle[1.0], angle[0.0] + 3)
+        result = json.loads((out / "calibration.json").read_text())
+        self.assertEqual(result["target_deg"], 32)
+        if result["found"] is None:  # the target lies outside what these rocks can do
+            self.fail(f"no set found between {angle}")
+        self.assertFalse(result["found"]["unique"])
+        value = result["found"]["set"][ROLLING]["value"]
+        self.assertEqual((out / "calibrated.set").read_text(), f"{ROLLING}={value:.6g}\n")
+        self.assertEqual(result["confirmed"]["seeds"], 5)
+        # Everything is there already: nothing is run again, and the figures are the same.
+        words[words.index(out)] = self.folder / "again"
+        text, _ = self.calibrate(*words)
+        self.assertIn("6 runs (6 kept from before)", text)
+        self.assertEqual((self.folder / "again" / "runs.csv").read_text(),
+                         (out / "runs.csv").read_text())
+        self.calibrate(*words, status=2)  # a result is never written over
+
+    def test_scaled_density_gives_the_bulk_density(self):
+        out = self.folder / "bulk"
+        self.calibrate("bulk-density", TINY, *SOFT, "--seeds", 2, "--out", out, "--target", 1700)
+        result = json.loads((out / "calibration.json").read_text())
+        self.assertAlmostEqual(result["confirmed"]["bulk_kg_m3"], 1700, delta=17)
+        fraction = result["case_as_it_is"]["solid_fraction"]
+        self.assertTrue(0.5 < fraction < 0.7, fraction)
+        # Walls keep rock off: inside it is denser.
+        self.assertGreater(result["confirmed"]["interior_kg_m3"], 1700)
+
+    def test_interrupt_keeps_what_is_finished(self):
+        words = ["pile-angle", TINY, *SOFT, "--size", 2.4, "--seeds", 4, "--jobs", 1, "--out",
+                 self.folder / "cut"]
+        process = self.start(*words)
+        for line in process.stdout:
+            if "1/4" in line:
+                break
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 4, err)
+        self.assertFalse((self.folder / "cut").exists())
+        deadline = time.time() + 5
+        while any(name.endswith(".part") for name in self.cache()) and time.time() < deadline:
+            time.sleep(0.1)
+        self.assertFalse([name for name in self.cache() if name.endswith(".part")])
+        process = self.start(*words)
+        for line in process.stdout:
+            if "runs (" in line:
+                break
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+        self.assertIn("kept from before", line)
+        self.assertNotIn("(0 kept", line)
+
+    def test_bad_input_starts_nothing(self):
+        before = self.cache()
+        for words, what in (
+                (["pile-angle", TINY, "--search", "contact.rolling=0:1"], "contact.rolling"),
+                (["pile-angle", TINY, "--search", "contact.friction_dipper=0:1"], "no dipper"),
+                (["pile-angle", TINY, "--search", "pile.height_m=2:3"], "does not depend"),
+                (["pile-angle", TINY, "--search", ROLLING + "=0.3:0.1"], "LOW below HIGH"),
+                (["pile-angle", TINY, "--search", ROLLING + "=-1:0.1"], "out of range"),
+                (["pile-angle", TINY, "--search", ROLLING], "KEY=LOW:HIGH"),
+                (["pile-angle", TINY, "--search", ROLLING + "=0:1", "--seeds", 1], "--seeds"),
+                (["pile-angle", TINY, "--size", 0.5], "too small"),
+                (["bulk-density", TINY, "--size", 0.5], "too small"),
+                (["bulk-density", TINY, "--set", "rock.density_kg_m3=x"], "density_kg_m3"),
+                (["bulk-density", self.folder / "nowhere"], "nowhere")):
+            with self.subTest(words=words):
+                out, err = self.calibrate(*words, "--out", self.folder / "bad", status=2)
+                self.assertIn(what, out + err)
+                self.assertFalse((self.folder / "bad").exists())
+        self.assertEqual(self.cache(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
