@@ -21,6 +21,14 @@ class Baseline:
     seed: np.ndarray        # (n, n)
     grid: np.ndarray        # (P, F) index into cells, -1 where there is none
 
+    def part(self, pass_numbers):
+        """The same over some of the passes, and their indices. Covariances stay as all passes give them."""
+        at = [i for i, c in enumerate(self.cells) if c.pass_number in pass_numbers]
+        block = np.ix_(at, at)
+        cells = [self.cells[i] for i in at]
+        return Baseline(cells, self.mean[at], self.values[:, at], self.noise[block], self.seed[block],
+                        make_grid(cells, pass_numbers)), at
+
     @property
     def seeds(self):
         return len(self.values)

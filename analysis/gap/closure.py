@@ -1,7 +1,9 @@
 """How much of the gap the added effect closes, and whether anything simpler would have done as well.
 
 G is the mean of z^2 over cells, with the sd of the unchanged model's prediction throughout. Closure is
-(G before - G after) / (G before - G floor), where the floor is what a perfect model would leave.
+(G before - G after) / (G before - G floor), where the floor is what a perfect model would leave. Cells are
+correlated, so whether it closes by chance, and whether a rival does as well, is judged by T^2, which
+weighs them rightly.
 """
 from dataclasses import dataclass
 
@@ -11,6 +13,8 @@ from .null import root
 
 DRAWS = 2000
 SIGNIFICANT = 0.05
+BETTER = 10.0  # a rival objects when it makes the hold-out so many times more likely than the effect does
+REACH = 2.0  # d below which an effect, by its own signature, does not act on these passes
 
 
 @dataclass(frozen=True)
@@ -18,21 +22,22 @@ class Closure:
     before: float
     after: float
     floor: float
-    closure: float
-    interval90: tuple
-    p: float             # that so much would close by chance, were the unchanged model right
-    rivals: dict         # {what: G it reaches}, to be beaten
+    closure: float       # None where the gap before is within what noise makes: nothing to close
+    interval90: tuple    # of closure; None likewise
+    p: float             # that T^2 would fall so far by chance, were the unchanged model right
+    reaches: bool        # the effect acts on these passes at all
+    t2: float            # T^2 after
+    rivals: dict         # {what: T^2 it reaches}, to be beaten
     worse: tuple         # channels that got significantly worse
-    cells: tuple         # z of each cell before, after
-
-    def confirmed(self):
-        return (self.p < SIGNIFICANT and self.closure > 0 and not self.worse
-                and all(self.after < g for g in self.rivals.values()))
+    z: tuple             # ((z before, z after) of each cell)
 
     def objections(self):
+        """Why the effect is not confirmed here; nothing when it does not act here."""
+        if not self.reaches:
+            return []
         out = [] if self.p < SIGNIFICANT else [f"the gap shrinks no more than by chance: p {self.p:.2g}"]
-        out += [f"{name} does as well (G {g:.2f} against {self.after:.2f})"
-                for name, g in self.rivals.items() if g <= self.after]
+        out += [f"{name} does better (T2 {t2:.0f} against {self.t2:.0f})"
+                for name, t2 in self.rivals.items() if t2 < self.t2 - 2 * np.log(BETTER)]
         return out + [f"{c} got worse" for c in self.worse]
 
 
@@ -40,28 +45,36 @@ def mean_square(residual, sd):
     return np.mean((residual / sd) ** 2, axis=-1)
 
 
-def closure(y, baseline, after, rivals, seed=0):
-    """y (n,) measured; `after` (R1, n) runs of the patched case; `rivals` {what: its mean (n,)}."""
+def closure(y, baseline, after, rivals, expected, seed=0):
+    """y (n,) measured; `after` (R1, n) runs of the patched case; `rivals` {what: its mean (n,)};
+    `expected` (n,) the shift the effect's signature says."""
     rng = np.random.default_rng(seed)
-    sd, runs = baseline.sd, len(after)
+    sd, runs, covariance = baseline.sd, len(after), baseline.prediction
     patched = after.mean(axis=0)
     g0, g1 = mean_square(y - baseline.mean, sd), mean_square(y - patched, sd)
     floor = float(np.mean(np.diag(baseline.noise + baseline.seed * (1 + 1 / runs)) / sd**2))
-    noise = rng.standard_normal((DRAWS, len(y))) @ root(baseline.prediction).T
+    noise = rng.standard_normal((DRAWS, len(y))) @ root(covariance).T
+    inverse = np.linalg.inv(covariance)
+
+    def t2(residual):
+        return ((residual @ inverse) * residual).sum(axis=-1)
+
     # By chance: a mine like the unchanged model, judged by the same patched runs.
-    lucky = mean_square(noise, sd) - mean_square(baseline.mean + noise - patched, sd)
-    p = (1 + (lucky >= g0 - g1).sum()) / (1.0 + DRAWS)
+    lucky = t2(noise) - t2(baseline.mean + noise - patched)
+    p = (1 + (lucky >= t2(y - baseline.mean) - t2(y - patched)).sum()) / (1.0 + DRAWS)
     # Bootstrap: runs drawn again with replacement, the mine's own errors drawn anew.
     again = after[rng.integers(runs, size=(DRAWS, runs))].mean(axis=1)
     first = baseline.values[rng.integers(baseline.seeds, size=(DRAWS, baseline.seeds))].mean(axis=1)
-    extra = np.mean(np.diag(baseline.prediction) / sd**2)  # the new errors' own share, in both
     drawn = y + noise
-    b0, b1 = mean_square(drawn - first, sd) - extra, mean_square(drawn - again, sd) - extra
-    share = (b0 - b1) / np.maximum(b0 - floor, 1e-3 * max(g0, 1.0))
-    return Closure(float(g0), float(g1), floor, float((g0 - g1) / max(g0 - floor, 1e-9)),
-                   tuple(float(q) for q in np.quantile(share, [0.05, 0.95])), float(p),
-                   {k: float(mean_square(y - v, sd)) for k, v in rivals.items()},
-                   _worse(baseline, drawn, first, again),
+    share = interval = None
+    if g0 > np.quantile(mean_square(noise, sd), 1 - SIGNIFICANT):
+        b0, b1 = mean_square(drawn - first, sd) - 1, mean_square(drawn - again, sd) - 1  # less the new errors
+        interval = tuple(float(q) for q in np.quantile((b0 - b1) / np.maximum(b0 - floor, 0.1 * (g0 - floor)),
+                                                       [0.05, 0.95]))
+        share = float((g0 - g1) / (g0 - floor))
+    return Closure(float(g0), float(g1), floor, share, interval, float(p),
+                   bool(np.sqrt(t2(expected)) > REACH), float(t2(y - patched)),
+                   {k: float(t2(y - v)) for k, v in rivals.items()}, _worse(baseline, drawn, first, again),
                    tuple(zip(((y - baseline.mean) / sd).tolist(), ((y - patched) / sd).tolist())))
 
 

@@ -13,6 +13,7 @@ OMNIBUS_P = 0.01       # there is a gap
 PROBABILITY = 0.90     # of the effect, or the class
 BAYES_FACTOR = 10.0    # over every effect outside the class
 CONSISTENT_P = 0.05    # what the effect leaves looks like nothing
+NEGLIGIBLE = 0.05      # of everything in the catalogue together
 LARGEST_CLASS = 4      # a longer list is no answer
 
 
@@ -28,7 +29,7 @@ class Verdict:
 
 
 def decide(omnibus_p, m, signatures, covariance, residual, baseline, null):
-    """`covariance` holds the nuisances; `null` must have been made without directions or with the same."""
+    """`covariance` holds the nuisances and the null's inflation."""
     if omnibus_p >= OMNIBUS_P:
         return Verdict("no-gap", probability=m.probability["none"],
                        reasons=(f"omnibus p {omnibus_p:.2g} is not below {OMNIBUS_P:g}",))
@@ -47,7 +48,9 @@ def decide(omnibus_p, m, signatures, covariance, residual, baseline, null):
                                if probability < PROBABILITY else ())
     if not failed and together >= PROBABILITY and 1 < len(members) <= LARGEST_CLASS:
         return Verdict("class", lead, members, together, residual_p, reasons, _rejected(lead, members, m, by_name))
-    if together < PROBABILITY:
+    if together < NEGLIGIBLE:
+        reasons = ("nothing in the catalogue explains it",)
+    elif together < PROBABILITY:
         reasons += (f"with what looks like it ({', '.join(members)}) {together:.2f}",)
     elif len(members) > LARGEST_CLASS:
         reasons += (f"{len(members)} effects look alike here",)
@@ -71,7 +74,8 @@ def _class(lead, strength, m, signatures, covariance):
 
 def _left_over(best, by_name, covariance, residual, baseline, null):
     """p of what the effects leave, by the omnibus test."""
-    spread = covariance + sum(a * a * by_name[n].spread for a, n in zip(best.best, best.names))
+    # The null knows how little the covariance is known; the inflation that allows for it is taken back.
+    spread = covariance / null.inflation() + sum(a * a * by_name[n].spread for a, n in zip(best.best, best.names))
     stats = statistics(residual - best.explained, spread, baseline.grid)
     return float(null.plain().omnibus_p(stats))
 
@@ -80,7 +84,8 @@ def _failed(lead, members, strength, m, by_name, residual_p):
     effect = by_name[lead].effect
     out = []
     for other in by_name:
-        if other not in members and m.log_bayes(lead, other) < np.log(BAYES_FACTOR):
+        beside = m.presence(other) >= PROBABILITY  # a companion is no rival
+        if other not in members and not beside and m.log_bayes(lead, other) < np.log(BAYES_FACTOR):
             out.append(f"Bayes factor over {other} is {np.exp(m.log_bayes(lead, other)):.1f}, "
                        f"not above {BAYES_FACTOR:g}")
     if residual_p <= CONSISTENT_P:

@@ -17,11 +17,18 @@ DRAWS = 600
 class Null:
     stats: np.ndarray   # (draws, statistics)
     z: np.ndarray       # (draws, n)
-    directed: bool = False  # the last statistic is that of the catalogue's directions
+    directions: int = 0  # of the catalogue, when the last statistic is T2 within their space
 
     def plain(self):
         """The same without that statistic."""
-        return Null(self.stats[:, :-1], self.z) if self.directed else self
+        return Null(self.stats[:, :-1], self.z) if self.directions else self
+
+    def inflation(self):
+        """Variance of a fit along the catalogue's directions, in what the estimated covariance promises.
+
+        Whitening by a covariance known from a few runs promises too much; T2 in K directions would be K.
+        """
+        return max(1.0, float(self.stats[:, -1].mean()) / self.directions) if self.directions else 1.0
 
     def single_p(self, stats):
         """p of each statistic by itself, one-sided (large is bad)."""
@@ -73,19 +80,23 @@ def root(covariance):
     return vectors * np.sqrt(np.maximum(values, 0.0))
 
 
-def simulate_null(baseline, directions=None, draws=DRAWS, seed=0):
+def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None):
+    """Null of the statistics over `passes` (default: all); covariances are estimated from all of them."""
+    part, at = baseline.part(passes) if passes else (baseline, list(range(len(baseline.mean))))
+    block = np.ix_(at, at)
     rng = np.random.default_rng(seed)
     n, runs = len(baseline.mean), baseline.seeds
     seed_root, noise_root = root(baseline.seed), root(baseline.noise)
-    stats, z = [], np.empty((draws, n))
+    stats, z = [], np.empty((draws, len(at)))
     for d in range(draws):
         made = rng.standard_normal((runs + 1, n)) @ seed_root.T
         covariance = baseline.noise + seed_covariance(made[:-1], baseline.grid) * (1 + 1 / runs)
         residual = made[-1] + noise_root @ rng.standard_normal(n) - made[:-1].mean(axis=0)
-        stats.append(statistics(residual, covariance, baseline.grid, directions))
+        residual, covariance = residual[at], covariance[block]
+        stats.append(statistics(residual, covariance, part.grid, directions))
         z[d] = residual / np.sqrt(np.diag(covariance))
-    directed = directions is not None and directions.size > 0
-    return Null(np.array(stats), z, directed)
+    count = 0 if directions is None else int(np.linalg.matrix_rank(directions))
+    return Null(np.array(stats), z, count)
 
 
 def left_out_inflation(baseline, null, seed=1, copies=20):

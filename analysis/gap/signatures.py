@@ -29,11 +29,16 @@ class Signature:
     def name(self):
         return self.effect.name
 
+    def part(self, at):
+        """The same over some of the cells."""
+        return Signature(self.effect, self.g[at], self.spread[np.ix_(at, at)], self.chaos)
+
 
 def fit_signature(effect, baseline, strengths, seed_index, values):
-    """From runs (J, n) at `strengths` (J,), each paired with baseline run seed_index (J,)."""
+    """From runs (J, n) at `strengths` (J,), each paired with baseline run seed_index (J,); None: with none
+    of them, so with their mean."""
     s = np.asarray(strengths, float)
-    difference = values - baseline.values[np.asarray(seed_index)]
+    difference = values - [baseline.mean if k is None else baseline.values[k] for k in seed_index]
     g = s @ difference / (s @ s)
     rest = difference - np.outer(s, g)
     variance = np.diag(baseline.seed)

@@ -76,6 +76,11 @@ class DipperSimulator(Simulator):
     def identity(self):
         return self._identity
 
+    def check(self):
+        """What `dipper check` has against the case; empty when it is sound."""
+        made = subprocess.run([self.program, "check", str(self.case)], capture_output=True, text=True)
+        return "" if made.returncode == 0 else (made.stdout + made.stderr).strip()
+
     def folder(self, r):
         text = f"{self._identity}\n{r}\n" + "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
         return self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
@@ -89,13 +94,15 @@ class DipperSimulator(Simulator):
     def run(self, requests, say=print):
         need = list(dict.fromkeys(r.plain if r.observed_only else r for r in requests))
         todo = [r for r in need if not self._done(r)]
-        began, done = time.monotonic(), 0
+        began, failures = time.monotonic(), []
         with ThreadPoolExecutor(JOBS) as pool:
             futures = {pool.submit(self._make, r): r for r in todo}
             try:
-                for future in as_completed(futures):
+                for done, future in enumerate(as_completed(futures), 1):
+                    if isinstance(future.exception(), RunFailed):
+                        failures.append(str(future.exception()))
+                        continue
                     future.result()
-                    done += 1
                     left = (time.monotonic() - began) / done * (len(todo) - done)
                     say(f"  run {done} of {len(todo)}: {futures[future]}; about {_minutes(left)} left")
             except BaseException:
@@ -103,6 +110,8 @@ class DipperSimulator(Simulator):
                 for future in futures:
                     future.cancel()
                 raise
+        if failures:
+            raise RunFailed("\n".join(failures))
         return [self._observed(r) for r in requests]
 
     def _done(self, r):

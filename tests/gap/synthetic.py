@@ -73,7 +73,7 @@ def run(effects=None, seed=0, rate_hz=1.0, spread=1.0):
         start = CYCLE_S * k
         pen, fill, out = ph["penetrate"], ph["fill"], ph["breakout"]
         dump, back = ph["dump"], ph["return"]
-        here = (t >= start) & (t < start + CYCLE_S)
+        here = (t >= start) & (t <= start + CYCLE_S)
         deep = 1 + 0.015 * spread * rng.standard_normal()
         stand = e.get("standoff", 0.0) + e.get("standoff_scan", 0.0)
         deep *= 1 - 0.25 * stand

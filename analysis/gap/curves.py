@@ -1,0 +1,63 @@
+"""Measured, before and after, signal by signal and pass by pass: what the report draws."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .measured import MASS
+
+
+@dataclass(frozen=True)
+class Curve:
+    pass_number: int
+    held_out: bool
+    channel: str
+    time_s: np.ndarray     # since the pass began
+    measured: np.ndarray
+    before: np.ndarray     # mean over runs
+    spread: np.ndarray     # sd over runs
+    after: np.ndarray      # None when nothing was added
+
+
+@dataclass(frozen=True)
+class Mass:
+    pass_number: int
+    held_out: bool
+    measured: float
+    before: float
+    spread: float
+    after: float           # None when nothing was added
+
+
+def curves(measured, before, after, numbers, held):
+    """Curves of the response signals; simulated ones are read at the measured times within the pass."""
+    out = []
+    for number in numbers:
+        mine = _pass(measured, number)
+        inside = (measured.time_s >= mine.t_start_s) & (measured.time_s <= mine.t_end_s)
+        t = measured.time_s[inside] - mine.t_start_s
+        for channel in measured.responses():
+            runs = np.array([_read(m, number, channel, t) for m in before])
+            new = np.mean([_read(m, number, channel, t) for m in after], axis=0) if after else None
+            out.append(Curve(number, number in held, channel, t, measured.signals[channel][inside],
+                             runs.mean(axis=0), runs.std(axis=0, ddof=1), new))
+    return out
+
+
+def masses(measured, before, after, numbers, held):
+    if MASS not in measured.channels:
+        return []
+    out = []
+    for number in numbers:
+        runs = np.array([_pass(m, number).truck_mass_t for m in before])
+        new = float(np.mean([_pass(m, number).truck_mass_t for m in after])) if after else None
+        out.append(Mass(number, number in held, _pass(measured, number).truck_mass_t, float(runs.mean()),
+                        float(runs.std(ddof=1)), new))
+    return out
+
+
+def _pass(m, number):
+    return next(p for p in m.passes if p.number == number)
+
+
+def _read(m, number, channel, t):
+    return np.interp(t + _pass(m, number).t_start_s, m.time_s, m.signals[channel])

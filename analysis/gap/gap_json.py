@@ -1,0 +1,80 @@
+"""gap.json: the answer, in the form docs/gap.md fixes."""
+import json
+
+import numpy as np
+
+from .isolability import CONFUSABLE
+from .patch import overlay
+
+SHOWN_P = 0.05  # cells whose adjusted p is larger are left out of `disagreement`
+
+
+def as_json(out, catalogue, hashes):
+    """The contract of docs/gap.md as a dict; numbers that do not exist are null."""
+    v = out.verdict
+    lead = next(iter(out.effects), "")
+    return {
+        "verdict": v.verdict,
+        "effect": lead or None,
+        "class": list(v.members) if v.verdict in ("named", "class") else [],
+        "probability": v.probability,
+        "parameter": _parameter(out, catalogue, lead) if lead else None,
+        "disagreement": _disagreement(out),
+        "confusable": _confusable(out, lead or (v.members[0] if v.members else "")),
+        "gap": _gap(out),
+        "rejected": [{"effect": n, "probability": p, "reason": r} for n, p, r in v.rejected],
+        "patch": overlay(out.effects),
+        "runs": out.runs,
+        "seeds": out.seeds,
+        "hashes": hashes,
+        "omnibus_p": out.disagreement.omnibus_p,
+        "reasons": list(v.reasons),
+        "intervals": {n: list(i) for n, i in out.intervals.items()},
+        "second": out.second,
+        "next_experiment": [{"name": p.name, "title": p.title, "minutes": p.minutes, "bits": p.bits}
+                            for p in out.proposals[:3]],
+        "warnings": list(out.warnings)}
+
+
+def _parameter(out, catalogue, name):
+    e = catalogue[name]
+    return {"name": e.parameter, "unit": e.unit, "estimate": out.effects[name],
+            "interval90": list(out.intervals[name])}
+
+
+def _disagreement(out):
+    d, cells = out.disagreement, out.training.baseline.cells
+    order = np.argsort(d.p_adjusted, kind="stable")
+    return [{"pass": cells[i].pass_number, "phase": cells[i].phase, "channel": cells[i].channel,
+             "feature": cells[i].feature, "z": float(d.z[i]), "p_adjusted": float(d.p_adjusted[i])}
+            for i in order if d.p_adjusted[i] <= SHOWN_P]
+
+
+def _confusable(out, name):
+    """What could be taken for the leading effect, the nearest first."""
+    t = out.table
+    if not name:
+        return []
+    i = t.names.index(name)
+    pairs = [(t.d_prime[i, j], n) for j, n in enumerate(t.names) if j != i]
+    return [{"effect": n, "distinguishability": float(d), "same_class": bool(d < CONFUSABLE)}
+            for d, n in sorted(pairs)]
+
+
+def _gap(out):
+    z = out.disagreement.z
+    train, held = out.confirmed.get("training"), out.confirmed.get("holdout")
+    return {"before": float(np.mean(z**2)), "after": train.after if train else None,
+            "floor": train.floor if train else 1.0, "closure": train.closure if train else None,
+            "closure_interval90": _list(train and train.interval90),
+            "holdout_closure": held.closure if held else None,
+            "holdout_interval90": _list(held and held.interval90),
+            "holdout_p": held.p if held else None}
+
+
+def _list(pair):
+    return list(pair) if pair else None
+
+
+def write_json(data, file):
+    file.write_text(json.dumps(data, indent=2, allow_nan=False) + "\n")

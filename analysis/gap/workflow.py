@@ -1,0 +1,315 @@
+"""Steps 1 to 11: from a measured folder and a case to a verdict, a patched case and its confirmation."""
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from .baseline import LEAST_SEEDS, make_baseline
+from .closure import best_fit, closure
+from .curves import curves, masses
+from .decide import OMNIBUS_P, PROBABILITY, Verdict, decide
+from .isolability import isolability, with_nuisances
+from .localise import localise
+from .match import interval, match, stability
+from .measured import MASS
+from .next_experiment import propose
+from .noise import measured_features, noise_covariance, noisy_features
+from .null import left_out_inflation, simulate_null, statistics
+from .signatures import fit_signature
+from .simulator import request
+
+NEED_PASSES = 2
+SIGNATURE_RUNS = ((0, 0), (1, 0), (1, 1))  # (which of the two strengths, which of the baseline's seeds)
+FRESH_SEEDS = 5
+FRESH_FROM = 1000       # seeds of the confirming runs start so far above the baseline's
+MOTION_TOLERANCE_S = 1.0
+TWO_SIDED_90 = 3.29     # a central 90 % interval of a Gaussian, in sd
+
+
+@dataclass(frozen=True)
+class Part:
+    """Training or hold-out passes: what was measured there, and what the model says."""
+
+    passes: tuple
+    y: np.ndarray
+    baseline: object
+    signatures: list
+    nuisances: list
+    covariance: np.ndarray   # of the prediction, nuisances included
+    bias: np.ndarray         # (channels, n): shift by a constant in one channel
+    at: list                 # these cells among those of all passes
+
+
+@dataclass(frozen=True)
+class SignatureRuns:
+    strengths: tuple
+    seed_index: tuple
+    values: np.ndarray       # (J, n)
+
+
+@dataclass
+class Outcome:
+    """Everything the report and gap.json are made of."""
+
+    training: Part = None
+    holdout: Part = None
+    disagreement: object = None
+    inflation: float = 1.0
+    table: object = None
+    matched: object = None
+    verdict: Verdict = None
+    effects: dict = field(default_factory=dict)     # {name: strength} of what is named, the first leads
+    intervals: dict = field(default_factory=dict)
+    stability: float = 0.0
+    confirmed: dict = field(default_factory=dict)   # {"training": Closure, "holdout": Closure}
+    second: dict = None
+    proposals: list = field(default_factory=list)
+    warnings: list = field(default_factory=list)
+    curves: list = field(default_factory=list)      # of the report: curves.Curve
+    masses: list = field(default_factory=list)      # curves.Mass
+    runs: int = 0
+    seeds: dict = field(default_factory=dict)
+
+
+def split(numbers):
+    """Training and hold-out passes: the second of every three is held out; of two, the last.
+
+    The first and the last of three stay in training: some effects only show there.
+    """
+    held = [n for i, n in enumerate(numbers) if i % 3 == 1]
+    return tuple(n for n in numbers if n not in held), tuple(held)
+
+
+class Workflow:
+    def __init__(self, measured, simulator, catalogue, first_seed=1, say=print):
+        self.measured, self.simulator, self.catalogue = measured, simulator, catalogue
+        self.first_seed, self.say = first_seed, say
+        self.out = Outcome()
+
+    def requests(self):
+        """Baseline runs, and {effect: its signature runs}; effects with the same overlay share them."""
+        seeds = [self.first_seed + k for k in range(LEAST_SEEDS)]
+        base = [request({}, s, self.catalogue) for s in seeds]
+        made, shared = {}, {}
+        for e in sorted(self.catalogue.values(), key=lambda e: e.nuisance):
+            first = shared.setdefault(e.overlay or e.name, e)
+            made[e.name] = [(first.strengths()[i], k, request({first.name: first.strengths()[i]}, seeds[k],
+                                                              self.catalogue)) for i, k in SIGNATURE_RUNS]
+        return base, made
+
+    def statement(self):
+        """What the analysis will take, before it starts."""
+        base, made = self.requests()
+        every = base + [r for rows in made.values() for _, _, r in rows]
+        todo, kept, each = self.simulator.plan(every)
+        fresh = f"{FRESH_SEEDS} more confirm a named effect"
+        text = f"{todo + kept} runs, {kept} of them kept from before; {fresh}"
+        if todo and each:
+            text += f"; about {todo * each / 2 / 60:.0f} min, two at a time"
+        elif todo:
+            text += "; how long is told after the first"
+        return text
+
+    def run(self):
+        self.say(f"gap: {self.statement()}")
+        base, made = self.requests()
+        self._prepare(base, made)
+        out = self.out
+        directions = np.array([s.g for s in out.training.signatures]).T
+        null = simulate_null(self.whole, directions, passes=out.training.passes)
+        out.training = replace(out.training, covariance=null.inflation() * out.training.covariance)
+        residual = out.training.y - out.training.baseline.mean
+        out.disagreement = localise(residual, out.training.baseline, null, directions)
+        out.table = isolability(out.training.signatures, out.training.covariance)
+        out.matched = match(residual, out.training.covariance, out.training.signatures, out.training.baseline)
+        out.verdict = decide(out.disagreement.omnibus_p, out.matched, out.training.signatures,
+                             out.training.covariance, residual, out.training.baseline, null)
+        self.say(f"gap: omnibus p {out.disagreement.omnibus_p:.3g}; verdict {out.verdict.verdict}"
+                 + (f": {', '.join(out.verdict.members)}" if out.verdict.members else ""))
+        if out.verdict.verdict == "named":
+            self._add_and_confirm(null)
+        else:
+            self._draw([])
+        if out.verdict.verdict == "class":
+            self.out.intervals = {n: interval(out.matched, n, out.training.signatures)
+                                  for n in out.verdict.members}
+        self._next()
+        return out
+
+    def _prepare(self, base, made):
+        rows = list(dict.fromkeys(base + [r for runs in made.values() for _, _, r in runs]))
+        folders = dict(zip(rows, self.simulator.run(rows, self.say)))
+        self.out.runs = len([r for r in rows if not r.observed_only])
+        self.out.seeds = {"baseline": [r.seed for r in base]}
+        common = set(p.number for p in self.measured.passes)
+        for m in folders.values():
+            common &= set(p.number for p in m.passes)
+        numbers = sorted(common)
+        if len(numbers) < NEED_PASSES:
+            raise ValueError(f"{len(numbers)} passes are both measured and simulated; {NEED_PASSES} or more "
+                             "are needed, one to train on and one to hold out")
+        channels = self.measured.channels
+        cells, y, durations = measured_features(self.measured, numbers)
+        views = {r: noisy_features(m, channels, numbers) for r, m in folders.items()}
+        self._check_motion(durations, views[base[0]].durations, numbers)
+        common = [c for c in cells if all(c in set(v.cells) for v in views.values())]
+        rows_of = {r: v.mean[[v.cells.index(c) for c in common]] for r, v in views.items()}
+        at = [views[base[0]].cells.index(c) for c in common]
+        noise = noise_covariance([views[r] for r in base], channels)[np.ix_(at, at)]
+        whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers)
+        self.out.inflation = left_out_inflation(whole, simulate_null(whole, draws=200))
+        whole = replace(whole, seed=whole.seed * self.out.inflation)
+        runs = {n: SignatureRuns(tuple(s for s, _, _ in made_rows), tuple(k for _, k, _ in made_rows),
+                                 np.array([rows_of[r][keep] for _, _, r in made_rows]))
+                for n, made_rows in made.items()}
+        signatures = [fit_signature(self.catalogue[n], whole, r.strengths, r.seed_index, r.values)
+                      for n, r in runs.items()]
+        size = np.array([channels[n].common_sigma for n in self._response_names()])
+        bias = views[base[0]].common[:, at][:, keep] / np.where(size > 0, size, 1.0)[:, None]
+        self.base_folders = [folders[r] for r in base]
+        self.whole, self.runs, self.common = whole, runs, [common[i] for i in keep]
+        y = y[[cells.index(c) for c in self.common]]
+        training, held = split(numbers)
+        self.out.training = self._part(training, y, signatures, bias)
+        self.out.holdout = self._part(held, y, signatures, bias)
+
+    def _part(self, passes, y, signatures, bias):
+        baseline, at = self.whole.part(passes)
+        cut = [s.part(at) for s in signatures]
+        nuisances = [s for s in cut if s.effect.nuisance]
+        return Part(passes, y[at], baseline, [s for s in cut if not s.effect.nuisance], nuisances,
+                    with_nuisances(baseline.prediction, nuisances), bias[:, at], at)
+
+    def _draw(self, after_folders):
+        held = self.out.holdout.passes
+        numbers = sorted(self.out.training.passes + held)
+        self.out.curves = curves(self.measured, self.base_folders, after_folders, numbers, held)
+        self.out.masses = masses(self.measured, self.base_folders, after_folders, numbers, held)
+
+    def _features_of(self, folders):
+        """(runs, n) over all passes' cells."""
+        views = [noisy_features(m, self.measured.channels, sorted({c.pass_number for c in self.common}))
+                 for m in folders]
+        return np.array([v.mean[[v.cells.index(c) for c in self.common]] for v in views])
+
+    def _response_names(self):
+        return self.measured.responses() + ([MASS] if MASS in self.measured.channels else [])
+
+    def _check_motion(self, measured, simulated, passes):
+        for number, mine, model in zip(passes, measured, simulated):
+            for phase in mine:
+                if abs(mine[phase] - model.get(phase, 0.0)) > MOTION_TOLERANCE_S:
+                    self.out.warnings.append(
+                        f"pass {number}: {phase} takes {mine[phase]:.1f} s in the mine and "
+                        f"{model.get(phase, 0.0):.1f} s in the model: is the case's motion the measured one?")
+
+    def _add_and_confirm(self, null):
+        out = self.out
+        m, lead = out.matched, out.verdict.effect
+        fit = m.fits[m.best_with(lead)]
+        sure = [lead] + [n for n in fit.names if n != lead and m.presence(n) >= PROBABILITY]
+        strengths = {n: float(fit.best[fit.names.index(n)]) for n in sure}
+        out.intervals = {n: interval(m, n, out.training.signatures) for n in sure}
+        out.stability = stability(m, lead, out.training.covariance, out.training.signatures)
+        after = self._confirm(strengths)
+        held = out.confirmed["holdout"]
+        if held.objections():
+            self.say("gap: not confirmed: " + "; ".join(held.objections()))
+            out.verdict = replace(out.verdict, verdict="unknown", effect="", members=(), reasons=tuple(
+                f"{as_text(strengths)} was added, but on the hold-out {o}" for o in held.objections()))
+            return
+        if not held.reaches:
+            out.verdict = replace(out.verdict, reasons=(
+                f"{as_text(strengths)} does not act on the hold-out passes: confirmed on training only",))
+        out.effects = strengths
+        if len(sure) > 1:
+            out.second = self._second(m, sure[1], strengths[sure[1]])
+        else:
+            self._look_again(lead, strengths[lead], after, null)
+
+    def _confirm(self, strengths):
+        """Fresh runs of the patched case; fills out.confirmed."""
+        out = self.out
+        seeds = [self.first_seed + FRESH_FROM + k for k in range(FRESH_SEEDS)]
+        asked = [request(strengths, s, self.catalogue) for s in seeds]
+        self.say(f"gap: {FRESH_SEEDS} fresh runs with {as_text(strengths)}")
+        folders = self.simulator.run(asked, self.say)
+        out.runs += FRESH_SEEDS
+        self._draw(folders)
+        out.seeds["fresh"] = seeds
+        after = self._features_of(folders)
+        for name, part in (("training", out.training), ("holdout", out.holdout)):
+            expected = sum(strengths[s.name] * s.g for s in part.signatures if s.name in strengths)
+            out.confirmed[name] = closure(part.y, part.baseline, after[:, part.at],
+                                          self._rivals(part, strengths), expected)
+        return after
+
+    def _rivals(self, part, strengths):
+        """Means on `part` of what must be beaten, each fitted on the training passes."""
+        train = self.out.training
+        residual, mean = train.y - train.baseline.mean, part.baseline.mean
+        rivals = {}
+        if train.nuisances:
+            b = best_fit(residual, train.baseline.prediction, np.array([s.g for s in train.nuisances]).T,
+                         [s.effect.scale for s in train.nuisances])
+            rivals["nuisances tuned anew"] = mean + b @ np.array([s.g for s in part.nuisances])
+        wrong = [n for n in (s.name for s in train.signatures) if n not in strengths]
+        if wrong:
+            best = max(wrong, key=lambda n: self.out.matched.log_weight[(n,)])
+            g = next(s.g for s in part.signatures if s.name == best)
+            rivals[f"{best}, the best wrong effect"] = mean + self.out.matched.fits[(best,)].best[0] * g
+        shift = best_fit(residual, train.baseline.prediction, train.bias.T, np.full(len(train.bias), 1e6))
+        rivals["a constant bias in each channel"] = mean + shift @ part.bias
+        return rivals
+
+    def _look_again(self, first, strength, after, null):
+        """A second effect, where the first leaves more than noise on the training passes.
+
+        Both are matched together; the first one's signature now also knows the fresh runs.
+        """
+        out, train = self.out, self.out.training
+        residual = train.y - train.baseline.mean
+        index = {s.name: k for k, s in enumerate(train.signatures)}
+        runs = self.runs[first]
+        better = fit_signature(self.catalogue[first], self.whole,
+                               list(runs.strengths) + [strength] * len(after),
+                               list(runs.seed_index) + [None] * len(after), np.vstack([runs.values, after])).part(train.at)
+        signatures = list(train.signatures)
+        signatures[index[first]] = better
+        left = train.y - after[:, train.at].mean(axis=0)
+        low, high = out.intervals[first]
+        unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(better.g, better.g)
+        covariance = train.baseline.noise + train.baseline.seed * (1 + 1 / len(after)) + unsure
+        if null.plain().omnibus_p(statistics(left, covariance, train.baseline.grid)) >= OMNIBUS_P:
+            return
+        m = match(residual, train.covariance, signatures, train.baseline)
+        rest = [n for n in index if n != first]
+        other = max(rest, key=m.presence, default=None)
+        if other is None or m.presence(first) < PROBABILITY or m.presence(other) < PROBABILITY:
+            out.second = {"verdict": "unknown"}
+            return
+        fit = m.fits[m.best_with(other)]
+        out.intervals[other] = interval(m, other, signatures)
+        out.second = self._second(m, other, float(fit.best[fit.names.index(other)]))
+
+    def _second(self, m, name, strength):
+        e = self.catalogue[name]
+        return {"verdict": "named", "effect": name, "probability": m.presence(name),
+                "parameter": {"name": e.parameter, "unit": e.unit, "estimate": strength,
+                              "interval90": list(self.out.intervals[name])}}
+
+    def _next(self):
+        """Experiments for whatever is still open: the class, or every effect that is not ruled out."""
+        out = self.out
+        if out.verdict.verdict in ("named", "no-gap"):
+            return
+        names = out.verdict.members or [s.name for s in out.training.signatures]
+        weights = {n: out.matched.presence(n) for n in names}
+        if out.verdict.verdict != "class":  # hardly anything is known: the catalogue as it stands
+            weights = {n: w + 1.0 / len(names) for n, w in weights.items()}
+        out.proposals = propose(weights)
+
+
+def as_text(strengths):
+    return ", ".join(f"{n} {s:.3g}" for n, s in strengths.items())
+
+
