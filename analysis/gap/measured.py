@@ -76,8 +76,11 @@ class Measured:
         return [n for n in KNOWN if n in self.signals and self.channels[n].role == RESPONSE]
 
 
-def read_measured(folder, need_passes=1):
-    """Reads a measured folder; throws BadInput with everything that is wrong with it."""
+def read_measured(folder, need_passes=1, simulated=False):
+    """Reads a measured folder; throws BadInput with everything that is wrong with it.
+
+    A run may end within a pass; of a `simulated` folder that pass is left out, in a mine's it is a fault.
+    """
     folder = Path(folder)
     found = Findings()
     if not folder.is_dir():
@@ -85,7 +88,9 @@ def read_measured(folder, need_passes=1):
         found.raise_if_any()
     channels = _channels(folder / "channels.yaml", found)
     passes = _passes(folder / "passes.csv", channels, need_passes, found)
-    time_s, signals = _signals(folder / "signals.csv", channels, passes, found)
+    time_s, signals = _signals(folder / "signals.csv", channels, [] if simulated else passes, found)
+    if simulated and signals:
+        passes = [p for p in passes if _readings(time_s, p) >= LEAST_SAMPLES]
     _optional_table(folder / "pile_angle.csv", ("pile", "angle_deg"), found)
     _optional_table(folder / "profile.csv", ("pass", "x_m", "z_m"), found)
     found.raise_if_any()
@@ -243,11 +248,15 @@ def _signals(file, channels, passes, found):
     for k in np.flatnonzero(~(np.diff(time) > 0)):
         found.add(file, lines[k + 1], "time_s", f"is {time[k + 1]:g} after {time[k]:g}", "later times only")
     for p in passes:
-        inside = int(np.sum((time >= p.t_start_s) & (time <= p.t_end_s)))
+        inside = _readings(time, p)
         if inside < LEAST_SAMPLES:
             found.add(file, 0, "time_s", f"{inside} readings within pass {p.number} "
                       f"({p.t_start_s:g} to {p.t_end_s:g} s)", f"{LEAST_SAMPLES} or more")
     return time, {n: table[n] for n in declared if n in table}
+
+
+def _readings(time, p):
+    return int(np.sum((time >= p.t_start_s) & (time <= p.t_end_s)))
 
 
 def _optional_table(file, columns, found):

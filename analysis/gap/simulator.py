@@ -164,7 +164,7 @@ class DipperSimulator(Simulator):
 
     def _observed(self, r):
         if not r.observed_only:
-            return read_measured(self.folder(r) / "run" / "observed")
+            return read_measured(self.folder(r) / "run" / "observed", simulated=True)
         out = self.folder(r) / "observed"
         if not (out / "passes.csv").is_file():
             out.parent.mkdir(parents=True, exist_ok=True)
@@ -177,7 +177,7 @@ class DipperSimulator(Simulator):
             made = subprocess.run(words, capture_output=True, text=True)
             if made.returncode != 0:
                 raise RunFailed(f"dipper observe failed ({r}): {made.stderr.strip()}")
-        return read_measured(out)
+        return read_measured(out, simulated=True)
 
 
 def _minutes(seconds):

@@ -85,6 +85,13 @@ def test_too_few_passes_or_readings(folder):
     assert any("readings within pass 2" in f for f in findings(folder))
 
 
+def test_a_run_may_end_within_a_pass(folder):
+    with open(folder / "passes.csv", "a") as f:
+        f.write("4,144,148,0\n")
+    assert any("readings within pass 4" in f for f in findings(folder))
+    assert [p.number for p in read_measured(folder, 3, simulated=True).passes] == [1, 2, 3]
+
+
 def test_everything_at_once(folder):
     change(folder / "channels.yaml", "unit: kN", "unit: N")
     change(folder / "passes.csv", "48.000,96.000", "47.000,96.000")

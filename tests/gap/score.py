@@ -1,0 +1,170 @@
+#!/usr/bin/python3
+"""Scores blind cases: what the workflow said against truths that were sealed before it looked.
+
+    FOLDER/sealed.csv              case,sha256            of each truth file, written before any analysis
+    FOLDER/truth/CASE.yaml         {kind, effects: {NAME: strength or null}, salt}
+    FOLDER/results/CASE/gap.json   what `dipper gap` said
+
+kind: effect (one of the catalogue), pair (two of it), outside (none of it), control (no effect, another twin),
+decoy (only nuisances or the operator differ), null (the model itself with fresh noise). A strength is null
+where the truth's implementation has no strength in the catalogue's unit.
+
+usage: score.py seal FOLDER      writes sealed.csv (refuses to write it over)
+       score.py FOLDER [TABLE]   checks the seals, scores, prints the table, writes it to TABLE
+"""
+import csv
+import hashlib
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import yaml
+from scipy.stats import binomtest
+
+KINDS = ("effect", "pair", "outside", "control", "decoy", "null")
+# name: (smallest or largest allowed, which of them)
+TARGETS = {"false alarms": (0.05, "most"), "wrong name": (0.05, "most"), "right name": (0.75, "least"),
+           "right name or class": (0.95, "least"), "abstains outside": (0.80, "least"),
+           "interval coverage": (0.80, "least"), "hold-out closure 60 %": (0.50, "least")}
+
+
+class SealBroken(ValueError):
+    """A truth is not the one that was sealed."""
+
+
+@dataclass(frozen=True)
+class Row:
+    case: str
+    kind: str
+    truth: str
+    verdict: str
+    said: str
+    outcome: str       # right | class | wrong | abstained | false alarm | quiet
+    covered: object    # True, False, or None where there is nothing to cover
+    closure: object
+
+
+def sha256(file):
+    return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
+def seal(folder):
+    target = folder / "sealed.csv"
+    if target.exists():
+        raise SealBroken(f"{target} is there already: truths are sealed once")
+    rows = [(f.stem, sha256(f)) for f in sorted((folder / "truth").glob("*.yaml"))]
+    target.write_text("case,sha256\n" + "".join(f"{c},{h}\n" for c, h in rows))
+    return len(rows)
+
+
+def outcome(kind, effects, a):
+    """What a verdict is worth, given the truth."""
+    named, members = a["verdict"] == "named", a["class"] if a["verdict"] == "class" else []
+    if kind in ("effect", "pair"):
+        if named:
+            return "right" if a["effect"] in effects else "wrong"
+        if members:
+            return "class" if set(members) & set(effects) else "wrong"
+        return "abstained"
+    if kind == "outside":
+        return "wrong" if named or members else "abstained"
+    loud = a["verdict"] != "no-gap" if kind == "null" else named or bool(members)
+    return "false alarm" if loud else "quiet"
+
+
+def score_case(folder, case):
+    truth = yaml.safe_load((folder / "truth" / f"{case}.yaml").read_text())
+    if truth["kind"] not in KINDS:
+        raise ValueError(f"{case}: kind is {truth['kind']}; one of {', '.join(KINDS)}")
+    effects = truth.get("effects") or {}
+    a = json.loads((folder / "results" / case / "gap.json").read_text())
+    result = outcome(truth["kind"], effects, a)
+    covered = closure = None
+    if result == "right":
+        strength = effects[a["effect"]]
+        if strength is not None:
+            low, high = a["parameter"]["interval90"]
+            covered = bool(low <= strength <= high)
+        closure = a["gap"]["holdout_closure"]
+    said = a["effect"] or ", ".join(a["class"])
+    return Row(case, truth["kind"], ", ".join(effects) or "-", a["verdict"], said or "-", result, covered, closure)
+
+
+def score(folder):
+    """Rows of all sealed cases that have a result. Throws SealBroken when a truth was changed."""
+    folder = Path(folder)
+    with open(folder / "sealed.csv") as f:
+        seals = {r["case"]: r["sha256"] for r in csv.DictReader(f)}
+    for case, expected in seals.items():
+        file = folder / "truth" / f"{case}.yaml"
+        if not file.is_file() or sha256(file) != expected:
+            raise SealBroken(f"{file}: not the truth that was sealed")
+    for file in (folder / "truth").glob("*.yaml"):
+        if file.stem not in seals:
+            raise SealBroken(f"{file}: has no seal")
+    return [score_case(folder, c) for c in sorted(seals) if (folder / "results" / c / "gap.json").is_file()]
+
+
+def rates(rows):
+    """{what: (hits, of)}, what the targets are about."""
+    def count(kinds, outcomes):
+        chosen = [r for r in rows if r.kind in kinds]
+        return sum(r.outcome in outcomes for r in chosen), len(chosen)
+
+    known = ("effect", "pair")
+    covered = [r.covered for r in rows if r.covered is not None]
+    closures = [r.closure for r in rows if r.closure is not None]
+    return {"false alarms": count(("control", "decoy", "null"), ("false alarm",)),
+            "wrong name": count(known + ("outside",), ("wrong",)),
+            "right name": count(known, ("right",)),
+            "right name or class": count(known, ("right", "class")),
+            "abstains outside": count(("outside",), ("abstained",)),
+            "interval coverage": (sum(covered), len(covered)),
+            "hold-out closure 60 %": (sum(c >= 0.6 for c in closures), len(closures))}
+
+
+def table(rows):
+    """The scores in Markdown: rates with 95 % intervals beside the targets, then every case."""
+    out = ["| measure | hits | of | rate | 95 % interval | target |", "|---|---|---|---|---|---|"]
+    for name, (hits, of) in rates(rows).items():
+        limit, side = TARGETS[name]
+        goal = f"{'<=' if side == 'most' else '>='} {limit:g}"
+        if of:
+            ci = binomtest(hits, of).proportion_ci(method="wilson")
+            out.append(f"| {name} | {hits} | {of} | {hits / of:.2f} | {ci.low:.2f} ... {ci.high:.2f} | {goal} |")
+        else:
+            out.append(f"| {name} | 0 | 0 | - | - | {goal} |")
+    closures = [r.closure for r in rows if r.closure is not None]
+    if closures:
+        out.append(f"\nMedian hold-out closure of right names: {100 * np.median(closures):.0f} %.")
+    out += ["", "| case | kind | truth | verdict | said | outcome | covered | hold-out closure |",
+            "|---|---|---|---|---|---|---|---|"]
+    for r in rows:
+        covered = {None: "-", True: "yes", False: "no"}[r.covered]
+        closure = "-" if r.closure is None else f"{r.closure:.2f}"
+        out.append(f"| {r.case} | {r.kind} | {r.truth} | {r.verdict} | {r.said} | {r.outcome} | {covered} | {closure} |")
+    return "\n".join(out) + "\n"
+
+
+def main(words):
+    try:
+        if len(words) == 2 and words[0] == "seal":
+            print(f"{seal(Path(words[1]))} truths sealed")
+        elif len(words) in (1, 2):
+            text = table(score(words[0]))
+            print(text, end="")
+            if len(words) == 2:
+                Path(words[1]).write_text(text)
+        else:
+            print(__doc__, file=sys.stderr)
+            return 2
+    except (SealBroken, FileNotFoundError, ValueError) as e:
+        print(f"score: {e}", file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
