@@ -36,11 +36,24 @@ def find_phases(time_s, crowd_m, swing_rad, t_start_s, t_end_s):
     """{phase: (start, end)} of one pass, in s; times in order, without gaps."""
     inside = (time_s >= t_start_s) & (time_s <= t_end_s)
     t, crowd = time_s[inside], crowd_m[inside]
-    turned = np.abs(swing_rad[inside] - swing_rad[inside][0])
-    marks = _dig(t, crowd, turned) + _carry(t, turned)
+    turned, begin = _turned(swing_rad[inside])
+    marks = _dig(t[begin:], crowd[begin:], turned[begin:]) + _carry(t[begin:], turned[begin:])
     times = [float(t[0])] + [m if m is not None else float(t[-1]) for m in marks] + [float(t[-1])]
     times = np.maximum.accumulate(times)
     return {phase: (a, b) for phase, a, b in zip(PHASES, times[:-1], times[1:]) if b - a > 1e-9}
+
+
+def _turned(swing):
+    """Turn away from the face, and the reading from which the shovel faces it.
+
+    A pass may begin while the shovel still swings back: it faces the rock at whichever end of its swing it
+    reaches first.
+    """
+    low, high = swing.min(), swing.max()
+    near = SWING_BEGUN * (high - low)
+    at_low, at_high = int(np.argmax(swing <= low + near)), int(np.argmax(swing >= high - near))
+    turned = swing - low if at_low <= at_high else high - swing
+    return turned, min(at_low, at_high)
 
 
 def _dig(t, crowd, turned):

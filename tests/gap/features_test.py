@@ -40,6 +40,18 @@ def test_phases_do_not_move_with_the_loggers_clock():
             assert coarse[phase][1] == pytest.approx(fine[phase][1], abs=0.35)
 
 
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_pass_that_begins_while_swinging_back(way):
+    """The first 6 s still turn back to the face; the dig is found as if they were not there."""
+    t, crowd, swing = ramp_cycle()
+    before = np.arange(-6.0, 0.0)
+    t, crowd = np.concatenate([before, t]), np.concatenate([0.3 - 0.05 * before, crowd])
+    swing = way * np.concatenate([-0.1 * before, swing])
+    ph = find_phases(t, crowd, swing, -6, 50)
+    assert ph["approach"][0] == -6.0
+    assert [ph[p][1] for p in PHASES] == pytest.approx([2.0, 9.0, 19.4, 24.5, 33.7, 40.3, 50.0], abs=1e-9)
+
+
 def test_a_pass_that_is_cut_short_has_no_return():
     t, crowd, swing = ramp_cycle()
     assert "return" not in find_phases(t, crowd, swing, 0, 38)
