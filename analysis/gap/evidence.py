@@ -72,7 +72,7 @@ def _posterior(residual, factor, g, signatures):
         return mean, cov, mean
     scale = 1 / np.sqrt(np.diag(a))
     upper = np.linalg.cholesky(a * np.outer(scale, scale)).T
-    best = lsq_linear(upper, np.linalg.solve(upper.T, b * scale), (low / scale, high / scale)).x * scale
+    best = lsq_linear(upper, np.linalg.solve(upper.T, b * scale), (low / scale, high / scale), method="bvls").x * scale
     return mean, cov, best
 
 

@@ -151,9 +151,10 @@ class Workflow:
         cells, y, durations = measured_features(self.measured, numbers)
         views = {r: noisy_features(m, channels, numbers) for r, m in folders.items()}
         self._check_motion(durations, views[base[0]].durations, numbers)
-        common = [c for c in cells if all(c in set(v.cells) for v in views.values())]
-        rows_of = {r: v.mean[[v.cells.index(c) for c in common]] for r, v in views.items()}
-        at = [views[base[0]].cells.index(c) for c in common]
+        everywhere = set(cells).intersection(*(v.cells for v in views.values()))
+        common = [c for c in cells if c in everywhere]
+        rows_of = {r: v.mean[_places(v.cells, common)] for r, v in views.items()}
+        at = _places(views[base[0]].cells, common)
         noise = noise_covariance([views[r] for r in base], channels)[np.ix_(at, at)]
         whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers)
         self.out.inflation = left_out_inflation(whole, simulate_null(whole, draws=200))
@@ -167,7 +168,7 @@ class Workflow:
         bias = views[base[0]].common[:, at][:, keep] / np.where(size > 0, size, 1.0)[:, None]
         self.base_folders = [folders[r] for r in base]
         self.whole, self.runs, self.common = whole, runs, [common[i] for i in keep]
-        y = y[[cells.index(c) for c in self.common]]
+        y = y[_places(cells, self.common)]
         training, held = split(numbers)
         self.out.training = self._part(training, y, signatures, bias)
         self.out.holdout = self._part(held, y, signatures, bias)
@@ -189,7 +190,7 @@ class Workflow:
         """(runs, n) over all passes' cells."""
         views = [noisy_features(m, self.measured.channels, sorted({c.pass_number for c in self.common}))
                  for m in folders]
-        return np.array([v.mean[[v.cells.index(c) for c in self.common]] for v in views])
+        return np.array([v.mean[_places(v.cells, self.common)] for v in views])
 
     def _response_names(self):
         return self.measured.responses() + ([MASS] if MASS in self.measured.channels else [])
@@ -307,6 +308,11 @@ class Workflow:
         if out.verdict.verdict != "class":  # hardly anything is known: the catalogue as it stands
             weights = {n: w + 1.0 / len(names) for n, w in weights.items()}
         out.proposals = propose(weights)
+
+
+def _places(cells, wanted):
+    index = {c: i for i, c in enumerate(cells)}
+    return [index[c] for c in wanted]
 
 
 def as_text(strengths):
