@@ -29,7 +29,7 @@ def arguments(words):
     parser.add_argument("case", metavar="CASE", type=Path, help="a folder with a case.yaml")
     parser.add_argument("--measured", metavar="FOLDER", type=Path, required=True,
                         help="channels.yaml, passes.csv and signals.csv of the mine")
-    parser.add_argument("--out", metavar="DIR", type=Path, help="where the answer goes (default: runs/gap-NAME)")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="where the answer goes (default: runs/gap-CASE)")
     return parser.parse_args(words)
 
 
@@ -53,6 +53,19 @@ def read_case(folder):
     if (data or {}).get("effects"):
         raise BadInput([f"{file}: effects: the case has some already; give the case without them"])
     return data
+
+
+def usable(catalogue, simulator):
+    """The effects this case can take at the strengths to be run, and a line for each that it cannot."""
+    kept, left_out = {}, []
+    for name, effect in catalogue.items():
+        bad = next(filter(None, (simulator.check([(name, s)]) for s in effect.strengths())), "")
+        if bad:
+            left_out.append(f"effect {name} is left out, as the case cannot take it: {bad.splitlines()[0]}")
+            say(f"gap: {left_out[-1]}")
+        else:
+            kept[name] = effect
+    return kept, left_out
 
 
 def measured_hash(folder):
@@ -84,9 +97,11 @@ def main(words=None):
     if bad:
         print(bad, file=sys.stderr)
         return 2
+    catalogue, left_out = usable(catalogue, simulator)
     out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
     try:
         flow = Workflow(measured, simulator, catalogue, int(data.get("seed", 1)), say)
+        flow.out.warnings += left_out
         out = flow.run()
     except KeyboardInterrupt:
         print("gap: interrupted; the same command goes on from the runs already made", file=sys.stderr)

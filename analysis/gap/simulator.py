@@ -2,6 +2,7 @@
 import hashlib
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -15,6 +16,7 @@ from .measured import read_measured
 from .patch import referenced_files
 
 JOBS = 2
+ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
 # Records stay, pictures go: a few hundred runs must fit on a disk.
 QUIET = ("output.dump_every_s=100000", "output.checkpoint_every_s=0")
 
@@ -70,16 +72,25 @@ class DipperSimulator(Simulator):
     def __init__(self, case, catalogue, program, cache):
         self.case, self.catalogue, self.program = Path(case), catalogue, str(program)
         self.cache = Path(cache)
+        self._size = ""
         self._identity = _digest(self.case, self.program)
         self._children, self._lock, self._stopped = {}, threading.Lock(), False
 
     def identity(self):
         return self._identity
 
-    def check(self):
-        """What `dipper check` has against the case; empty when it is sound."""
-        made = subprocess.run([self.program, "check", str(self.case)], capture_output=True, text=True)
+    def check(self, effects=()):
+        """What `dipper check` has against the case with these (name, strength); empty when it is sound."""
+        made = subprocess.run([self.program, "check", str(self.case)] + _settings(effects),
+                              capture_output=True, text=True)
+        if made.returncode == 0 and not effects:
+            self._size = made.stdout
         return "" if made.returncode == 0 else (made.stdout + made.stderr).strip()
+
+    def _guess(self):
+        """Seconds a run may take, from the size `dipper check` tells; None without it."""
+        size = re.search(r"about (\d+) rocks,.* in (\d+) steps.*after (\d+) steps", self._size)
+        return int(size[1]) * (int(size[2]) + int(size[3])) / ROCK_STEPS_PER_S if size else None
 
     def folder(self, r):
         text = f"{self._identity}\n{r}\n" + "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
@@ -89,7 +100,7 @@ class DipperSimulator(Simulator):
         need = list(dict.fromkeys(r.plain if r.observed_only else r for r in requests))
         kept = [r for r in need if self._done(r)]
         took = [json.loads((self.folder(r) / "done.json").read_text())["wall_s"] for r in kept]
-        return len(need) - len(kept), len(kept), (sum(took) / len(took) if took else None)
+        return len(need) - len(kept), len(kept), (sum(took) / len(took) if took else self._guess())
 
     def run(self, requests, say=print):
         need = list(dict.fromkeys(r.plain if r.observed_only else r for r in requests))
@@ -124,8 +135,7 @@ class DipperSimulator(Simulator):
         run = folder / "run"
         folder.mkdir(parents=True, exist_ok=True)
         words = [self.program, "run", str(self.case), "--out", str(run), "--ranks", "1", "--seed", str(r.seed)]
-        for setting in QUIET + tuple(f"effects.{n}={s:.9g}" for n, s in r.effects):
-            words += ["--set", setting]
+        words += [w for setting in QUIET for w in ("--set", setting)] + _settings(r.effects)
         began = time.monotonic()
         resumed = (run / "record.h5").exists() and any((run / "checkpoints").glob("*"))
         status = self._call(words + ["--resume"], folder) if resumed else None
@@ -178,6 +188,10 @@ class DipperSimulator(Simulator):
             if made.returncode != 0:
                 raise RunFailed(f"dipper observe failed ({r}): {made.stderr.strip()}")
         return read_measured(out, simulated=True)
+
+
+def _settings(effects):
+    return [w for name, strength in effects for w in ("--set", f"effects.{name}={strength:.9g}")]
 
 
 def _minutes(seconds):

@@ -5,6 +5,7 @@ import stat
 import pytest
 import yaml
 
+from gap.__main__ import usable
 from gap.closure import closure
 from gap.effects import read_catalogue
 from gap.findings import BadInput
@@ -17,6 +18,9 @@ PROGRAM = '''#!/usr/bin/python3
 import pathlib, sys
 words = sys.argv[1:]
 if words == ["--version"]: print("1"); sys.exit(0)
+if words[0] == "check":
+    print("one is sound: about 1000 rocks, 28 s simulated in 9000 steps and 10 windows of 1 ms, after 1000 steps")
+    sys.exit(2 if "effects.fines=0.15" in words else 0)
 log = pathlib.Path(__file__).parent / "calls"
 with open(log, "a") as f: f.write(" ".join(words) + "\\n")
 out = pathlib.Path(words[words.index("--out") + 1])
@@ -87,6 +91,18 @@ def test_runs_are_made_once_and_observations_reuse_them(world):
     assert len(calls(folder)) == before
     todo, kept, each = simulator().plan(asked)
     assert (todo, kept) == (0, 3) and each > 0
+
+
+def test_how_long_is_guessed_from_the_size_before_the_first_run(world):
+    simulator, catalogue, _, _ = world
+    s = simulator()
+    assert s.check() == "" and s.plan([request({}, 1, catalogue)]) == (1, 0, pytest.approx(5.0))
+
+
+def test_an_effect_the_case_cannot_take_is_left_out(world):
+    simulator, catalogue, _, _ = world
+    kept, left_out = usable(catalogue, simulator())
+    assert list(kept) == ["scale_gain"] and "fines" in left_out[0]
 
 
 def test_a_changed_mesh_is_another_case(world):
