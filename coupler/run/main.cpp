@@ -6,6 +6,7 @@
 
 #include "coupler/calibrate/calibrate_command.hpp"
 #include "coupler/case/check_command.hpp"
+#include "coupler/run/gap_command.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
 #include "coupler/run/machine_replay.hpp"
@@ -171,9 +172,12 @@ int command_line(int argc, char** argv) {
   report->add_option("--mesh", report_words.mesh, "the dipper's STL, for dumps without a record");
   report->add_option("--poses", report_words.poses, "its poses: time_s,x_m,y_m,z_m,qw,qx,qy,qz");
   const auto calibrate = add_calibrate_command(app);
+  auto* gap = app.add_subcommand("gap", "find and name the effect a case misses");
+  gap->prefix_command()->set_help_flag();  // its words are read by the program it becomes
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("calibrate")) return calibrate();
+    if (*gap) return gap_command(gap->remaining());
     if (*check) return check_command(words.folder, overrides(words), std::cout);
     if (*again) return replay_command(words);
     if (*report) return report_command(report_words);
