@@ -10,6 +10,9 @@ Swing tells digging from carrying; the stroke of the crowd divides the dig:
     dump       while it rests there
     return     from the moment it leaves, to the pass's end
 
+The shovel faces the rock where it is when the crowd is furthest out; swing is the turn away from there. A
+pass may begin while it still swings back, and need not end at the same heading.
+
 Boundaries are times at which a signal, taken as straight between readings, crosses its limit: they do not
 jump with the logger's clock. A phase that does not occur, or takes no time, is left out.
 """
@@ -35,31 +38,21 @@ def crossing(t, x, level, rising=True):
 def find_phases(time_s, crowd_m, swing_rad, t_start_s, t_end_s):
     """{phase: (start, end)} of one pass, in s; times in order, without gaps."""
     inside = (time_s >= t_start_s) & (time_s <= t_end_s)
-    t, crowd = time_s[inside], crowd_m[inside]
-    turned, begin = _turned(swing_rad[inside])
-    marks = _dig(t[begin:], crowd[begin:], turned[begin:]) + _carry(t[begin:], turned[begin:])
+    t, crowd, swing = time_s[inside], crowd_m[inside], swing_rad[inside]
+    out = int(np.argmax(crowd))
+    turned = np.abs(swing - swing[out])
+    top = turned[out:].max()
+    facing = turned <= SWING_BEGUN * top if top > LEAST_SWING_RAD else np.ones(len(t), bool)
+    begin = out - int(np.argmin(facing[out::-1])) + 1 if not facing[:out].all() else 0
+    marks = _dig(t[begin:], crowd[begin:], facing[begin:]) + _carry(t[out:], turned[out:], top)
     times = [float(t[0])] + [m if m is not None else float(t[-1]) for m in marks] + [float(t[-1])]
     times = np.maximum.accumulate(times)
     return {phase: (a, b) for phase, a, b in zip(PHASES, times[:-1], times[1:]) if b - a > 1e-9}
 
 
-def _turned(swing):
-    """Turn away from the face, and the reading from which the shovel faces it.
-
-    A pass may begin while the shovel still swings back: it faces the rock at whichever end of its swing it
-    reaches first.
-    """
-    low, high = swing.min(), swing.max()
-    near = SWING_BEGUN * (high - low)
-    at_low, at_high = int(np.argmax(swing <= low + near)), int(np.argmax(swing >= high - near))
-    turned = swing - low if at_low <= at_high else high - swing
-    return turned, min(at_low, at_high)
-
-
-def _dig(t, crowd, turned):
+def _dig(t, crowd, facing):
     """Ends of approach, penetrate and fill."""
-    dug = turned <= SWING_BEGUN * turned.max() if turned.max() > LEAST_SWING_RAD else turned <= np.inf
-    last = len(dug) if dug.all() else int(np.argmin(dug))
+    last = len(facing) if facing.all() else int(np.argmin(facing))
     t, crowd = t[:last], crowd[:last]
     out = int(np.argmax(crowd))
     start = int(np.argmin(crowd[:out + 1]))
@@ -68,9 +61,8 @@ def _dig(t, crowd, turned):
             for f in (APPROACH, PENETRATE, FILL)]
 
 
-def _carry(t, turned):
+def _carry(t, turned, top):
     """Starts of swing, dump and return."""
-    top = turned.max()
     if top <= LEAST_SWING_RAD:
         return [None, None, None]
     over = SWING_OVER * top

@@ -41,15 +41,16 @@ def test_phases_do_not_move_with_the_loggers_clock():
 
 
 @pytest.mark.parametrize("way", [1, -1])
-def test_a_pass_that_begins_while_swinging_back(way):
-    """The first 6 s still turn back to the face; the dig is found as if they were not there."""
+def test_a_pass_that_begins_while_swinging_back_and_ends_past_the_face(way):
+    """The first 6 s still turn back to the face, the last turn beyond it; the dig is found all the same."""
     t, crowd, swing = ramp_cycle()
-    before = np.arange(-6.0, 0.0)
-    t, crowd = np.concatenate([before, t]), np.concatenate([0.3 - 0.05 * before, crowd])
-    swing = way * np.concatenate([-0.1 * before, swing])
-    ph = find_phases(t, crowd, swing, -6, 50)
+    before, after = np.arange(-6.0, 0.0), np.arange(51.0, 56.0)
+    t = np.concatenate([before, t, after])
+    crowd = np.concatenate([0.3 - 0.05 * before, crowd, 0 * after])
+    swing = way * np.concatenate([-0.1 * before, swing, -0.05 * (after - 50)])
+    ph = find_phases(t, crowd, swing, -6, 55)
     assert ph["approach"][0] == -6.0
-    assert [ph[p][1] for p in PHASES] == pytest.approx([2.0, 9.0, 19.4, 24.5, 33.7, 40.3, 50.0], abs=1e-9)
+    assert [ph[p][1] for p in PHASES] == pytest.approx([2.0, 9.0, 19.4, 24.5, 33.7, 40.3, 55.0], abs=1e-9)
 
 
 def test_a_pass_that_is_cut_short_has_no_return():
