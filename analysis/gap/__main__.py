@@ -89,7 +89,7 @@ def main(words=None):
     except BadInput as e:
         for finding in e.findings:
             print(finding, file=sys.stderr)
-        print(f"{len(e.findings)} errors", file=sys.stderr)
+        print(f"{len(e.findings)} error{'s' if len(e.findings) > 1 else ''}", file=sys.stderr)
         return 2
     signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
     simulator = DipperSimulator(args.case, catalogue, program(), cache_folder())
