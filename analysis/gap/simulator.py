@@ -17,6 +17,8 @@ from .patch import referenced_files
 
 JOBS = 2
 ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
+# What a replay of the machine against the recorded rock answers exactly: the dipper's motion is prescribed.
+REPLAYED = {"machine.crowd_friction_N", "machine.hoist_loss"}
 # Records stay, pictures go: a few hundred runs must fit on a disk.
 QUIET = ("output.dump_every_s=100000", "output.checkpoint_every_s=0")
 
@@ -29,13 +31,14 @@ class RunFailed(RuntimeError):
 class Request:
     """One run: the case, these effects {name: strength} as sorted pairs, this seed.
 
-    `observed_only`: the effects change only what the instruments show; the plain run of the same seed is
-    looked at again, without a run of its own.
+    how: `run`; or, of the plain run of the same seed, `observe` (the effects change only what the
+    instruments show) or `replay` (they change the machine's forces but not its motion, so the rock's
+    recorded force on it stays what it was).
     """
 
     effects: tuple
     seed: int
-    observed_only: bool = False
+    how: str = "run"
 
     @property
     def plain(self):
@@ -48,8 +51,12 @@ class Request:
 
 def request(effects, seed, catalogue):
     pairs = tuple(sorted((n, float(s)) for n, s in effects.items() if s))
-    seen = bool(pairs) and all(catalogue[n].kind == "observation" for n, _ in pairs)
-    return Request(pairs, int(seed), seen)
+    how = "run"
+    if pairs and all(catalogue[n].kind == "observation" for n, _ in pairs):
+        how = "observe"
+    elif pairs and all(key in REPLAYED for n, _ in pairs for key, _, _ in catalogue[n].overlay):
+        how = "replay"
+    return Request(pairs, int(seed), how)
 
 
 class Simulator:
@@ -97,13 +104,13 @@ class DipperSimulator(Simulator):
         return self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
 
     def plan(self, requests):
-        need = list(dict.fromkeys(r.plain if r.observed_only else r for r in requests))
+        need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
         kept = [r for r in need if self._done(r)]
         took = [json.loads((self.folder(r) / "done.json").read_text())["wall_s"] for r in kept]
         return len(need) - len(kept), len(kept), (sum(took) / len(took) if took else self._guess())
 
     def run(self, requests, say=print):
-        need = list(dict.fromkeys(r.plain if r.observed_only else r for r in requests))
+        need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
         todo = [r for r in need if not self._done(r)]
         began, failures = time.monotonic(), []
         with ThreadPoolExecutor(JOBS) as pool:
@@ -172,22 +179,33 @@ class DipperSimulator(Simulator):
             for child in self._children.values():
                 child.send_signal(signal.SIGINT)
 
+    def _again(self, r):
+        """Words that look at the plain run once more, with other instruments or another machine."""
+        plain = str(self.folder(r.plain) / "run")
+        if r.how == "replay":
+            return [self.program, "replay", plain, "--side", "mbs"] + _settings(r.effects)
+        settings = [v for n, s in r.effects for v in _values(self.catalogue[n], s)]
+        return [self.program, "observe", plain] + [w for v in settings for w in ("--set", v)]
+
     def _observed(self, r):
-        if not r.observed_only:
+        if r.how == "run":
             return read_measured(self.folder(r) / "run" / "observed", simulated=True)
         out = self.folder(r) / "observed"
         if not (out / "passes.csv").is_file():
             out.parent.mkdir(parents=True, exist_ok=True)
-            words = [self.program, "observe", str(self.folder(r.plain) / "run"), "--out", str(out)]
-            for name, strength in r.effects:
-                for key, how, factor in self.catalogue[name].overlay:
-                    if how == "scale":
-                        raise ValueError(f"effect {name}: {key}: an observation effect adds or sets")
-                    words += ["--set", f"{key}={factor * strength:.9g}"]
+            words = self._again(r) + ["--out", str(out)]
             made = subprocess.run(words, capture_output=True, text=True)
             if made.returncode != 0:
-                raise RunFailed(f"dipper observe failed ({r}): {made.stderr.strip()}")
+                raise RunFailed(f"dipper {r.how} failed ({r}): {made.stderr.strip()}")
         return read_measured(out, simulated=True)
+
+
+def _values(effect, strength):
+    """Settings of `dipper observe`, whose keys are off at 0."""
+    for key, how, factor in effect.overlay:
+        if how == "scale":
+            raise ValueError(f"effect {effect.name}: {key}: an observation effect adds or sets")
+        yield f"{key}={factor * strength:.9g}"
 
 
 def _settings(effects):

@@ -138,7 +138,7 @@ class Workflow:
     def _prepare(self, base, made):
         rows = list(dict.fromkeys(base + [r for runs in made.values() for _, _, r in runs]))
         folders = dict(zip(rows, self.simulator.run(rows, self.say)))
-        self.out.runs = len([r for r in rows if not r.observed_only])
+        self.out.runs = len([r for r in rows if r.how == "run"])
         self.out.seeds = {"baseline": [r.seed for r in base]}
         common = set(p.number for p in self.measured.passes)
         for m in folders.values():

@@ -20,7 +20,7 @@ SEEDS = 8
 def effect(name, unit, high, scale, kind="rock", sign="+", nuisance=False):
     low = -high if sign == "both" else 0.0
     return Effect(name, name.replace("_", " ").capitalize(), kind, "synthetic", "strength", unit, low, high,
-                  scale, "synthetic", (f"effects.{name}",), nuisance)
+                  scale, "synthetic", ((f"effects.{name}", "set", 1.0),), nuisance)
 
 
 CATALOGUE = {e.name: e for e in (
@@ -54,14 +54,14 @@ class FakeSimulator(Simulator):
         return [self._one(r) for r in requests]
 
     def _one(self, r):
-        if r not in self.made and not r.observed_only:
+        if r not in self.made and r.how == "run":
             self.made.append(r)
         # A chaotic run shares nothing with the plain one of its seed; what the instruments do is no run.
-        chaos = 0 if r.observed_only or not r.effects else zlib.crc32(repr(r.effects).encode()) % 10**6
+        chaos = 0 if r.how != "run" or not r.effects else zlib.crc32(repr(r.effects).encode()) % 10**6
         return synthetic.run(dict(r.effects), r.seed + 17 * chaos, spread=self.spread)
 
     def plan(self, requests):
-        return len({r.plain if r.observed_only else r for r in requests}), 0, None
+        return len({r if r.how == "run" else r.plain for r in requests}), 0, None
 
     def identity(self):
         return "synthetic"

@@ -27,10 +27,11 @@ out = pathlib.Path(words[words.index("--out") + 1])
 seed = int(words[words.index("--seed") + 1]) if "--seed" in words else 0
 if seed == 13: print("no rock"); sys.exit(3)
 sets = dict(words[i + 1].split("=") for i, w in enumerate(words) if w == "--set")
-folder = out if words[0] == "observe" else out / "observed"
+folder = out / "observed" if words[0] == "run" else out
 folder.mkdir(parents=True)
 (out / "dumps").mkdir(exist_ok=True)
 mass = 80 + seed + 10 * float(sets.get("effects.fines", 0)) + 100 * float(sets.get("observation.scale_gain", 0))
+mass += float(sets.get("effects.crowd_friction", 0))
 (folder / "channels.yaml").write_text("truck_mass_t: {unit: t, role: response, sigma: 0, common_sigma: 0}\\n")
 (folder / "passes.csv").write_text(f"pass,t_start_s,t_end_s,truck_mass_t\\n1,0,10,{mass}\\n")
 '''
@@ -44,6 +45,7 @@ overlay:
 """
 GAIN = FINES.replace("rock\n", "observation\n").replace("rock.fines_fraction", "observation.scale_gain").replace(
     "low: 0,", "low: -0.3,")
+FRICTION = FINES.replace("rock\n", "machine\n").replace("rock.fines_fraction", "machine.crowd_friction_N")
 
 
 @pytest.fixture
@@ -59,6 +61,7 @@ def world(tmp_path):
     effects.mkdir()
     (effects / "fines.yaml").write_text(FINES)
     (effects / "scale_gain.yaml").write_text(GAIN)
+    (effects / "crowd_friction.yaml").write_text(FRICTION)
     catalogue = read_catalogue(effects)
 
     def simulator():
@@ -79,15 +82,18 @@ def calls(folder):
 def test_runs_are_made_once_and_observations_reuse_them(world):
     simulator, catalogue, _, folder = world
     asked = [request({}, 1, catalogue), request({"fines": 0.2}, 1, catalogue),
-             request({"scale_gain": 0.1}, 1, catalogue), request({}, 2, catalogue)]
+             request({"scale_gain": 0.1}, 1, catalogue), request({}, 2, catalogue),
+             request({"crowd_friction": 0.25}, 1, catalogue)]
+    assert [r.how for r in asked] == ["run", "run", "observe", "run", "replay"]
     assert simulator().plan(asked)[:2] == (3, 0)
     said = []
-    assert masses(simulator().run(asked, said.append)) == [81, 83, 90, 82]
+    assert masses(simulator().run(asked, said.append)) == [81, 83, 90, 82, 80.25]
     assert len(said) == 3 and "of 3" in said[0]
     assert sum(c.startswith("run ") for c in calls(folder)) == 3
     assert sum(c.startswith("observe ") for c in calls(folder)) == 1
+    assert sum(c.startswith("replay ") and "--side mbs" in c for c in calls(folder)) == 1
     before = len(calls(folder))
-    assert masses(simulator().run(asked, said.append)) == [81, 83, 90, 82]
+    assert masses(simulator().run(asked, said.append)) == [81, 83, 90, 82, 80.25]
     assert len(calls(folder)) == before
     todo, kept, each = simulator().plan(asked)
     assert (todo, kept) == (0, 3) and each > 0
@@ -102,7 +108,7 @@ def test_how_long_is_guessed_from_the_size_before_the_first_run(world):
 def test_an_effect_the_case_cannot_take_is_left_out(world):
     simulator, catalogue, _, _ = world
     kept, left_out = usable(catalogue, simulator())
-    assert list(kept) == ["scale_gain"] and "fines" in left_out[0]
+    assert list(kept) == ["crowd_friction", "scale_gain"] and "fines" in left_out[0]
 
 
 def test_a_changed_mesh_is_another_case(world):
