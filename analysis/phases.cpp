@@ -36,29 +36,40 @@ std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t
     turned.push_back(s.swing_rad[i]);
   }
   if (t.size() < 2) throw std::invalid_argument("fewer than two readings in a pass");
-  const double heading = turned[0];
+  // The shovel faces the rock where it is when the crowd is nearly all out. A pass may begin while
+  // it still swings back, and need not end at the same heading.
+  const std::size_t n = t.size();
+  const auto [least, most] = std::minmax_element(crowd.begin(), crowd.end());
+  const double nearly = *least + rules.breakout_from * (*most - *least);
+  std::size_t out = 0;
+  while (crowd[out] < nearly) ++out;
+  const double heading = turned[out];
   for (double& a : turned) a = std::abs(a - heading);
-  const double swing = *std::max_element(turned.begin(), turned.end());
+  const double swing = *std::max_element(turned.begin() + static_cast<long>(out), turned.end());
   const bool swings = swing > rules.least_swing_rad;
+  const auto faces = [&](std::size_t i) {
+    return !swings || turned[i] <= rules.swing_from * swing;
+  };
 
-  // The dig: until the swing. Its stroke is from the crowd's least value to the largest after it.
-  std::size_t dug = t.size();
-  if (swings)
-    for (dug = 0; dug < t.size() && turned[dug] <= rules.swing_from * swing;) ++dug;
-  const auto out = std::max_element(crowd.begin(), crowd.begin() + static_cast<long>(dug));
-  const auto in = std::min_element(crowd.begin(), out + 1);
+  // The dig: while it faces the rock. Its stroke is from the crowd's least value to the largest
+  // after it.
+  std::size_t begin = out, dug = out;
+  while (begin > 0 && faces(begin - 1)) --begin;
+  while (dug < n && faces(dug)) ++dug;
+  const auto from_here = crowd.begin() + static_cast<long>(begin);
+  const auto furthest = std::max_element(from_here, crowd.begin() + static_cast<long>(dug));
+  const auto in = std::min_element(from_here, furthest + 1);
   const auto start = static_cast<std::size_t>(in - crowd.begin());
-  const double stroke = *out - *in;
+  const double stroke = *furthest - *in;
   const auto at_stroke = [&](double share) {
     return crossing(t, crowd, start, dug, *in + share * stroke, true);
   };
-  const std::size_t n = t.size();
   double arrive = kNever, depart = kNever, leave_dig = kNever;
   if (swings) {
-    leave_dig = crossing(t, turned, 0, n, rules.swing_from * swing, true);
-    arrive = crossing(t, turned, 0, n, rules.dump_from * swing, true);
-    const auto there =
-        static_cast<std::size_t>(std::max_element(turned.begin(), turned.end()) - turned.begin());
+    leave_dig = crossing(t, turned, out, n, rules.swing_from * swing, true);
+    arrive = crossing(t, turned, out, n, rules.dump_from * swing, true);
+    std::size_t there = out;
+    while (turned[there] <= rules.dump_from * swing) ++there;
     depart = crossing(t, turned, there, n, rules.dump_from * swing, false);
   }
   const std::array<double, 6> marks = {at_stroke(rules.penetrate_from),
@@ -70,12 +81,12 @@ std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t
   constexpr std::array<const char*, 7> names = {"approach", "penetrate", "fill",  "breakout",
                                                 "swing",    "dump",      "return"};
   std::vector<Phase> phases;
-  double begin = t.front();
+  double from = t.front();
   for (std::size_t k = 0; k < names.size(); ++k) {
     double end = k < marks.size() && marks[k] != kNever ? marks[k] : t.back();
-    end = std::max(end, begin);
-    if (end - begin > 1e-9) phases.push_back({names[k], begin, end});
-    begin = end;
+    end = std::max(end, from);
+    if (end - from > 1e-9) phases.push_back({names[k], from, end});
+    from = end;
   }
   return phases;
 }

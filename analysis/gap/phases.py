@@ -10,7 +10,7 @@ Swing tells digging from carrying; the stroke of the crowd divides the dig:
     dump       while it rests there
     return     from the moment it leaves, to the pass's end
 
-The shovel faces the rock where it is when the crowd is furthest out; swing is the turn away from there. A
+The shovel faces the rock where it is when the crowd is nearly all out; swing is the turn away from there. A
 pass may begin while it still swings back, and need not end at the same heading.
 
 Boundaries are times at which a signal, taken as straight between readings, crosses its limit: they do not
@@ -39,7 +39,7 @@ def find_phases(time_s, crowd_m, swing_rad, t_start_s, t_end_s):
     """{phase: (start, end)} of one pass, in s; times in order, without gaps."""
     inside = (time_s >= t_start_s) & (time_s <= t_end_s)
     t, crowd, swing = time_s[inside], crowd_m[inside], swing_rad[inside]
-    out = int(np.argmax(crowd))
+    out = int(np.argmax(crowd >= crowd.min() + FILL * (crowd.max() - crowd.min())))
     turned = np.abs(swing - swing[out])
     top = turned[out:].max()
     facing = turned <= SWING_BEGUN * top if top > LEAST_SWING_RAD else np.ones(len(t), bool)
@@ -66,6 +66,6 @@ def _carry(t, turned, top):
     if top <= LEAST_SWING_RAD:
         return [None, None, None]
     over = SWING_OVER * top
-    arrive = crossing(t, turned, over)
-    after = t >= arrive
-    return [crossing(t, turned, SWING_BEGUN * top), arrive, crossing(t[after], turned[after], over, False)]
+    there = int(np.argmax(turned > over))
+    return [crossing(t, turned, SWING_BEGUN * top), crossing(t, turned, over),
+            crossing(t[there:], turned[there:], over, False)]

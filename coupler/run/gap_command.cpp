@@ -21,7 +21,8 @@ constexpr const char* kPython = "/usr/bin/python3";
 int gap_command(const std::vector<std::string>& words) {
   setenv("PYTHONPATH", (source_folder() / "analysis").c_str(), 1);
   setenv("DIPPER", program("dipper").c_str(), 1);
-  // The runs fill the cores by themselves; threads in the linear algebra would only be in their way.
+  // The runs fill the cores by themselves; threads in the linear algebra would only be in their
+  // way.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   std::vector<std::string> all = {kPython, "-B", "-m", "gap"};
   all.insert(all.end(), words.begin(), words.end());

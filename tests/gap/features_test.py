@@ -22,7 +22,7 @@ def test_crossing_lies_between_readings():
     assert crossing(t, np.array([0.0, 0, 4, 5]), 9.0) is None
 
 
-@pytest.mark.parametrize("rate_hz", [0.5, 1.0, 10.0])
+@pytest.mark.parametrize("rate_hz", [0.5, 1.0, 10.0, 100.0])
 def test_phases_of_a_ramp(rate_hz):
     t, crowd, swing = ramp_cycle(rate_hz)
     ph = find_phases(t, crowd, swing, 0, 50)
