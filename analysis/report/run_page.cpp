@@ -11,6 +11,12 @@ void write_run_page(const RunFolder& run, const DumpFolder& dumps,
   const DumpReplay replay(dumps, replay_walls(run));
   ReportInput input;
   input.metrics = metrics;
+  if (run.places.dipper) {  // the cavity with its heap, for the zones in the slices
+    const auto& region = *run.places.dipper;
+    const auto list = [](const Vector3d& p) { return nlohmann::json{p.x(), p.y(), p.z()}; };
+    input.metrics["dipper"]["load_region"] = {{"min_m", list(region.min_m)},
+                                              {"max_m", list(region.max_m)}};
+  }
   input.case_text = run.case_text;
   input.replay = &replay;
   if (run.is_run) read_curves(run.folder / "record.h5", input);

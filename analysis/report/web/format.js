@@ -27,7 +27,7 @@ export function tick(x) {
 
 function grouped(text) {
   const [whole, part] = text.replace('-', MINUS).split('.');
-  const spaced = whole.length > 5 ? whole.replace(/\B(?=(\d{3})+$)/g, THIN) : whole;
+  const spaced = whole.length > 4 + whole.startsWith(MINUS) ? whole.replace(/\B(?=(\d{3})+$)/g, THIN) : whole;
   return part ? `${spaced}.${part}` : spaced;
 }
 

@@ -18,7 +18,7 @@ export class Model {
     const { frames, dipper } = m;
     this.zones = frames?.flow_kg && {
       threshold_m_s: FLOW_FASTER,
-      cavity: dipper?.cavity,
+      region: dipper?.load_region ?? dipper?.cavity,
       time_s: frames.time_s,
       all_t: frames.in_dipper_kg.map((kg) => kg / 1e3),
       bulk_t: frames.bulk_kg.map((kg) => kg / 1e3),

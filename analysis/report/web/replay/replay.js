@@ -2,7 +2,7 @@
 import { Vector3 } from 'three';
 import { h, onWidth } from '../dom.js';
 import { fixed, number, seconds } from '../format.js';
-import { SIZE, SPEED, classColour, css, gradient, phaseTone, ramp, rgb } from '../palette.js';
+import { SIZE, SPEED, classColour, gradient, phaseTone, ramp, rgb } from '../palette.js';
 import { Stage } from './stage.js';
 
 const SPEED_TOP = 2; // m/s; a falling rock is faster, but what matters is what creeps and what slides
@@ -93,7 +93,7 @@ export function replay(head, frames, clock, phases, classNames, readout) {
 
 function note(head) {
   const few = head.one_rock_in > 1 ? ` One rock in ${head.one_rock_in} is shown.` : '';
-  const rare = head.one_frame_in > 1 ? ` Every ${head.one_frame_in}th frame of the dumps is shown.` : '';
+  const rare = head.one_frame_in > 1 ? ` One frame in ${head.one_frame_in} of the dumps is shown.` : '';
   const interval = head.times_s.length > 1 ? (head.times_s[head.times_s.length - 1] - head.times_s[0]) / (head.times_s.length - 1) : 0;
   return `${fixed(head.spheres, 0)} spheres, ${head.times_s.length} frames ${number(interval, 2)} s apart, drawn on a straight line between them.${few}${rare}`;
 }
@@ -101,10 +101,11 @@ function note(head) {
 function cameraViews(stage) {
   const dipper = () => stage.dipper?.position ?? stage.rocks.geometry.boundingSphere.center;
   const box = stage.rocks.geometry.boundingSphere;
-  const narrow = () => (stage.camera.aspect < 1 ? 1.7 : 1);
+  const narrow = () => (stage.camera.aspect < 1.3 ? 1.3 : 1);
+  const face = () => (narrow() > 1 ? new Vector3(7, 0, 0) : new Vector3(4.5, 2, 0)).add(dipper()).setZ(3.6);
   return {
-    Dig: () => stage.look(new Vector3(dipper().x + 3.5, dipper().y, 4.2), new Vector3(-11, -27, 10).multiplyScalar(narrow()), false),
-    Follow: () => stage.look(dipper().clone().add(new Vector3(1, 0, 0)), new Vector3(-5, -13, 5.5).multiplyScalar(narrow()), true),
+    Dig: () => stage.look(face(), new Vector3(-10, -23.5, 9).multiplyScalar(narrow()), false),
+    Follow: () => stage.look(dipper().clone().add(new Vector3(1, 0, 0)), new Vector3(-4.5, -12, 5).multiplyScalar(narrow()), true),
     Above: () => stage.look(new Vector3(dipper().x, box.center.y, 0), new Vector3(-0.5, 0, 52).multiplyScalar(narrow()), false),
     All: () => stage.look(box.center.clone().setZ(3), new Vector3(-0.45, -0.72, 0.52).multiplyScalar(1.9 * box.radius * narrow()), false),
   };

@@ -9,13 +9,15 @@ import { Rocks } from './rocks.js';
 import { Wall } from './walls.js';
 
 const SKY = 0xeef1f2;
+const SLOW_ms = 60;
 
 export class Stage {
   constructor(canvas, head, frames, clock, scaleTop) {
     this.clock = clock;
     this.frames = frames;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.sharp = Math.min(devicePixelRatio, 2);
+    this.renderer.setPixelRatio(this.sharp);
     this.scene = new Scene();
     this.scene.background = new Color(SKY);
     this.scene.fog = new Fog(SKY, 70, 160);
@@ -35,6 +37,8 @@ export class Stage {
     this.cutting = false;
     this.following = false;
     clock.addEventListener('time', () => this.ask());
+    clock.addEventListener('state', () => { if (!clock.playing) this.sharpness(1); });
+    this.late = 0;
   }
 
   resize(width, height) {
@@ -54,8 +58,25 @@ export class Stage {
     });
   }
 
+  /// Draws coarser while it plays too slowly for the eye: what costs is the number of pixels.
+  pace() {
+    const now = performance.now();
+    this.late = this.clock.playing && now - this.drawn > SLOW_ms ? this.late + 1 : 0;
+    this.drawn = now;
+    const share = this.renderer.getPixelRatio() / this.sharp;
+    if (this.late >= 4 && share > 0.35) this.sharpness(0.7 * share);
+  }
+
+  sharpness(share) {
+    this.late = 0;
+    if (this.renderer.getPixelRatio() === share * this.sharp) return;
+    this.renderer.setPixelRatio(share * this.sharp);
+    this.ask();
+  }
+
   draw() {
     if (!this.frames.ready) return;
+    this.pace();
     const { first, second, share } = this.between();
     const before = this.dipper?.position.clone();
     for (const wall of this.walls) wall.at(first, second, share);

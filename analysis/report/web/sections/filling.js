@@ -24,7 +24,7 @@ export function filling(model, clock) {
 
 function zoneOf(zones) {
   return (speed, [x, y, z]) => {
-    const box = zones?.cavity;
+    const box = zones?.region;
     if (!box || x < box.min_m[0] || x > box.max_m[0] || y < box.min_m[1] || y > box.max_m[1] || z < box.min_m[2] || z > box.max_m[2]) return null;
     return speed > zones.threshold_m_s ? 'flow' : 'bulk';
   };

@@ -3,7 +3,7 @@ import { h, section } from '../dom.js';
 import { percent, seconds, tonnes } from '../format.js';
 import { bar } from '../parts/bar.js';
 import { table } from '../parts/table.js';
-import { BLUE, GREEN, OCHRE, ORANGE, PURPLE } from '../palette.js';
+import { GREEN, OCHRE, ORANGE, PURPLE } from '../palette.js';
 
 export function payload(model) {
   const passes = model.passes.filter((p) => p.payload_ways);
@@ -22,10 +22,9 @@ function ways(pass) {
   ].filter(([, kg]) => Number.isFinite(kg));
   const first = rows[0][1];
   return table(null, [
-    { name: 'Way', cell: (r) => r[0] },
+    { name: 'Way', cell: (r) => [r[0], h('small', r[2])] },
     { name: 'Mass', unit: 't', cell: (r) => tonnes(r[1], 2) },
     { name: 'against the first', unit: '', cell: (r) => (r === rows[0] ? '–' : `${r[1] >= first ? '+' : ''}${percent(r[1] / first - 1, 2)}`) },
-    { name: 'When', kind: 'text', cell: (r) => r[2] },
   ], rows, { compact: true });
 }
 
