@@ -31,7 +31,7 @@ async function start() {
     rock(model),
     coupling(model, clock),
     caseSection(model),
-    h('footer', `Written by dipper ${model.run.version ?? ''}. This file is complete in itself and asks for nothing over the network.`),
+    h('footer', `Written by ${['dipper', model.run.version].filter(Boolean).join(' ')}. This file is complete in itself and asks for nothing over the network.`),
   ].filter(Boolean));
   listenToKeys(clock);
   window.dipper = { clock, frames, model }; // for the console, and for tests

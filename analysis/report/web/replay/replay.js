@@ -58,6 +58,7 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   colourBy.speed();
 
   const views = cameraViews(stage);
+  if (!stage.dipper) delete views.Follow;
   const camera = h('div.group', { role: 'group', 'aria-label': 'View' }, h('span.label', 'View'),
     Object.keys(views).map((name) => h('button', { type: 'button', onclick: views[name] }, name)));
   const cut = toggle('Cut through the dipper', (on) => { stage.cutting = on; stage.ask(); });
@@ -86,7 +87,7 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   canvas.stage = stage; // for whoever measures how fast it draws
   return h('div.replay', screen,
     h('div.transport', play, track, rate),
-    h('div.options', colour, legend, camera, h('div.group', cut, solid)),
+    h('div.options', colour, legend, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid)),
     h('p.note', note(head), ' ', h('kbd', 'Space'), ' plays, ', h('kbd', '←'), ' ', h('kbd', '→'),
       ' step a frame, with ', h('kbd', 'Shift'), ' a second.'));
 }

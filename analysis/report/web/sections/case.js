@@ -3,6 +3,7 @@ import { h, section } from '../dom.js';
 import { facts } from '../parts/table.js';
 
 export function caseSection(model) {
+  if (!model.caseText) return null;
   const groups = new Map([['case', []]]);
   for (const line of model.caseText.split('\n')) {
     const at = line.indexOf('=');
