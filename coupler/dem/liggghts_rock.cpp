@@ -125,12 +125,12 @@ std::vector<double> LiggghtsRock::weigh() const {
   const std::size_t n = setup_.scales.size();
   // Most rock is far from every box: a sphere about each rejects it, without turning it into its
   // frame.
-  struct Reach {
+  struct Ball {
     Pose X_SW;
     Vector3d centre_W;
     double square;
   };
-  std::vector<Reach> reach(n);
+  std::vector<Ball> reach(n);
   for (std::size_t k = 0; k < n; ++k) {
     const auto& s = setup_.scales[k];
     const auto body = std::find(setup_.bodies.begin(), setup_.bodies.end(), s.body);

@@ -70,7 +70,7 @@ void WallMotion::begin_window(const Pose& X_WB_target, long n_steps) {
 
 BodyBox WallMotion::box() const {
   BodyBox box{Vector3d::Constant(1e300), Vector3d::Constant(-1e300)};
-  for (const auto& [element, nodes] : reference_) {
+  for (const auto& nodes : reference_) {
     for (const auto& p : nodes) {
       box.min_m = box.min_m.cwiseMin(p);
       box.max_m = box.max_m.cwiseMax(p);
