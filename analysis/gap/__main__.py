@@ -91,7 +91,8 @@ def main(words=None):
             print(finding, file=sys.stderr)
         print(f"{len(e.findings)} error{'s' if len(e.findings) > 1 else ''}", file=sys.stderr)
         return 2
-    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
+        signal.signal(number, signal.default_int_handler)
     simulator = DipperSimulator(args.case, catalogue, program(), cache_folder())
     bad = simulator.check()
     if bad:
