@@ -1,7 +1,6 @@
 #include "coupler/run/pile.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +12,7 @@
 #include "coupler/core/cache_folder.hpp"
 #include "coupler/core/sha256.hpp"
 #include "coupler/deck/contact_table.hpp"
+#include "coupler/run/cache_entry.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
 #include "coupler/run/last_words.hpp"
@@ -57,38 +57,33 @@ std::string pile_hash(const Case& c, const fs::path& deck) {
 
 Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
   const fs::path entry = cache_folder() / "piles" / pile_hash(c, deck);
-  Pile pile{entry / "pile.restart", fs::exists(entry / "pile.restart"), 0};
-  if (pile.cached) return pile;
-
+  const auto heed_interrupts = [] {
+    if (interrupts() > 0) throw Interrupted();
+  };
   const auto began = std::chrono::steady_clock::now();
-  const fs::path work = entry.string() + fmt::format(".{}.part", getpid());
-  fs::create_directories(work);
-  const fs::path screen = logs / "settle.screen";
-  const std::string binary = sticks(c) ? program("dipper-liggghts") : "liggghts";
-  Process liggghts(
-      mpirun(c.dem.ranks, {binary, "-in", (source_folder() / "dem_in" / "settle.in").string(),
-                           "-log", (logs / "settle.liggghts").string(), "-screen", screen.string(),
-                           "-var", "deck", deck.string(), "-var", "out", work.string(), "-var",
-                           "ranks_y", std::to_string(c.dem.ranks)}),
-      logs / "settle.log");
-  while (!liggghts.wait(std::chrono::milliseconds(100))) {
-    if (interrupts() > 0) {
-      liggghts.end();
-      fs::remove_all(work);
-      throw Interrupted();
+  const auto settle = [&](const fs::path& out) {
+    const fs::path screen = logs / "settle.screen";
+    const std::string binary = sticks(c) ? program("dipper-liggghts") : "liggghts";
+    Process liggghts(
+        mpirun(c.dem.ranks, {binary, "-in", (source_folder() / "dem_in" / "settle.in").string(),
+                             "-log", (logs / "settle.liggghts").string(), "-screen",
+                             screen.string(), "-var", "deck", deck.string(), "-var", "out",
+                             out.string(), "-var", "ranks_y", std::to_string(c.dem.ranks)}),
+        logs / "settle.log");
+    while (!liggghts.wait(std::chrono::milliseconds(100))) {
+      if (interrupts() > 0) {
+        liggghts.end();
+        throw Interrupted();
+      }
     }
-  }
-  if (!liggghts.succeeded() || !fs::exists(work / "pile.restart")) {
-    fs::remove_all(work);
-    throw std::runtime_error(fmt::format("settling the pile failed: {} ({})",
-                                         last_words(logs / "settle.log", screen),
-                                         *liggghts.ended()));
-  }
-  std::error_code lost_race;
-  fs::rename(work, entry, lost_race);
-  if (lost_race) fs::remove_all(work);  // another run was faster; its bench is the same
-  pile.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  return pile;
+    if (!liggghts.succeeded() || !fs::exists(out / "pile.restart"))
+      throw std::runtime_error(fmt::format("settling the pile failed: {} ({})",
+                                           last_words(logs / "settle.log", screen),
+                                           *liggghts.ended()));
+  };
+  const bool settled = make_once(entry, settle, heed_interrupts);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  return {entry / "pile.restart", !settled, settled ? took.count() : 0};
 }
 
 }  // namespace dipper

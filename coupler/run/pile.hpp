@@ -15,7 +15,7 @@ struct Pile {
 
 /// Finds the case's bench in the cache, or settles it (dem_in/settle.in under the plain LIGGGHTS
 /// binary) and puts it there. The key is a hash of everything the bench depends on. Two runs may do
-/// this at once and either may be killed: an entry appears whole or not at all.
+/// this at once and either may be killed (cache_entry.hpp).
 /// \param deck  the folder write_deck filled
 /// \param logs  where LIGGGHTS's output goes
 /// Throws std::runtime_error with LIGGGHTS's own message.
