@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "analysis/line_reader.hpp"
 #include "analysis/vtk_file.hpp"
@@ -11,17 +12,44 @@
 namespace dipper {
 namespace {
 
+constexpr const char* kNumber = "meshid";  // of a triangle, as LIGGGHTS calls it
+
 /// One value a triangle: a cell's value goes to each of its triangles.
-std::vector<double> values_of(const VtkFile& vtk, const VtkArray& array, const WallDump& wall) {
+std::vector<double> values_of(const VtkFile& vtk, const VtkArray& array,
+                              const std::vector<std::size_t>& cells) {
   const std::vector<double> all = read_array(vtk, array);
   std::vector<double> out;
-  for (const std::size_t cell : wall.cell) {
+  for (const std::size_t cell : cells) {
     double square = 0;
     for (std::size_t k = 0; k < array.components; ++k)
       square += std::pow(all.at(cell * array.components + k), 2);
     out.push_back(array.components == 1 ? all[cell] : std::sqrt(square));
   }
   return out;
+}
+
+WallFrame read_frame(const VtkFile& vtk) {
+  const WallDump wall = read_wall_dump(vtk);
+  std::vector<std::size_t> order(wall.cell.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (const VtkArray* number = vtk.cell_array(kNumber)) {
+    const std::vector<double> id = values_of(vtk, *number, wall.cell);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return id[a] < id[b]; });
+  }
+  WallFrame f;
+  f.mesh.vertices = wall.mesh.vertices;
+  std::vector<std::size_t> cells;
+  for (const std::size_t t : order) {
+    f.mesh.triangles.push_back(wall.mesh.triangles[t]);
+    cells.push_back(wall.cell[t]);
+  }
+  for (const VtkArray& array : vtk.cell_data) {
+    if (array.name == kNumber) continue;
+    f.fields[array.name] = values_of(vtk, array, cells);
+    f.line[array.name] = array.line;
+  }
+  return f;
 }
 
 void add_frame(WallField& f, const std::vector<double>& values) {
@@ -38,21 +66,21 @@ void add_frame(WallField& f, const std::vector<double>& values) {
 
 }  // namespace
 
+WallFrame read_wall_frame(const std::filesystem::path& file) { return read_frame(index_vtk(file)); }
+
 std::vector<WallField> read_wall_fields(const DumpFolder& dumps) {
   std::vector<WallField> fields;
   for (const auto& [body, files] : dumps.walls) {
     std::map<std::string, WallField> of;
-    WallDump wall;
+    WallFrame wall;
     for (const auto& [step, file] : files) {
       const VtkFile vtk = index_vtk(file);
-      if (vtk.cell_data.size() == 1 && vtk.cell_array("meshid") != nullptr) continue;
-      wall = read_wall_dump(vtk);
-      for (const VtkArray& array : vtk.cell_data) {
-        if (array.name == "meshid") continue;
-        const std::vector<double> values = values_of(vtk, array, wall);
-        WallField& f = of[array.name];
+      if (vtk.cell_data.size() == 1 && vtk.cell_array(kNumber) != nullptr) continue;
+      wall = read_frame(vtk);
+      for (const auto& [name, values] : wall.fields) {
+        WallField& f = of[name];
         if (!f.last.empty() && f.last.size() != values.size())
-          throw input_error(file, array.line,
+          throw input_error(file, wall.line[name],
                             fmt::format("{} has {} triangles, the frame before had {}", body,
                                         values.size(), f.last.size()));
         add_frame(f, values);

@@ -1,6 +1,11 @@
 #include "analysis/report/dump_replay.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
+
+#include "analysis/line_reader.hpp"
+#include "analysis/wall_fields.hpp"
 
 namespace dipper {
 
@@ -24,12 +29,39 @@ std::vector<MovingWall> replay_walls(const RunFolder& run) {
 
 DumpReplay::DumpReplay(const DumpFolder& dumps, std::vector<MovingWall> walls) : dumps_(dumps) {
   for (auto& w : walls) {
+    const auto found = dumps.walls.find(w.wall.name);
+    if (found != dumps.walls.end() && !found->second.empty()) {
+      const WallFrame first = read_wall_frame(found->second.begin()->second);
+      const bool same = first.mesh.triangles.size() == w.wall.mesh.triangles.size();
+      for (const auto& [name, values] : first.fields)
+        if (same) w.wall.fields.push_back(name);
+    }
     walls_.push_back(std::move(w.wall));
     states_.push_back(std::move(w.state));
   }
 }
 
-void DumpReplay::read(std::size_t index, ReplayFrame& frame) const {
+void DumpReplay::read_walls(std::int64_t step, ReplayFrame& frame) const {
+  frame.walls.clear();
+  frame.values.clear();
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    frame.walls.push_back(states_[w](frame.time_s));
+    auto& values = frame.values.emplace_back();
+    if (walls_[w].fields.empty()) continue;
+    const auto& file = dumps_.walls.at(walls_[w].name).at(step);
+    WallFrame dump = read_wall_frame(file);
+    for (const std::string& field : walls_[w].fields) {
+      const std::vector<double>& all = dump.fields[field];
+      if (all.size() != walls_[w].mesh.triangles.size())
+        throw input_error(file, dump.line[field],
+                          fmt::format("{} has {} for {} triangles, the wall has {}", walls_[w].name,
+                                      field, all.size(), walls_[w].mesh.triangles.size()));
+      values.emplace_back(all.begin(), all.end());
+    }
+  }
+}
+
+void DumpReplay::read(std::size_t index, ReplayFrame& frame, const Keep& keep) const {
   const DumpFrame& dump = dumps_.frames.at(index);
   std::vector<std::string> columns = {"id", "x", "y", "z", "radius"};
   const auto optional = [&](const char* name) -> std::size_t {
@@ -41,8 +73,8 @@ void DumpReplay::read(std::size_t index, ReplayFrame& frame) const {
   const std::array<std::size_t, 3> v = {optional("vx"), optional("vy"), optional("vz")};
 
   frame.time_s = dumps_.time_s.at(index);
+  read_walls(dump.step, frame);
   frame.spheres.clear();
-  frame.spheres.reserve(dump.particles);
   DumpReader::read(dump, columns, [&](const ParticleChunk& chunk) {
     for (std::size_t i = 0; i < chunk.rows; ++i) {
       const auto value = [&](std::size_t column) { return chunk.columns[column][i]; };
@@ -57,11 +89,9 @@ void DumpReplay::read(std::size_t index, ReplayFrame& frame) const {
         const std::size_t column = v[static_cast<std::size_t>(k)];
         if (column) s.v_m_s[k] = static_cast<float>(value(column));
       }
-      frame.spheres.push_back(s);
+      if (keep(s)) frame.spheres.push_back(s);
     }
   });
-  frame.walls.clear();
-  for (const auto& state : states_) frame.walls.push_back(state(frame.time_s));
 }
 
 }  // namespace dipper

@@ -19,6 +19,8 @@ struct MovingWall {
 /// truck where it stands. `run` has to outlive them.
 std::vector<MovingWall> replay_walls(const RunFolder& run);
 
+/// Walls have the fields that their dumps have of every triangle, its number apart.
+///
 /// Needs the columns id, x, y, z and radius; type, id_multisphere and vx, vy, vz when they are
 /// there.
 class DumpReplay : public ReplaySource {
@@ -27,9 +29,11 @@ class DumpReplay : public ReplaySource {
 
   const std::vector<ReplayWall>& walls() const override { return walls_; }
   const std::vector<double>& times_s() const override { return dumps_.time_s; }
-  void read(std::size_t index, ReplayFrame& frame) const override;
+  void read(std::size_t index, ReplayFrame& frame, const Keep& keep) const override;
 
  private:
+  void read_walls(std::int64_t step, ReplayFrame& frame) const;
+
   const DumpFolder& dumps_;
   std::vector<ReplayWall> walls_;
   std::vector<std::function<BodyState(double)>> states_;

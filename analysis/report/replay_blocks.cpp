@@ -48,14 +48,15 @@ struct Encoded {
   std::vector<json> poses;  ///< one a wall
 };
 std::optional<Encoded> encode(const ReplaySource& source, const std::vector<std::size_t>& kept,
-                              ReplayEncoder encoder, const ReplayLimits& limits) {
+                              const ReplaySource::Keep& keep, ReplayEncoder encoder,
+                              const ReplayLimits& limits) {
   Encoded out;
   out.poses.assign(source.walls().size(), json::array());
   std::vector<std::uint8_t> raw;
   std::size_t bytes = 0, frames = 0;
   ReplayFrame frame;
   for (const std::size_t k : kept) {
-    source.read(k, frame);
+    source.read(k, frame, keep);
     encoder.encode(frame, raw);
     ++frames;
     for (std::size_t w = 0; w < out.poses.size(); ++w) {
@@ -76,47 +77,51 @@ std::optional<Encoded> encode(const ReplaySource& source, const std::vector<std:
 }  // namespace
 
 ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limits) {
-  ReplayExtent extent;
+  ReplayExtent extent(limits.spheres_max);
   ReplayFrame frame;
   const auto& times = source.times_s();
+  std::size_t most_spheres = 0;
   for (std::size_t k = 0; k < times.size(); ++k) {
-    source.read(k, frame);
-    extent.add(frame);
+    std::size_t count = 0;
+    source.read(k, frame, [&](const ReplaySphere& s) {
+      extent.add(s);
+      ++count;
+      return false;
+    });
+    extent.add_values(frame, source.walls());
+    most_spheres = std::max(most_spheres, count);
   }
-  std::size_t one_in = 1;
   std::vector<ReplaySphere> spheres = extent.spheres;
-  while (spheres.size() > limits.spheres_max) {
-    ++one_in;
-    spheres.clear();
-    std::copy_if(extent.spheres.begin(), extent.spheres.end(), std::back_inserter(spheres),
-                 [&](const ReplaySphere& s) { return shown(s, one_in); });
-  }
   // From the face inwards: what moves stands together, and zeros make long runs.
   std::sort(spheres.begin(), spheres.end(), [](const ReplaySphere& a, const ReplaySphere& b) {
     return std::make_pair(a.p_m.x(), a.id) < std::make_pair(b.p_m.x(), b.id);
   });
 
-  const ReplayEncoder encoder(extent, spheres);
+  const ReplayEncoder encoder(extent, spheres, source.walls());
+  const auto keep = [&](const ReplaySphere& s) { return shown(s, extent.one_in); };
+  std::size_t frame_bytes = 7 * spheres.size();
+  for (const auto& w : source.walls()) frame_bytes += w.fields.size() * w.mesh.triangles.size();
   std::size_t stride = 1;
-  while (times.size() / stride * spheres.size() * 7 > limits.decoded_max) stride *= 2;
+  while (times.size() / stride * frame_bytes > limits.decoded_max) stride *= 2;
   auto kept = every(stride, times.size());
-  auto encoded = encode(source, kept, encoder, limits);
+  auto encoded = encode(source, kept, keep, encoder, limits);
   while (!encoded) {
     stride *= 2;
     kept = every(stride, times.size());
-    encoded = encode(source, kept, encoder, limits);
+    encoded = encode(source, kept, keep, encoder, limits);
   }
 
   json head = {
       {"spheres", spheres.size()},
-      {"spheres_in_run", extent.spheres.size()},
-      {"one_rock_in", one_in},
+      {"spheres_in_run", most_spheres},
+      {"one_rock_in", extent.one_in},
       {"one_frame_in", stride},
       {"frames_in_run", times.size()},
       {"speed_max_m_s", extent.speed_max_m_s},
       {"origin_m", {encoder.origin_m().x(), encoder.origin_m().y(), encoder.origin_m().z()}},
       {"step_m", {encoder.step_m().x(), encoder.step_m().y(), encoder.step_m().z()}},
-      {"frames_in_block", encoded->frames_in_block}};
+      {"frames_in_block", encoded->frames_in_block},
+      {"field_max", extent.field_max}};
   for (const std::size_t k : kept) head["times_s"].push_back(rounded(times[k], 1e6));
   for (const auto& s : spheres) {
     head["radius_m"].push_back(rounded(static_cast<double>(s.radius_m), 1e4));
@@ -126,8 +131,10 @@ ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limit
   head["walls"] = json::array();
   for (std::size_t w = 0; w < source.walls().size(); ++w) {
     const auto& wall = source.walls()[w];
-    head["walls"].push_back(
-        {{"name", wall.name}, {"triangles_m", triangles(wall.mesh)}, {"poses", encoded->poses[w]}});
+    head["walls"].push_back({{"name", wall.name},
+                             {"triangles_m", triangles(wall.mesh)},
+                             {"fields", wall.fields},
+                             {"poses", encoded->poses[w]}});
   }
   return {std::move(head), std::move(encoded->blocks)};
 }

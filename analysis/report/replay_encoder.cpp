@@ -9,6 +9,12 @@ namespace {
 constexpr double kSteps = 65535;
 constexpr double kSpeedSteps = 254;
 constexpr std::uint8_t kAbsent = 255;
+constexpr double kDecades = 5;  // of a wall's field
+
+std::uint8_t decades_byte(double x, double most) {
+  if (!(x > 0) || x < most * std::pow(10, -kDecades)) return 0;
+  return static_cast<std::uint8_t>(1 + std::lround(254 * (1 + std::log10(x / most) / kDecades)));
+}
 
 std::uint16_t zigzag(std::uint16_t change) {
   const bool negative = change & 0x8000u;
@@ -24,27 +30,47 @@ std::uint64_t scramble(std::uint64_t x) {
 
 }  // namespace
 
-void ReplayExtent::add(const ReplayFrame& frame) {
-  for (const auto& s : frame.spheres) {
-    box.add(s.p_m.cast<double>());
-    speed_max_m_s = std::max(speed_max_m_s, static_cast<double>(s.v_m_s.norm()));
-    if (seen_.emplace(s.id, true).second) spheres.push_back(s);
-  }
-}
-
 bool shown(const ReplaySphere& sphere, std::size_t one_in) {
   // Sphere and clump numbers overlap: a clump's are taken as negative.
   const std::int64_t rock = sphere.rock >= 0 ? -1 - sphere.rock : sphere.id;
-  return one_in <= 1 || scramble(static_cast<std::uint64_t>(rock)) % one_in == 0;
+  return scramble(static_cast<std::uint64_t>(rock)) <= ~std::uint64_t{0} / one_in;
 }
 
-ReplayEncoder::ReplayEncoder(const ReplayExtent& extent, const std::vector<ReplaySphere>& spheres)
+void ReplayExtent::add(const ReplaySphere& s) {
+  box.add(s.p_m.cast<double>());
+  speed_max_m_s = std::max(speed_max_m_s, static_cast<double>(s.v_m_s.norm()));
+  if (!shown(s, one_in) || !seen_.insert(s.id).second) return;
+  spheres.push_back(s);
+  while (spheres.size() > spheres_max_) {
+    ++one_in;
+    const auto gone = std::stable_partition(
+        spheres.begin(), spheres.end(), [&](const ReplaySphere& x) { return shown(x, one_in); });
+    std::for_each(gone, spheres.end(), [&](const ReplaySphere& x) { seen_.erase(x.id); });
+    spheres.erase(gone, spheres.end());
+  }
+}
+
+void ReplayExtent::add_values(const ReplayFrame& frame, const std::vector<ReplayWall>& walls) {
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    for (std::size_t k = 0; k < walls[w].fields.size(); ++k) {
+      double& most = field_max[walls[w].fields[k]];
+      for (const float x : frame.values[w][k]) most = std::max(most, static_cast<double>(x));
+    }
+  }
+}
+
+ReplayEncoder::ReplayEncoder(const ReplayExtent& extent, const std::vector<ReplaySphere>& spheres,
+                             const std::vector<ReplayWall>& walls)
     : origin_(extent.box.min),
       step_((extent.box.max - extent.box.min) / kSteps),
       speed_max_(extent.speed_max_m_s),
       sent_(spheres.size(), {0, 0, 0}) {
   if (spheres.empty()) origin_ = step_ = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < spheres.size(); ++i) index_[spheres[i].id] = i;
+  for (const auto& wall : walls) {
+    auto& most = field_max_.emplace_back();
+    for (const auto& field : wall.fields) most.push_back(extent.field_max.at(field));
+  }
 }
 
 void ReplayEncoder::encode(const ReplayFrame& frame, std::vector<std::uint8_t>& out) {
@@ -73,6 +99,12 @@ void ReplayEncoder::encode(const ReplayFrame& frame, std::vector<std::uint8_t>& 
     planes[6 * n + i] = static_cast<std::uint8_t>(std::lround(kSpeedSteps * std::sqrt(v)));
   }
   first_ = false;
+  for (std::size_t w = 0; w < field_max_.size(); ++w) {
+    for (std::size_t k = 0; k < field_max_[w].size(); ++k) {
+      for (const float x : frame.values[w][k])
+        out.push_back(decades_byte(static_cast<double>(x), field_max_[w][k]));
+    }
+  }
 }
 
 }  // namespace dipper

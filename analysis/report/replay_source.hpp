@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,23 +26,29 @@ struct ReplaySphere {
 struct ReplayWall {
   std::string name;  ///< "dipper", "door", "truck"; other names are drawn too
   TriangleMesh mesh;
+  std::vector<std::string> fields = {};  ///< what is known of each triangle: pressure, wear
 };
+
+using WallValues = std::vector<float>;  ///< of a field: one a triangle of the wall's mesh
 
 struct ReplayFrame {
   double time_s = 0;
-  std::vector<ReplaySphere> spheres;  ///< in any order
-  std::vector<BodyState> walls;       ///< one a wall, in their order
+  std::vector<ReplaySphere> spheres;            ///< in any order
+  std::vector<BodyState> walls;                 ///< one a wall, in their order
+  std::vector<std::vector<WallValues>> values;  ///< of each wall's fields, as they are
 };
 
-/// Frames in order of time, any of which can be asked for again: the writer reads a run twice, so
-/// that no more than one frame is in memory.
+/// Frames in order of time, any of which can be asked for again: the writer reads a run more than
+/// once, so that no more than the spheres it keeps of one frame are in memory.
 class ReplaySource {
  public:
   virtual ~ReplaySource() = default;
   virtual const std::vector<ReplayWall>& walls() const = 0;
   virtual const std::vector<double>& times_s() const = 0;
-  /// Overwrites `frame`. Throws what the dump's reader throws.
-  virtual void read(std::size_t index, ReplayFrame& frame) const = 0;
+  /// Overwrites `frame` with the spheres that `keep` keeps; time and walls are in it when `keep` is
+  /// first asked. Throws what the dump's reader throws.
+  using Keep = std::function<bool(const ReplaySphere&)>;
+  virtual void read(std::size_t index, ReplayFrame& frame, const Keep& keep) const = 0;
 };
 
 }  // namespace dipper

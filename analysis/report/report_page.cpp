@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 
 #include "analysis/report/packing.hpp"
@@ -72,7 +73,12 @@ json slices(const ReportInput& input) {
     const auto nearest = std::min_element(times.begin(), times.end(), [t](double a, double b) {
       return std::abs(a - t) < std::abs(b - t);
     });
-    input.replay->read(static_cast<std::size_t>(nearest - times.begin()), frame);
+    std::optional<SlicePlane> plane;
+    input.replay->read(static_cast<std::size_t>(nearest - times.begin()), frame,
+                       [&](const ReplaySphere& s) {
+                         if (!plane) plane.emplace(frame.walls.at(dipper), walls[dipper].mesh);
+                         return plane->holds(s);
+                       });
     json s = to_json(slice(frame, walls, dipper));
     s["stage"] = stage;
     out.push_back(std::move(s));

@@ -20,34 +20,46 @@ bool cut(const std::array<Eigen::Vector3d, 3>& corners, SliceSegment& segment) {
 
 }  // namespace
 
+SlicePlane::SlicePlane(const BodyState& dipper, const TriangleMesh& mesh, const SliceWindow& window)
+    : window_(window), origin_(dipper.X_WB.p) {
+  const Vector3d lateral = dipper.X_WB.R * Vector3d::UnitY();
+  out_ = lateral.cross(Vector3d::UnitZ()).normalized();
+  side_ = Vector3d::UnitZ().cross(out_);
+  const BoundingBox box = bounding_box(mesh);
+  middle_ = seen(dipper.X_WB * Vector3d(0.5 * (box.min + box.max)));
+}
+
+Vector3d SlicePlane::seen(const Vector3d& p_W) const {
+  const Vector3d d = p_W - origin_;
+  return {out_.dot(d), side_.dot(d), d.z()};
+}
+
+bool SlicePlane::in_window(double out, double up, double margin_m) const {
+  return std::abs(out - middle_.x()) < window_.reach_m + margin_m &&
+         std::abs(up - middle_.z()) < window_.reach_m + margin_m;
+}
+
+bool SlicePlane::holds(const ReplaySphere& sphere) const {
+  const Vector3d p = seen(sphere.p_m.cast<double>());
+  return std::abs(p.y()) <= 0.5 * window_.thickness_m &&
+         in_window(p.x(), p.z(), static_cast<double>(sphere.radius_m));
+}
+
 Slice slice(const ReplayFrame& frame, const std::vector<ReplayWall>& walls, std::size_t dipper,
             const SliceWindow& window) {
   const BodyState& state = frame.walls.at(dipper);
   const Pose& X_WB = state.X_WB;
-  const Vector3d lateral = X_WB.R * Vector3d::UnitY();
-  const Vector3d out = lateral.cross(Vector3d::UnitZ()).normalized();
-  const Vector3d side = Vector3d::UnitZ().cross(out);
-  // (out, side, up) of a point, from the dipper's origin.
-  const auto seen = [&](const Vector3d& p_W) {
-    const Vector3d d = p_W - X_WB.p;
-    return Vector3d(out.dot(d), side.dot(d), d.z());
-  };
-  const BoundingBox box = bounding_box(walls.at(dipper).mesh);
-  const Vector3d middle = seen(X_WB * Vector3d(0.5 * (box.min + box.max)));
-  const auto inside_window = [&](double x, double z, double margin) {
-    return std::abs(x - middle.x()) < window.reach_m + margin &&
-           std::abs(z - middle.z()) < window.reach_m + margin;
-  };
+  const SlicePlane plane(state, walls.at(dipper).mesh, window);
 
   Slice s;
   s.time_s = frame.time_s;
   const Pose X_BW = inverse(X_WB);
   std::vector<std::pair<double, SliceSphere>> found;
   for (const auto& sphere : frame.spheres) {
+    if (!plane.holds(sphere)) continue;
     const Vector3d p_W = sphere.p_m.cast<double>();
-    const Vector3d p = seen(p_W);
+    const Vector3d p = plane.seen(p_W);
     const auto r = static_cast<double>(sphere.radius_m);
-    if (std::abs(p.y()) > 0.5 * window.thickness_m || !inside_window(p.x(), p.z(), r)) continue;
     const Vector3d v_of_dipper = state.V_WB_W.v + state.V_WB_W.w.cross(Vector3d(p_W - X_WB.p));
     const double speed = (sphere.v_m_s.cast<double>() - v_of_dipper).norm();
     found.push_back({p.y(), {p.x(), p.z(), r, sphere.rock, speed, X_BW * p_W}});
@@ -61,9 +73,9 @@ Slice slice(const ReplayFrame& frame, const std::vector<ReplayWall>& walls, std:
     const Pose& X = frame.walls.at(w).X_WB;
     for (std::size_t k = 0; k < walls[w].mesh.triangles.size(); ++k) {
       auto corners = walls[w].mesh.corners(k);
-      for (auto& c : corners) c = seen(X * c);
+      for (auto& c : corners) c = plane.seen(X * c);
       SliceSegment segment{};
-      if (cut(corners, segment) && inside_window(segment.from[0], segment.from[1], 0)) {
+      if (cut(corners, segment) && plane.in_window(segment.from[0], segment.from[1])) {
         s.walls.push_back(segment);
       }
     }

@@ -30,7 +30,22 @@ struct SliceWindow {
   double reach_m = 6.5;      ///< out and up from the middle of the dipper, either way
 };
 
-/// `dipper` is the index of the dipper among the walls; the window is about the middle of its mesh.
+/// Where the slice is cut in one frame; the window is about the middle of the dipper's mesh.
+class SlicePlane {
+ public:
+  SlicePlane(const BodyState& dipper, const TriangleMesh& mesh, const SliceWindow& window = {});
+
+  /// (out, to the left, up) of a point in W, from the dipper's origin.
+  Vector3d seen(const Vector3d& p_W) const;
+  bool in_window(double out, double up, double margin_m = 0) const;
+  bool holds(const ReplaySphere& sphere) const;
+
+ private:
+  SliceWindow window_;
+  Vector3d origin_, out_, side_, middle_;
+};
+
+/// `dipper` is the index of the dipper among the walls. Spheres off the slice may be missing.
 Slice slice(const ReplayFrame& frame, const std::vector<ReplayWall>& walls, std::size_t dipper,
             const SliceWindow& window = {});
 

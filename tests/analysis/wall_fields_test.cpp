@@ -47,6 +47,17 @@ TEST(WallFields, LastMeanAndLargestOfEachTriangle) {
   EXPECT_NEAR(p.middle_m[0].x(), 4.0 / 3, 1e-6);
 }
 
+TEST(WallFields, TrianglesAreInTheOrderOfTheirNumbersHoweverRanksWroteThem) {
+  const Scratch s;
+  std::string swapped = wall("5 1", "0 0 0 0 0 0");
+  swapped.replace(swapped.find("\n0 1\n"), 5, "\n1 0\n");
+  const WallFrame f = read_wall_frame(s.write("dipper_0.vtk", swapped));
+  EXPECT_THAT(f.fields.at("pressure"), ElementsAre(1, 5));
+  EXPECT_EQ(f.mesh.corners(0)[0].z(), 1);
+  EXPECT_EQ(f.mesh.corners(1)[0].z(), 0);
+  EXPECT_EQ(f.fields.count("meshid"), 0u);
+}
+
 TEST(WallFields, AWallThatIsCutShortIsNamed) {
   const Scratch s;
   s.write("dipper_0.vtk", wall("5 1", "0 0 0 0 0 0"));

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/report/synthetic_dig.hpp"
 
 namespace dipper {
@@ -39,21 +41,27 @@ class Decoder {
 
 TEST(ReplayEncoder, DecodedPositionsStayWithinTheStatedError) {
   const test::SyntheticDig dig(2000, 40, 20);
-  ReplayExtent extent;
+  ReplayExtent extent(2000);
   ReplayFrame frame;
   for (std::size_t k = 0; k < 40; ++k) {
     dig.read(k, frame);
-    extent.add(frame);
+    for (const auto& s : frame.spheres) extent.add(s);
+    extent.add_values(frame, dig.walls());
   }
   ASSERT_EQ(extent.spheres.size(), 2000u);
-  ReplayEncoder encoder(extent, extent.spheres);
+  ReplayEncoder encoder(extent, extent.spheres, dig.walls());
   Decoder decoder(encoder, 2000);
   const double bound = std::max(kStill_m, 0.5 * encoder.step_m().maxCoeff()) + 1e-6;
   for (std::size_t k = 0; k < 40; ++k) {
     std::vector<std::uint8_t> raw;
     dig.read(k, frame);
     encoder.encode(frame, raw);
-    ASSERT_EQ(raw.size(), 7 * 2000u);
+    ASSERT_EQ(raw.size(), 7 * 2000u + 12u);
+    for (std::size_t t = 0; t < 12; ++t) {  // the box's triangles: t k / 39 of 11 at most
+      const double share = static_cast<double>(t * k) / (11.0 * 39);
+      const double byte = share > 0 ? 1 + 254 * (1 + std::log10(share) / 5) : 0;
+      EXPECT_NEAR(raw[7 * 2000 + t], byte, 0.51);
+    }
     decoder.add(raw.data());
     double worst = 0;
     for (std::size_t i = 0; i < 2000; ++i) {
@@ -74,10 +82,10 @@ ReplayFrame one(std::int64_t id, float x, float v = 0) {
 }
 
 TEST(ReplayEncoder, RestIsZeros) {
-  ReplayExtent extent;
-  extent.add(one(7, 0));
-  extent.add(one(7, 30, 2));
-  ReplayEncoder encoder(extent, extent.spheres);
+  ReplayExtent extent(10);
+  extent.add(one(7, 0).spheres[0]);
+  extent.add(one(7, 30, 2).spheres[0]);
+  ReplayEncoder encoder(extent, extent.spheres, {});
   std::vector<std::uint8_t> raw;
   encoder.encode(one(7, 10), raw);
   raw.clear();
@@ -87,10 +95,10 @@ TEST(ReplayEncoder, RestIsZeros) {
 
 TEST(ReplayEncoder, AWholeBoxInOneFrameAndBack) {
   // The largest changes there are, either way: 65535 steps.
-  ReplayExtent extent;
-  extent.add(one(1, -5));
-  extent.add(one(1, 25));
-  ReplayEncoder encoder(extent, extent.spheres);
+  ReplayExtent extent(10);
+  extent.add(one(1, -5).spheres[0]);
+  extent.add(one(1, 25).spheres[0]);
+  ReplayEncoder encoder(extent, extent.spheres, {});
   Decoder decoder(encoder, 1);
   for (const float x : {-5.f, 25.f, -5.f, 10.f}) {
     std::vector<std::uint8_t> raw;
@@ -101,10 +109,10 @@ TEST(ReplayEncoder, AWholeBoxInOneFrameAndBack) {
 }
 
 TEST(ReplayEncoder, SpeedIsTheSquareRootOfItsShareAndAbsenceIsSaid) {
-  ReplayExtent extent;
-  extent.add(one(1, 0, 8));
-  extent.add(one(2, 1, 2));
-  ReplayEncoder encoder(extent, extent.spheres);
+  ReplayExtent extent(10);
+  extent.add(one(1, 0, 8).spheres[0]);
+  extent.add(one(2, 1, 2).spheres[0]);
+  ReplayEncoder encoder(extent, extent.spheres, {});
   std::vector<std::uint8_t> raw;
   encoder.encode(one(2, 1, 2), raw);
   EXPECT_EQ(raw[6 * 2 + 0], 255);  // 1 is not in this frame
@@ -120,8 +128,27 @@ TEST(Shown, TakesWholeRocksAndTheShareAskedFor) {
     a.rock = b.rock = rock;
     EXPECT_EQ(shown(a, 3), shown(b, 3));
     kept += shown(a, 3);
+    EXPECT_TRUE(shown(a, 2) || !shown(a, 3));
   }
   EXPECT_NEAR(static_cast<double>(kept), 10000, 300);  // 3.7 sigma of a fair draw
+}
+
+TEST(ReplayExtent, KeepsToItsNumberWithTheSmallestShareThatDoes) {
+  ReplayExtent few(1000);
+  std::vector<ReplaySphere> all(20000);
+  for (int again = 0; again < 2; ++again) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].id = static_cast<std::int64_t>(i);
+      few.add(all[i]);
+      ASSERT_LE(few.spheres.size(), 1000u);
+    }
+  }
+  const auto kept = [&](std::size_t one_in) {
+    return static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [&](const ReplaySphere& s) { return shown(s, one_in); }));
+  };
+  EXPECT_EQ(few.spheres.size(), kept(few.one_in));
+  EXPECT_GT(kept(few.one_in - 1), 1000u);
 }
 
 }  // namespace

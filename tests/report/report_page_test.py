@@ -77,6 +77,35 @@ class Page(unittest.TestCase):
         self.browser.run("document.querySelector('input[value=speed]').click()")
         self.assertEqual(len(set(pictures)), 3)
 
+    def test_colours_the_walls_by_what_presses_them(self):
+        # synthetic_dig.hpp: the dipper's k-th triangle of 12 is pressed with k t, at most with 11 * 10.
+        hide = self.browser.driver.find_element(By.XPATH, "//label[contains(., 'Hide the rock')]/input")
+        with_rock = self.picture()
+        hide.click()  # the dipper is inside the pile
+        self.addCleanup(hide.click)
+        plain = self.picture()
+        self.assertTrue(with_rock.tobytes() != plain.tobytes(), "the rock is still there")
+        self.browser.run("document.querySelector('input[value=normal_stress_average]').click()")
+        self.addCleanup(self.browser.run, "document.querySelector('.walls input').click()")
+        warm = lambda image: sum(r - g > 30 for r, g, b in image.getdata())
+        self.assertEqual(warm(plain), 0)
+        self.assertGreater(warm(self.picture()), 500)
+        bytes_, tones, door = self.browser.run("""
+            const { walls } = document.querySelector('.screen canvas').stage, [dipper, door] = walls;
+            const { array } = dipper.sheet.geometry.attributes.color;
+            return [[...dipper.values(16)], [...array], door.sheet.material.vertexColors];""")
+        pressure = [0 if b == 0 else 110 * 10 ** (5 * ((b - 1) / 254 - 1)) for b in bytes_]
+        for k, p in enumerate(pressure):
+            self.assertAlmostEqual(p, 4 * k, delta=0.025 * 4 * k)  # half of 1/254 of five decades
+        self.assertFalse(door)
+        self.assertEqual(len(tones), 12 * 9)
+        light = [sum(tones[9 * k:9 * k + 3]) for k in range(12)]
+        self.assertEqual(light[1:], sorted(light[1:], reverse=True), "harder pressed is not darker")
+        self.browser.run("dipper.clock.set(10)")
+        self.browser.drawn()
+        later = self.browser.run("return document.querySelector('.screen canvas').stage.walls[0].sheet.geometry.attributes.color.array[99]")
+        self.assertNotAlmostEqual(later, tones[99], places=3)
+
     def test_decodes_every_frame(self):
         # Rock at rest lies on a grid (synthetic_dig.hpp): off it by no more than the encoder's 2 mm
         # and the rock's own 0.1 mm. Were one change lost, it would be off in every later frame.
@@ -106,7 +135,7 @@ class Page(unittest.TestCase):
         self.press(Keys.SPACE)
         stopped = self.time()
         self.assertGreaterEqual(stopped, start + 0.5)
-        self.assertNotEqual(self.picture().tobytes(), before)
+        self.assertTrue(self.picture().tobytes() != before, "the picture stands still")
         time.sleep(0.3)
         self.assertEqual(self.time(), stopped)
 

@@ -14,8 +14,8 @@ class SyntheticDig : public ReplaySource {
   /// `noise_m` is how far rocks at rest tremble, about what contacts leave.
   SyntheticDig(std::size_t spheres, std::size_t frames, double duration_s, double noise_m = 1e-4)
       : spheres_(spheres), noise_m_(noise_m) {
-    walls_ = {{"dipper", box({0, -2, -1.5}, {4, 2, 1.5})},
-              {"door", box({-0.2, -2, -1.5}, {0, 2, 1.5})}};
+    walls_ = {{"dipper", box({0, -2, -1.5}, {4, 2, 1.5}), {"normal_stress_average"}},
+              {"door", box({-0.2, -2, -1.5}, {0, 2, 1.5}), {}}};
     for (std::size_t k = 0; k < frames; ++k) {
       times_.push_back(duration_s * static_cast<double>(k) / static_cast<double>(frames - 1));
     }
@@ -33,15 +33,19 @@ class SyntheticDig : public ReplaySource {
     return s;
   }
 
-  void read(std::size_t index, ReplayFrame& frame) const override {
+  /// Of the dipper's triangles the k-th is pressed with k t; the door has no field.
+  void read(std::size_t index, ReplayFrame& frame, const Keep& keep = all) const override {
     const double t = times_.at(index);
     frame.time_s = t;
     frame.walls = {dipper(t), dipper(t)};
-    frame.spheres.resize(spheres_);
+    frame.values = {{{}}, {}};
+    for (std::size_t k = 0; k < walls_[0].mesh.triangles.size(); ++k)
+      frame.values[0][0].push_back(static_cast<float>(static_cast<double>(k) * t));
+    frame.spheres.clear();
     const auto side = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(spheres_))));
     const double pitch = 16.0 / static_cast<double>(side);
     for (std::size_t i = 0; i < spheres_; ++i) {
-      ReplaySphere& s = frame.spheres[i];
+      ReplaySphere s;
       s.id = static_cast<std::int64_t>(i) + 1;
       s.rock = i % 3 == 0 ? -1 : static_cast<std::int64_t>(i / 6);
       s.type = 1 + static_cast<int>(i % 4);
@@ -64,10 +68,13 @@ class SyntheticDig : public ReplaySource {
       }
       s.p_m = p.cast<float>();
       s.v_m_s = v.cast<float>();
+      if (keep(s)) frame.spheres.push_back(s);
     }
   }
 
  private:
+  static bool all(const ReplaySphere&) { return true; }
+
   std::size_t spheres_;
   double noise_m_;
   std::vector<ReplayWall> walls_;

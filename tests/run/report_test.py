@@ -24,11 +24,12 @@ class Report(RunTest):
 
     def test_a_run(self):
         run = self.folder / "run"
-        self.run_case(run, "--seed", "2")
+        self.run_case(run, "--seed", "2", "--set", "output.wall_stress=on", "--set", "output.wear_m3_J=1e-12")
         self.report(run)
         metrics = json.loads((run / "report/metrics.json").read_text())
         self.check_masses(run, metrics)
         self.check_tables(run, metrics)
+        self.check_walls(run, metrics)
         self.check_paraview(run, metrics)
         shutil.rmtree(run / "report")
         self.check_bad_input(run)
@@ -57,6 +58,20 @@ class Report(RunTest):
                 self.assertEqual(len(rows), len(table), name)
         rows = self.read_csv(run / "report/frames.csv")
         self.assertEqual([float(r["in_dipper_kg"]) for r in rows], metrics["frames"]["in_dipper_kg"])
+
+    def check_walls(self, run, metrics):
+        """The teeth have dug: pressure times area is of the order of the dig force, wear has grown on some triangles."""
+        fields = {(w["body"], w["field"]): w for w in metrics["walls"]}
+        self.assertEqual(len(fields), 6)
+        wear = self.read_csv(run / "report/wall_dipper_wear.csv")
+        self.assertEqual(len(wear), 352)
+        worn = [float(t["last"]) for t in wear]
+        self.assertGreater(sum(w > 0 for w in worn), 3)
+        self.assertEqual(max(worn), fields["dipper", "wear"]["max_over_time"])  # it never heals
+        pressure = self.read_csv(run / "report/wall_dipper_normal_stress_average.csv")
+        force = sum(float(t["last"]) * float(t["area_m2"]) for t in pressure)
+        peak = metrics["passes"][0]["dig_force_peak_N"]
+        self.assertTrue(0.01 * peak < force < 5 * peak, (force, peak))
 
     def read_csv(self, file):
         with file.open() as lines:

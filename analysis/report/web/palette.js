@@ -19,6 +19,9 @@ export const classColour = (type) => CLASSES[(type - 1) % CLASSES.length];
 export const SPEED = ['#dcd8d0', '#e0b25c', '#cf6a2e', '#7b2d5b', '#1b1440'];
 export const SIZE = ['#e6e3dc', '#a9c3cf', '#5f97b3', '#2b6490', '#12305c'];
 
+/// What walls feel: no tone of it is the bare wall's grey.
+export const PRESSED = ['#fbe3a6', '#f0a93b', '#d0542c', '#86204f', '#2a0a45'];
+
 export const BULK = '#2b6490';
 export const FLOW = '#e08e2b';
 

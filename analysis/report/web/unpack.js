@@ -21,9 +21,12 @@ export class Frames {
   constructor(head) {
     this.spheres = head.spheres;
     this.times = head.times_s;
+    this.wallBytes = 0;
+    for (const wall of head.walls) this.wallBytes += wall.fields.length * wall.triangles_m.length / 9;
     this.ready = 0;
     this.steps = [];   // a Uint16Array a frame: x, y, z of each sphere, in steps of the box
     this.speeds = [];  // a Uint8Array a frame: 254 sqrt(v / v_max); 255: not in this frame
+    this.values = [];  // a Uint8Array a frame: the walls' fields, one wall after the other
   }
 
   /// Calls progress() after each block; gives way to the page in between.
@@ -33,11 +36,12 @@ export class Frames {
       const bytes = await gunzip(element.textContent);
       element.remove();
       const n = this.spheres;
-      const frames = n ? bytes.length / (7 * n) : 0;
-      for (let f = 0; f < frames; ++f) {
-        last = decodeFrame(bytes.subarray(7 * n * f, 7 * n * (f + 1)), last, n);
+      const size = 7 * n + this.wallBytes;
+      for (let at = 0; at < bytes.length; at += size) {
+        last = decodeFrame(bytes.subarray(at, at + 7 * n), last, n);
         this.steps.push(last);
-        this.speeds.push(bytes.slice(7 * n * f + 6 * n, 7 * n * (f + 1)));
+        this.speeds.push(bytes.slice(at + 6 * n, at + 7 * n));
+        this.values.push(bytes.slice(at + 7 * n, at + size));
       }
       this.ready = this.steps.length;
       progress();

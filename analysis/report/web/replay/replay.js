@@ -2,8 +2,16 @@
 import { Vector3 } from 'three';
 import { h, onWidth } from '../dom.js';
 import { fixed, number, seconds } from '../format.js';
-import { SIZE, SPEED, classColour, gradient, phaseTone, ramp, rgb } from '../palette.js';
+import { SIZE, SPEED, classColour, gradient, PRESSED, phaseTone, ramp, rgb } from '../palette.js';
 import { Stage } from './stage.js';
+
+const DECADES = 5; // of a wall's field, as replay_encoder.hpp has it
+// What LIGGGHTS calls them; other fields are shown under their own names.
+const WALL_FIELDS = {
+  normal_stress_average: { name: 'pressure', unit: 'MPa', per: 1e6 },
+  shear_stress_average: { name: 'shear', unit: 'MPa', per: 1e6 },
+  wear: { name: 'wear', unit: 'µm', per: 1e-6 },
+};
 
 const SPEED_TOP = 2; // m/s; a falling rock is faster, but what matters is what creeps and what slides
 
@@ -57,6 +65,7 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   });
   colourBy.speed();
 
+  const walls = wallColours(head, stage);
   const views = cameraViews(stage);
   if (!stage.dipper) delete views.Follow;
   const camera = h('div.group', { role: 'group', 'aria-label': 'View' }, h('span.label', 'View'),
@@ -87,9 +96,26 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   canvas.stage = stage; // for whoever measures how fast it draws
   return h('div.replay', screen,
     h('div.transport', play, track, rate),
-    h('div.options', colour, legend, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid)),
+    h('div.options', colour, legend, walls, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid)),
     h('p.note', note(head), ' ', h('kbd', 'Space'), ' plays, ', h('kbd', '←'), ' ', h('kbd', '→'),
       ' step a frame, with ', h('kbd', 'Shift'), ' a second.'));
+}
+
+/// Nothing when no wall's dumps have a field.
+function wallColours(head, stage) {
+  const fields = Object.keys(head.field_max).filter((field) => head.field_max[field] > 0);
+  if (!fields.length) return null;
+  const of = (field) => WALL_FIELDS[field] ?? { name: field, unit: '', per: 1 };
+  const legend = h('div.legend');
+  const colour = choice('Walls', [['', 'plain'], ...fields.map((field) => [field, of(field).name])], '', (field) => {
+    stage.walls.forEach((wall) => wall.colourBy(field));
+    const { unit, per } = of(field);
+    const high = head.field_max[field] / per;
+    legend.replaceChildren(...(field ? [scaleLegend('logarithmic; grey: less', PRESSED, high / 10 ** DECADES, high, unit)] : []));
+    stage.ask();
+  });
+  const bare = toggle('Hide the rock', (on) => { stage.rocks.visible = !on; stage.ask(); });
+  return h('div.group.walls', colour, bare, legend);
 }
 
 function note(head) {

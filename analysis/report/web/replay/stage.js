@@ -30,7 +30,12 @@ export class Stage {
     this.controls.addEventListener('change', () => this.ask());
 
     this.rocks = new Rocks(head, frames, scaleTop, SPEED);
-    this.walls = head.walls.map((wall) => new Wall(wall));
+    let offset = 0;
+    this.walls = head.walls.map((wall) => {
+      const made = new Wall(wall, frames, offset);
+      offset += wall.fields.length * made.triangles;
+      return made;
+    });
     this.dipper = this.walls.find((wall) => wall.name === 'dipper');
     this.scene.add(this.rocks, ...this.walls, ground(), ...lights());
     this.plane = new Plane();
