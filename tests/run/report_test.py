@@ -67,7 +67,7 @@ class Report(RunTest):
         self.assertEqual(len(wear), 352)
         worn = [float(t["last"]) for t in wear]
         self.assertGreater(sum(w > 0 for w in worn), 3)
-        self.assertEqual(max(worn), fields["dipper", "wear"]["max_over_time"])  # it never heals
+        self.assertAlmostEqual(max(worn) / fields["dipper", "wear"]["max_over_time"], 1, delta=1e-5)  # it never heals
         pressure = self.read_csv(run / "report/wall_dipper_normal_stress_average.csv")
         force = sum(float(t["last"]) * float(t["area_m2"]) for t in pressure)
         peak = metrics["passes"][0]["dig_force_peak_N"]
