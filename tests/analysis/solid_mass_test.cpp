@@ -20,7 +20,8 @@ TEST(MassInside, CubicLatticeOfSpheres) {
       for (int k = 0; k < 5; ++k) balls.push_back({{i + 0.5, j + 0.5, k + 0.5}, 0.5});
   const std::vector<double> density(balls.size(), 3000);
   const double exact = 3000 * M_PI / 6;
-  EXPECT_NEAR(mass_inside(balls, density, cube(5), 0.05) / 125, exact, 0.003 * exact);
+  // 113 cells to 5 spheres: each lies differently on the grid, or all had the same error.
+  EXPECT_NEAR(mass_inside(balls, density, cube(5), 0.0442) / 125, exact, 0.003 * exact);
   // A window that cuts spheres on every side holds its share: two whole periods.
   const Eigen::AlignedBox3d shifted(Eigen::Vector3d(1.3, 1.45, 1.7),
                                     Eigen::Vector3d(3.3, 3.45, 3.7));
