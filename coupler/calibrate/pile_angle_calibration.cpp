@@ -103,8 +103,9 @@ class PileCalibration {
     std::vector<DeckRun> decks;
     for (const PlannedRun& p : plan) decks.push_back(p.run);
     const std::vector<bool> there = cached_runs(decks);
-    fmt::print("pile angle: sheet lifted {:.3g} m at 0.61 m/s, {:.3g} m wide, about {:.0f} rocks\n",
-               rig_.size_m, rig_.width_m, rocks);
+    fmt::print(
+        "pile angle: sheet lifted {:.3g} m at {:.2f} m/s, {:.3g} m wide, about {:.0f} rocks\n",
+        rig_.size_m, 0.61 * std::sqrt(rig_.size_m / 12.2), rig_.width_m, rocks);
     fmt::print(
         "{} runs ({} kept from before){}, {} at a time\n", plan.size(),
         std::count(there.begin(), there.end(), true),
