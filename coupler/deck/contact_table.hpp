@@ -1,12 +1,16 @@
 // The paper's contact law (Svanberg et al. 2021, Eqs. 3-8) as LIGGGHTS coefficients.
 //
-// LIGGGHTS `model hooke/stiffness tangential history rolling_friction cdt limitForce on`, for a
+// LIGGGHTS `model hooke/stiffness tangential history rolling_friction epsd2 limitForce on`, for a
 // pair of types, with m = m1 m2/(m1 + m2) of the two *bodies* (a sub-sphere counts with the mass
 // of its rock; against a wall m is the body's mass):
 //
 //   F_n = kn d_n - gamman m v_n        Eq. 3, so gamman = c_n/m = 2 D_n sqrt(kn/m)       (Eq. 6)
 //   F_t = kt s_t - gammat m v_t        kt = C_tan kn, gammat = 2 D_t sqrt(kt/m)
-//   M   = mu' r1 r2/(r1 + r2) kn d_n   rolling; against a wall mu' r kn d_n              (Eq. 8)
+//   M  <= mu' r1 r2/(r1 + r2) kn d_n   rolling; against a wall mu' r kn d_n              (Eq. 8)
+//
+// M is reached through a spring, K_r = kt (r1 r2/(r1 + r2))^2 (Iwashita & Oda 1998): rolling at once
+// meets all of Eq. 8, and a rock at rest stays there. LIGGGHTS's cdt, Eq. 8 to the letter, turns M
+// against the last step's spin, which never dies: docs/rock.md.
 //
 // limitForce keeps F_n >= 0: rock does not stick. tests/deck/two_body_test and rolling_test hold
 // each line to its closed form. What LIGGGHTS does otherwise than the paper:

@@ -1,6 +1,8 @@
 // Runs the plain LIGGGHTS binary for a test.
 #pragma once
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,7 +13,8 @@ namespace dipper {
 
 /// A fresh, empty folder under the test's temporary one.
 inline std::filesystem::path fresh_folder(const std::string& name) {
-  const auto folder = std::filesystem::temp_directory_path() / ("dipper_deck_" + name);
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("dipper_deck_" + name + "_" + std::to_string(getpid()));
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;

@@ -1,6 +1,6 @@
 // The cohesion model `muck` of LIGGGHTS: muck_law.hpp between rocks, and moist fines on walls.
 //
-//   pair_style gran model hooke/stiffness tangential history cohesion muck rolling_friction cdt ...
+//   pair_style gran model hooke/stiffness tangential history cohesion muck rolling_friction epsd2 ...
 //
 // Needs of the deck: property/global moistPullOff (per type pair: pull_off_stress), and
 // bondTensileStrength, bondShearStrength (scalar), all in Pa; and, where a crust is to form, a

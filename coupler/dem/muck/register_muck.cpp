@@ -31,7 +31,7 @@ namespace {
 using namespace LIGGGHTS::ContactModels;
 
 using Style =
-    GranStyle<HOOKE_STIFFNESS, TANGENTIAL_HISTORY, COHESION_MUCK, ROLLING_CDT, SURFACE_DEFAULT>;
+    GranStyle<HOOKE_STIFFNESS, TANGENTIAL_HISTORY, COHESION_MUCK, ROLLING_EPSD2, SURFACE_DEFAULT>;
 using Model = ContactModel<Style>;
 using Wall = LIGGGHTS::Walls::Granular<Model>;
 
