@@ -10,20 +10,38 @@ namespace {
 
 double tonnes(double kg) { return kg / 1e3; }
 
+/// What the weight on the walls has that the rocks inside have not.
+std::string weight_note(const PassFacts& f) {
+  const double difference = f.still->mass_kg - f.pass.payload_kg;
+  std::string note =
+      fmt::format("The weight on dipper and door differs from the rocks inside by {:+.2f} t",
+                  tonnes(difference));
+  if (!f.hung)
+    return note + "; no frame with velocities lies in that time, so it cannot be told what it is.";
+  note +=
+      fmt::format(": {:+.2f} t is rock that rides outside the cavity", tonnes(f.hung->riding_kg));
+  if (!f.hung->accelerating_kg) return note + "; one frame does not show the load's acceleration.";
+  const double rest = difference - f.hung->riding_kg - *f.hung->accelerating_kg;
+  return note +
+         fmt::format(
+             ", {:+.2f} t the load's acceleration (a load that is let down weighs less); {:+.2f} t "
+             "remain, since the frames show both only now and then.",
+             tonnes(*f.hung->accelerating_kg), tonnes(rest));
+}
+
 /// Why the three payloads differ, in figures.
-json ways(const RunFolder& run, const PassFacts& f) {
+json ways(const PassFacts& f) {
   json notes = json::array();
   json out = {{"inside_kg", f.pass.payload_kg}};
-  if (const auto still = weigh_still(run.signals, f.pass)) {
-    out["wrench_kg"] = still->mass_kg;
-    out["still_from_s"] = still->from_s;
-    out["still_to_s"] = still->to_s;
-    notes.push_back(fmt::format(
-        "The weight on dipper and door is of {:+.2f} t against the rocks inside: rock that rests "
-        "on "
-        "the lip, the teeth or the heap's far side is weighed too, and a rock that slides is "
-        "weighed with its acceleration.",
-        tonnes(still->mass_kg - f.pass.payload_kg)));
+  if (f.still) {
+    out["wrench_kg"] = f.still->mass_kg;
+    out["still_from_s"] = f.still->from_s;
+    out["still_to_s"] = f.still->to_s;
+    if (f.hung) {
+      out["riding_outside_kg"] = f.hung->riding_kg;
+      if (f.hung->accelerating_kg) out["accelerating_kg"] = *f.hung->accelerating_kg;
+    }
+    notes.push_back(weight_note(f));
   } else {
     notes.push_back("The dipper rose or sank in the last second before the door opened.");
   }
@@ -105,7 +123,7 @@ json passes_table(const RunFolder& run, const std::vector<PassFacts>& passes, do
       row["load_volume_m3"] = f.load_volume_m3;
       row["load_bulk_density_kg_m3"] = f.load_in_volume_kg / f.load_volume_m3;
     }
-    row["payload_ways"] = ways(run, f);
+    row["payload_ways"] = ways(f);
     out.push_back(row);
   }
   return out;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/frame_survey.hpp"
+#include "analysis/hung_load.hpp"
 #include "analysis/metrics.hpp"
 #include "analysis/pass_signals.hpp"
 #include "analysis/pile_surface.hpp"
@@ -20,6 +21,8 @@ struct PassFacts {
   double load_volume_m3 = 0;  ///< 0: not known
   double load_in_volume_kg = 0;
   std::vector<Stage> stages;
+  std::optional<StillWeight> still;
+  std::optional<HungLoad> hung;
 
   const Phase* phase(const std::string& name) const;
 };

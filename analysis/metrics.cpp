@@ -82,7 +82,11 @@ Metrics compute_metrics(RunFolder& run, const DumpFolder& dumps) {
   const Survey survey = survey_frames(dumps, run.clumps, run.places, run.dipper, loads);
   for (std::size_t k = 0; k < passes.size(); ++k) {
     passes[k].fate = survey.fates[k];
+    passes[k].still = weigh_still(run.signals, passes[k].pass);
     if (!run.places.dipper) continue;
+    if (passes[k].still)
+      passes[k].hung = hung_load(dumps, run.clumps, run.places, run.dipper, passes[k].still->from_s,
+                                 passes[k].still->to_s);
     add_load(passes[k], run, dumps, survey);
     add_stages(passes[k], run, dumps, survey);
   }

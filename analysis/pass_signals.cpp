@@ -4,12 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/gravity.hpp"
+
 namespace dipper {
 namespace {
 
-constexpr double kGravity_m_s2 = 9.81;  // as dem_in/dig.in has it
-constexpr double kWindow_s = 1.0;       // as passes.cpp takes the payload over
+constexpr double kWindow_s = 1.0;  // as passes.cpp takes the payload over
 constexpr double kStill_m_s = 0.05;
+constexpr double kLatched_rad = 1e-5;  // beyond, the door gives way and the weight comes off it
 
 }  // namespace
 
@@ -51,6 +53,7 @@ std::optional<StillWeight> weigh_still(const RunSignals& s, const Pass& pass) {
   for (std::size_t i = 0; i < t.size(); ++i) {
     if (t[i] < pass.t_dump_s - kWindow_s || t[i] > pass.t_dump_s) continue;
     ++all;
+    if (std::abs(s.pass.door_rad[i]) > kLatched_rad) continue;
     if (std::abs(dipper.at(t[i]).V_WB_W.v.z()) > kStill_m_s) continue;
     if (still == 0) w.from_s = t[i];
     w.to_s = t[i];

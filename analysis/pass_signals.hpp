@@ -28,7 +28,8 @@ struct StillWeight {
 };
 
 /// The mean over the last second before the door opens, of the rows in which the dipper's origin
-/// rises or sinks slower than 0.05 m/s; none when those are fewer than half of it.
+/// rises or sinks slower than 0.05 m/s and the door is latched; none when those are fewer than half
+/// of it.
 std::optional<StillWeight> weigh_still(const RunSignals& s, const Pass& pass);
 
 }  // namespace dipper

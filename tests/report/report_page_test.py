@@ -183,6 +183,12 @@ class Page(unittest.TestCase):
         for colours in inked:
             self.assertGreater(colours, 20)
 
+    def test_says_which_phases_are_missing(self):
+        # make_page.cpp's phases are none of the seven
+        said = self.browser.run("return document.querySelector('#signals .missing').textContent")
+        self.assertIn("penetrate, fill", said)
+        self.assertIn("It ends before the dipper swings back", said)
+
     def test_slices_show_spheres_and_walls(self):
         circles, paths = self.browser.run("""
             const all = [...document.querySelectorAll('.slice svg')];

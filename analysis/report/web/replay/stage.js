@@ -63,7 +63,7 @@ export class Stage {
     });
   }
 
-  /// Draws coarser while it plays too slowly for the eye: what costs is the number of pixels.
+  /// Draws coarser while it plays too slowly for the eye.
   pace() {
     const now = performance.now();
     this.late = this.clock.playing && now - this.drawn > SLOW_ms ? this.late + 1 : 0;

@@ -1,5 +1,5 @@
 // Forces, masses and powers against time, the phases behind them.
-import { section } from '../dom.js';
+import { h, section } from '../dom.js';
 import { curve } from '../parts/curve.js';
 import { BLUE, GREEN, INK, ORANGE, PURPLE } from '../palette.js';
 
@@ -16,5 +16,15 @@ export function signals(model, clock) {
   ].filter((plot) => plot.lines.length);
   return section('signals', 'Force, load and power',
     'Dig force is √(hoist² + crowd²), Eq. 11 of Svanberg et al. 2021. Click a curve to see that moment in the replay; drag to zoom, double-click to zoom out.',
-    plots.map((plot) => curve(time, plot.lines, { ...plot, clock, bands: model.phases })));
+    plots.map((plot) => curve(time, plot.lines, { ...plot, clock, bands: model.phases })), missing(model.phases));
+}
+
+const PHASES = ['approach', 'penetrate', 'fill', 'breakout', 'swing', 'dump', 'return'];
+
+/// Says which phases the motion does not have, rather than leave the reader to look for them.
+function missing(phases) {
+  if (!phases.length) return null;
+  const none = PHASES.filter((name) => !phases.some((phase) => phase.name === name));
+  if (!none.length) return null;
+  return h('p.note.missing', `Phases that the motion does not have: ${none.join(', ')}.${none.includes('return') ? ' It ends before the dipper swings back.' : ''}`);
 }

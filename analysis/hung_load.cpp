@@ -1,0 +1,52 @@
+#include "analysis/hung_load.hpp"
+
+#include <unordered_map>
+
+#include "analysis/gravity.hpp"
+
+namespace dipper {
+namespace {
+
+constexpr double kReach_m = 1.0;  // about the longest tooth, and more than any rock's radius
+
+bool rides(const Rock& rock, const Places& places, const BodyState& dipper) {
+  Region near = *places.dipper;
+  near.min_m.array() -= kReach_m;
+  near.max_m.array() += kReach_m;
+  return near.holds(inverse(dipper.X_WB) * rock.p_W) &&
+         (rock.v_W - velocity_at(dipper, rock.p_W)).norm() <= kFlowSpeed_m_s;
+}
+
+}  // namespace
+
+std::optional<HungLoad> hung_load(const DumpFolder& dumps, const ClumpMasses& clumps,
+                                  const Places& places, const PoseTrack& dipper, double from_s,
+                                  double to_s) {
+  std::vector<std::size_t> frames;
+  for (std::size_t k = 0; k < dumps.frames.size(); ++k)
+    if (dumps.time_s[k] >= from_s && dumps.time_s[k] <= to_s && dumps.frames[k].has("vz"))
+      frames.push_back(k);
+  if (frames.empty()) return std::nullopt;
+  HungLoad load;
+  std::unordered_map<std::int64_t, double> first_vz;  // of the rock inside or riding
+  double momentum = 0;
+  for (const std::size_t k : frames) {
+    const BodyState body = dipper.at(dumps.time_s[k]);
+    for_each_rock(dumps.frames[k], clumps, [&](const Rock& rock) {
+      const Place place = place_of(places, body.X_WB, rock.p_W);
+      const bool riding = place == Place::elsewhere && rides(rock, places, body);
+      if (riding) load.riding_kg += rock.mass_kg / static_cast<double>(frames.size());
+      if (k == frames.front() && (riding || place == Place::dipper))
+        first_vz[rock.key] = rock.v_W.z();
+      const auto then = first_vz.find(rock.key);
+      if (k == frames.back() && then != first_vz.end())
+        momentum += rock.mass_kg * (rock.v_W.z() - then->second);
+    });
+  }
+  if (frames.size() > 1)
+    load.accelerating_kg =
+        momentum / (dumps.time_s[frames.back()] - dumps.time_s[frames.front()]) / kGravity_m_s2;
+  return load;
+}
+
+}  // namespace dipper
