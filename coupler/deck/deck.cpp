@@ -11,6 +11,7 @@
 
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/domain_split.hpp"
+#include "coupler/deck/outline_file.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
 #include "coupler/deck/shape_library.hpp"
@@ -79,11 +80,7 @@ std::string case_in(const Case& c) {
   text("wall_arrays", wall_arrays(c.output), "in their dumps");
   var("toe", c.pile.toe_x_m, "m, x of the bench's toe");
   var("rear", pile.rear_x_m, "m, x of the wall behind it");
-  var("height", c.pile.height_m, "m");
   var("half_width", c.pile.width_m / 2, "m");
-  const double face = c.pile.face_angle_deg * M_PI / 180;
-  var("face_nx", -std::sin(face), "normal of the face, outwards");
-  var("face_nz", std::cos(face), "");
   var("pour_height", pile.pour_height_m, "m");
   var("pour_run", pile.crest_x_m - c.pile.toe_x_m, "m, x from the toe to the pour's crest");
   var("pour_mass", pile.mass_kg, "kg");
@@ -208,6 +205,11 @@ PileShape pile_shape(const Case& c) {
   return s;
 }
 
+BenchOutline bench_outline(const Case& c) {
+  const PileShape s = pile_shape(c);
+  return {{c.pile.toe_x_m, 0}, {s.crest_x_m, c.pile.height_m}, {s.rear_x_m, c.pile.height_m}};
+}
+
 std::vector<ClassCount> rock_counts(const Case& c) {
   const std::vector<RockClass> classes = rock_classes(c);
   const double mass = pile_shape(c).mass_kg;
@@ -241,6 +243,7 @@ void write_deck(const Case& c, const fs::path& shapes, const fs::path& folder) {
   write(folder / "rocks.in", rocks_in(c, used));
   for (const auto& [name, shape] : used)
     write(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
+  write(folder / "outline.csv", to_csv(bench_outline(c)));
   write(folder / "funnel.stl", to_stl("funnel", funnel_walls(c)));
   write(folder / "sides.stl", to_stl("sides", bench_walls(c)));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "coupler/case/case.hpp"
+#include "coupler/deck/bench_cut.hpp"
 
 namespace dipper {
 
@@ -23,5 +24,8 @@ inline constexpr double kSpare = 1.10;
 inline constexpr double kPouredFraction = 0.30;
 
 PileShape pile_shape(const Case& c);
+
+/// What the poured pile is cut to.
+BenchOutline bench_outline(const Case& c);
 
 }  // namespace dipper

@@ -11,6 +11,7 @@
 
 #include "coupler/core/cache_folder.hpp"
 #include "coupler/core/sha256.hpp"
+#include "coupler/deck/bench_cut.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/run/cache_entry.hpp"
 #include "coupler/run/installation.hpp"
@@ -32,7 +33,7 @@ std::string read_file(const fs::path& file) {
 /// Everything the bench depends on: the case's keys about rock, its bench and the DEM, the deck
 /// that settles it, the files that deck includes, and the program that runs it.
 std::string pile_hash(const Case& c, const fs::path& deck) {
-  std::string all = "LIGGGHTS 3.8.0\n";
+  std::string all = fmt::format("LIGGGHTS 3.8.0, bench-cut {}\n", kBenchCutVersion);
   std::istringstream lines(c.text);
   for (std::string line; std::getline(lines, line);) {
     for (const char* section : {"rock.", "contact.", "pile.", "domain.", "dem.", "seed"}) {
@@ -65,10 +66,11 @@ Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
     const fs::path screen = logs / "settle.screen";
     const std::string binary = sticks(c) ? program("dipper-liggghts") : "liggghts";
     Process liggghts(
-        mpirun(c.dem.ranks, {binary, "-in", (source_folder() / "dem_in" / "settle.in").string(),
-                             "-log", (logs / "settle.liggghts").string(), "-screen",
-                             screen.string(), "-var", "deck", deck.string(), "-var", "out",
-                             out.string(), "-var", "ranks_y", std::to_string(c.dem.ranks)}),
+        mpirun(c.dem.ranks,
+               {binary, "-in", (source_folder() / "dem_in" / "settle.in").string(), "-log",
+                (logs / "settle.liggghts").string(), "-screen", screen.string(), "-var", "deck",
+                deck.string(), "-var", "out", out.string(), "-var", "bench_cut",
+                program("bench-cut"), "-var", "ranks_y", std::to_string(c.dem.ranks)}),
         logs / "settle.log");
     while (!liggghts.wait(std::chrono::milliseconds(100))) {
       if (interrupts() > 0) {

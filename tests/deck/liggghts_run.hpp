@@ -34,8 +34,8 @@ inline int run_liggghts(const std::string& deck, const std::string& arguments, i
   const std::string mpi =
       ranks == 1 ? "" : "mpirun --allow-run-as-root --oversubscribe -np " + std::to_string(ranks);
   const std::string command = "cd '" DIPPER_SOURCE "' && " + mpi + " '" LIGGGHTS_BINARY "' -in " +
-                              deck + " -var out '" + out.string() + "' -log '" +
-                              (out / "log.txt").string() + "' " + arguments + " > '" +
+                              deck + " -var bench_cut '" BENCH_CUT "' -var out '" + out.string() +
+                              "' -log '" + (out / "log.txt").string() + "' " + arguments + " > '" +
                               (out / "screen.txt").string() + "' 2>&1";
   return std::system(command.c_str());
 }

@@ -1,0 +1,34 @@
+// Which rocks lie over the bench's surface: what is cut away of the pile that was poured.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace dipper {
+
+/// Part of what a settled bench is cached under: counts up when the same pile is cut differently.
+constexpr int kBenchCutVersion = 1;
+
+/// A sphere of the pile. Those of one rock share its number; a sphere by itself has none (-1).
+struct PileSphere {
+  long id = 0, rock = -1;
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+  double radius_m = 0;
+};
+
+/// The bench's section: z over x, straight between points with x rising from the toe to the rear.
+using BenchOutline = std::vector<Eigen::Vector2d>;
+
+/// Height of the outline at x: 0 in front of it, as at its end behind it.
+double outline_height(const BenchOutline& outline, double x_m);
+
+/// Ids of the spheres of all rocks whose centre lies over the outline, in the order given. A rock
+/// goes or stays as a whole, by its own centre (the mean of its spheres by volume): were it to go
+/// with its highest sphere, a surface cut through the pile would take more of the large rocks.
+std::vector<long> over_outline(const std::vector<PileSphere>& spheres, const BenchOutline& outline);
+
+/// LIGGGHTS commands that put exactly these spheres into the group `waste`, which is empty or new.
+std::string waste_group(const std::vector<long>& ids);
+
+}  // namespace dipper

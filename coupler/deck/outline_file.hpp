@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "coupler/deck/bench_cut.hpp"
+
+namespace dipper {
+
+/// Reads an outline: CSV with the columns x_m,z_m; empty lines and lines that start with # do not
+/// count. x must not fall (where it stays, the face is upright), z must not be negative. Throws
+/// InputError with a message `file:line: what; what would be right` for everything wrong.
+BenchOutline read_outline(const std::filesystem::path& file);
+
+/// The same text back.
+std::string to_csv(const BenchOutline& outline);
+
+}  // namespace dipper
