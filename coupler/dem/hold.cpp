@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -40,7 +39,8 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
       mask_(numbers_.size(), 0),
       carried_(numbers_.size(), Vector3d::Zero()),
       excess_(numbers_.size(), Vector3d::Zero()),
-      place_(numbers_.size(), Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())),
+      place_(numbers_.size(), Vector3d::Zero()),
+      placed_(numbers_.size(), -1),
       checked_(lmp.update->ntimestep),
       gathered_(lmp.update->ntimestep),
       followed_(lmp.update->ntimestep) {
@@ -52,8 +52,12 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
           "rock at rest can be held only where `fix nve/sphere` has a group of its own, not all");
     integrated_ |= fix->groupbit;
   }
-  for (int i = 0; i < lmp_.atom->nlocal; ++i)
+  for (int i = 0; i < lmp_.atom->nlocal; ++i) {
     largest_m_ = std::max(largest_m_, lmp_.atom->radius[i]);
+    mask_[numbers_.of_sphere(lmp_.atom->tag[i])] |= lmp_.atom->mask[i] & integrated_;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, mask_.data(), static_cast<int>(mask_.size()), MPI_INT, MPI_BOR,
+                comm_);
   MPI_Allreduce(MPI_IN_PLACE, &largest_m_, 1, MPI_DOUBLE, MPI_MAX, comm_);
 }
 
@@ -63,7 +67,11 @@ void HoldRock::for_each_rock(const Visit& visit) const {
   const LAMMPS_NS::Atom* atom = lmp_.atom;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (bodies_ != nullptr && bodies_->belongs_to(i) >= 0) continue;
-    const Facts f{false, i, static_cast<std::size_t>(atom->tag[i]), vector(atom->f[i]),
+    const Facts f{false,
+                  i,
+                  static_cast<std::size_t>(atom->tag[i]),
+                  vector(atom->v[i]),
+                  vector(atom->f[i]),
                   atom->rmass[i] * kGravity};
     visit(f, vector(atom->x[i]), atom->radius[i]);
   }
@@ -71,10 +79,11 @@ void HoldRock::for_each_rock(const Visit& visit) const {
   auto& data = bodies_->data();
   double** force = data.extract_double_vector("fcm");
   for (int b = 0; b < data.n_body(); ++b) {
-    Vector3d x;
+    Vector3d x, v;
     data.xcm(x.data(), b);
-    const Facts f{true, b, numbers_.of_body(data.tag(b)), vector(force[b]),
-                  data.mass(b) * kGravity};
+    data.vcm(v.data(), b);
+    const Facts f{
+        true, b, numbers_.of_body(data.tag(b)), v, vector(force[b]), data.mass(b) * kGravity};
     visit(f, x, data.r_bound(b));
   }
 }
@@ -98,8 +107,13 @@ void HoldRock::follow_loads(double dt_s) {
 
 void HoldRock::look_at_motion(double dt_s) {
   for_each_rock([&](const Facts& f, const Vector3d& x, const auto&...) {
-    const bool calm = (x - place_[f.rock]).norm() <= settings_.below_m_s * dt_s;  // false for NaN
+    // What was on another rank is judged by its speed: rock that chatters on the boundary between
+    // two would else never come to rest.
+    const bool known = placed_[f.rock] == gathered_;
+    const double way = known ? (x - place_[f.rock]).norm() : f.v_W.norm() * dt_s;
+    const bool calm = way <= settings_.below_m_s * dt_s;
     place_[f.rock] = x;
+    placed_[f.rock] = lmp_.update->ntimestep;
     if (policy_.of(f.rock) == Rest::moving && !calm) flags_[f.rock] |= rest_flag::busy;
   });
 }
@@ -241,7 +255,6 @@ void HoldRock::apply(std::vector<Rest> rest) {
     if (!was_held[f.rock]) excess_[f.rock].setZero();
   });
   policy_.adopt(std::move(rest));
-  ++version_;
 }
 
 void HoldRock::set_held(const std::vector<Rest>& rest) {
@@ -250,13 +263,10 @@ void HoldRock::set_held(const std::vector<Rest>& rest) {
   double zero[] = {0, 0, 0};
   for (int i = 0; i < atom->nlocal; ++i) {
     const std::size_t rock = numbers_.of_sphere(atom->tag[i]);
-    const bool body = bodies_ != nullptr && bodies_->belongs_to(i) >= 0;
     if (rest[rock] == Rest::moving) {
-      if (!body) atom->mask[i] |= mask_[rock];
-      mask_[rock] = 0;
+      atom->mask[i] |= mask_[rock];
       continue;
     }
-    mask_[rock] |= atom->mask[i] & integrated_;
     atom->mask[i] &= ~integrated_;
     std::fill_n(atom->v[i], 3, 0.0);
     std::fill_n(atom->omega[i], 3, 0.0);

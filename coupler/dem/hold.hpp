@@ -28,7 +28,7 @@ struct MovingBody {
 /// when it came to rest and what has changed since must stay below a part of its weight, or it
 /// wakes. Contact history is kept through all of it, so stress is what it was when the rock wakes.
 /// Who rests is not saved: after a checkpoint, in the run that goes on and in the one that resumes,
-/// all rock moves and comes to rest again.
+/// all rock moves and a new HoldRock begins.
 class HoldRock {
  public:
   HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm);
@@ -42,15 +42,13 @@ class HoldRock {
   /// Rock that is not in LIGGGHTS, on this rank. Changes only within the methods above.
   const std::vector<ParkedRock::Mass>& parked() const { return parked_.masses(); }
   long spheres_parked() const { return static_cast<long>(parked_.spheres().size()); }
-  /// Counts how often the parked rock changed.
-  long version() const { return version_; }
 
  private:
   struct Facts {
     bool body;
     int index;  ///< of the sphere or of the body, on this rank
     std::size_t rock;
-    Vector3d force;
+    Vector3d v_W, force;
     double weight;
   };
   void unpark();
@@ -77,14 +75,16 @@ class HoldRock {
   double largest_m_ = 0;  ///< radius of the largest sphere
   int integrated_ = 0;    ///< mask bits of the groups of the spheres' integrators
   std::vector<std::uint8_t> flags_;
-  std::vector<int> mask_;  ///< by rock: bits taken from a held sphere's mask
-  // By rock, of rock on this rank. A rock that migrates is unknown for one look: it moves.
-  std::vector<Vector3d> carried_;  ///< held: makes up for contacts that are not computed
-  std::vector<Vector3d> excess_;   ///< held: change of its load since it came to rest, averaged
-  std::vector<Vector3d> place_;    ///< where it was at the last look at motion
+  /// By rock: the integrators' bits of its spheres, taken from the mask while it rests. The same on
+  /// every rank: a rock that has just crossed a boundary migrates as it comes to rest.
+  std::vector<int> mask_;
+  // By rock, of rock on this rank.
+  std::vector<Vector3d> carried_;     ///< held: makes up for contacts that are not computed
+  std::vector<Vector3d> excess_;      ///< held: change of its load since it came to rest, averaged
+  std::vector<Vector3d> place_;       ///< where it was at the last look at motion ...
+  std::vector<std::int64_t> placed_;  ///< ... on this rank, at this step
   std::int64_t checked_ = 0, gathered_ = 0, followed_ = 0;  ///< steps of the last looks
   bool park_again_ = false;                                 ///< a dump wanted all rock in
-  long version_ = 0;
 };
 
 }  // namespace dipper

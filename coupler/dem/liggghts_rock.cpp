@@ -188,7 +188,9 @@ std::vector<double> LiggghtsRock::weigh() const {
 }
 
 void LiggghtsRock::save(const std::filesystem::path& file) {
+  // What a resumed run does not know, the run that goes on forgets: start() begins anew.
   if (hold_) hold_->release();
+  hold_.reset();
   lmp_->input->one(("write_restart " + file.string()).c_str());
   // The command moves atoms between ranks, so lists and forces have to be set up again, just as
   // they are in a run that goes on from the file.

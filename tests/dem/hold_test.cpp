@@ -35,6 +35,16 @@ Spheres spheres(LAMMPS_NS::LAMMPS& lmp) {
   return s;
 }
 
+/// The groups of every sphere, by id: who is integrated.
+std::vector<int> groups(LAMMPS_NS::LAMMPS& lmp) {
+  std::vector<int> mask(static_cast<std::size_t>(lmp.atom->tag_max()) + 1, 0);
+  for (int i = 0; i < lmp.atom->nlocal; ++i)
+    mask[static_cast<std::size_t>(lmp.atom->tag[i])] = lmp.atom->mask[i];
+  MPI_Allreduce(MPI_IN_PLACE, mask.data(), static_cast<int>(mask.size()), MPI_INT, MPI_MAX,
+                MPI_COMM_WORLD);
+  return mask;
+}
+
 double largest_difference(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
   double most = 0;
   for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, (a[k] - b[k]).norm());
@@ -43,8 +53,8 @@ double largest_difference(const std::vector<Vector3d>& a, const std::vector<Vect
 
 class Bed {
  public:
-  explicit Bed(const std::string& kind)
-      : scene_("bed_" + kind), rock_(setup(kind), MPI_COMM_WORLD) {
+  explicit Bed(const std::string& kind, double rest_s = 5.0)
+      : scene_("bed_" + kind), rock_(setup(kind, rest_s), MPI_COMM_WORLD) {
     rock_.place({paddle_});
   }
 
@@ -67,7 +77,7 @@ class Bed {
   LiggghtsRock& rock() { return rock_; }
 
  private:
-  RockSetup setup(const std::string& kind) const {
+  RockSetup setup(const std::string& kind, double rest_s) const {
     RockSetup s = scene_.setup("bed.in");
     s.bodies = {"paddle"};
     s.variables.push_back({"rock", kind});
@@ -78,7 +88,7 @@ class Bed {
     HoldSettings& hold = s.hold.emplace();
     // Nothing is ever too fast, so all of it is held at the same time, and by then it is at rest.
     hold.below_m_s = 20;
-    hold.rest_s = 5.0;
+    hold.rest_s = rest_s;
     return s;
   }
 
@@ -160,6 +170,21 @@ TEST_P(Hold, EndsWhereTheWallComes) {
   }
   EXPECT_LT(least, 0.7 * mass) << "rock under the paddle is awake";
   EXPECT_GT(s.bodies[0].mean.force.z(), 1000) << "and pushes back";
+}
+
+// Held as it falls and bounces, and woken, again and again: some rock has just crossed from rank to
+// rank each time, and all must move again.
+TEST_P(Hold, GivesAllRockBackToTheIntegrators) {
+  Bed bed(GetParam(), 0.05);
+  LAMMPS_NS::LAMMPS& lmp = bed.rock().liggghts();
+  const std::vector<int> before = groups(lmp);
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    RockState s;
+    for (int k = 0; k < 13; ++k) s = bed.step();
+    EXPECT_GT(bed.channel(s, "rock_parked"), 0) << "cycle " << cycle;
+    bed.rock().state_hash();  // wakes all of it
+    ASSERT_EQ(groups(lmp), before) << "cycle " << cycle;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Rock, Hold, testing::Values("spheres", "multispheres"),

@@ -130,7 +130,7 @@ class PairedRun(RunTest):
         self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})
 
     def test_a_run_that_holds_rock_replays_and_resumes(self):
-        hold = ("--set", "dem.hold_below_m_s=0.3")
+        hold = ("--ranks", "1", "--set", "dem.hold_below_m_s=0.3")
         self.run_case(self.folder / "whole", *hold)
         self.run_case(self.folder / "parts", "--set", "end_s=1.8", *hold)
         self.run_case(self.folder / "parts", "--resume", *hold)
@@ -146,6 +146,7 @@ class PairedRun(RunTest):
             before = slice(0, np.searchsorted(b["time_s"][:], 1.8 + 1e-9))
             for name in ("bodies/dipper/wrench_mean", "rock/rock_parked"):
                 np.testing.assert_array_equal(a[name][before], b[name][before], name)
+            np.testing.assert_allclose(parked, b["rock/rock_parked"][:], rtol=1e-12)  # the same rests
             force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
             np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-3 * np.abs(force_a).max())
 
