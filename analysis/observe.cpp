@@ -58,9 +58,11 @@ std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& 
 
 std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instruments& instruments) {
   std::vector<WeighedPass> out;
+  // A run may end within a pass that has not dumped yet: the last load on the truck is the one before.
+  const auto last = std::find_if(passes.rbegin(), passes.rend(),
+                                 [](const Pass& p) { return p.truck_kg > 0; });
   for (const Pass& p : passes) {
-    const bool last = &p == &passes.back();
-    const double kept = last ? 1 - instruments.truck_spill : 1;
+    const double kept = last != passes.rend() && &p == &*last ? 1 - instruments.truck_spill : 1;
     out.push_back(
         {p.pass, p.t_start_s, p.t_end_s, 1e-3 * p.truck_kg * kept * (1 + instruments.scale_gain)});
   }

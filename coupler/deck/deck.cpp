@@ -47,6 +47,14 @@ std::string wall_arrays(const OutputCase& o) {
          (o.wear_m3_J > 0 ? " wear" : "") + "\"";
 }
 
+/// A rock keeps its lists until something has moved by half of this: the dipper does at every few
+/// steps. Two fifths of the smallest rock cost least (docs/benchmarks.md).
+double skin_m(const RockCase& rock) {
+  double smallest = rock.classes.front().size_m;
+  for (const SizeClass& s : rock.classes) smallest = std::min(smallest, s.size_m);
+  return 0.4 * grained_size_m(rock, smallest);
+}
+
 std::string case_in(const Case& c) {
   const PileShape pile = pile_shape(c);
   const AtomTypes types = atom_types(c);
@@ -58,6 +66,7 @@ std::string case_in(const Case& c) {
     out += fmt::format("variable {:<16} index {}   # {}\n", name, v, note);
   };
   var("timestep", c.dem.timestep_s, "s");
+  var("skin", skin_m(c.rock), "m; of the dig's neighbour lists");
   const DomainSplit split = best_split(c, c.dem.ranks);
   text("split_x", std::to_string(split.parts[0]),
        "parts of the box along x and z; y takes the rest");
