@@ -24,6 +24,7 @@ struct MachineCase {
   double rope_compliance = 1;    ///< stretch of the ropes, as a multiple of the model's
   double liner_thickness_m = 0;  ///< steel on the dipper's floor, roof and sides
   double carry_back_m = 0;       ///< rock that sticks to the dipper's floor, this thick
+  double tooth_wear_m = 0;       ///< length the teeth have lost
 };
 
 /// rock.classes[]: one size of the distribution (paper, Table 1). One LIGGGHTS atom type each.

@@ -21,6 +21,9 @@ std::vector<Finding> check_case(const Case& c) {
       bodies.emplace(name, std::move(*body));
     }
   }
+  if (const auto dipper = bodies.find("dipper"); dipper != bodies.end()) {
+    check::check_tooth_wear(c, dipper->second, findings);
+  }
   if (const auto truck = check::load_sound_mesh(c, "truck.mesh", c.truck.mesh, findings)) {
     check::check_truck_in_domain(c, *truck, findings);
   }

@@ -2,11 +2,13 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <stdexcept>
 
 #include "coupler/case/check_parts.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/mesh/mesh_check.hpp"
 #include "coupler/mesh/stl.hpp"
+#include "coupler/mesh/tooth_wear.hpp"
 
 namespace fs = std::filesystem;
 
@@ -50,6 +52,15 @@ std::optional<TriangleMesh> load_sound_mesh(const Case& c, const std::string& ke
     const std::string where = e.byte >= 0 ? fmt::format("at byte {}: ", e.byte) : "";
     findings.push_back({file, e.line, key, where + e.message});
     return std::nullopt;
+  }
+}
+
+void check_tooth_wear(const Case& c, const TriangleMesh& dipper, Findings& findings) {
+  if (c.machine.tooth_wear_m == 0) return;
+  try {
+    wear_teeth(dipper, c.machine.tooth_wear_m);
+  } catch (const std::invalid_argument& e) {
+    findings.push_back(finding_at(c, "machine.tooth_wear_m", e.what()));
   }
 }
 

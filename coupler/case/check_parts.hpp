@@ -21,6 +21,9 @@ bool file_exists(const Case& c, const std::string& key, const std::filesystem::p
 std::optional<TriangleMesh> load_sound_mesh(const Case& c, const std::string& key,
                                             const std::filesystem::path& file, Findings& findings);
 
+/// Teeth long enough for machine.tooth_wear_m.
+void check_tooth_wear(const Case& c, const TriangleMesh& dipper, Findings& findings);
+
 /// Truck and pile inside the domain.
 void check_truck_in_domain(const Case& c, const TriangleMesh& truck, Findings& findings);
 void check_pile_in_domain(const Case& c, Findings& findings);

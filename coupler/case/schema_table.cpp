@@ -60,6 +60,8 @@ std::vector<KeySpec> make_schema() {
        "steel liners on the dipper's floor, roof and sides; 0", SLOT(c.machine.liner_thickness_m)},
       {"machine.carry_back_m", "m", between(0, 0.7), {}, optional,
        "thickness of rock that sticks to the dipper's floor; 0", SLOT(c.machine.carry_back_m)},
+      {"machine.tooth_wear_m", "m", between(0, 1), {}, optional,
+       "length the dipper's teeth have lost; 0", SLOT(c.machine.tooth_wear_m)},
 
       {"rock.density_kg_m3", "kg/m3", between(100, 20000), {}, required,
        "of solid rock, not of the pile", SLOT(c.rock.density_kg_m3)},

@@ -5,6 +5,7 @@
 
 #include "coupler/mesh/lining.hpp"
 #include "coupler/mesh/stl.hpp"
+#include "coupler/mesh/tooth_wear.hpp"
 
 namespace dipper {
 namespace {
@@ -43,6 +44,14 @@ DipperLayers dipper_layers(const Case& c, const BoundingBox& cavity) {
     }
     sum.mass_kg += parts.back().volume_m3;
     moment += parts.back().volume_m3 * parts.back().com_m;
+  }
+  if (c.machine.tooth_wear_m > 0) {
+    if (!sum.mesh) sum.mesh = read_stl(c.bodies.at("dipper"));
+    try {
+      sum.mesh = wear_teeth(*sum.mesh, c.machine.tooth_wear_m);
+    } catch (const std::invalid_argument& e) {
+      throw std::invalid_argument(std::string("machine.tooth_wear_m: ") + e.what());
+    }
   }
   if (sum.mass_kg > 0) sum.center_m = moment / sum.mass_kg;
   for (const MassProperties& m : parts) {

@@ -79,6 +79,13 @@ TEST(CheckCase, BrokenMeshes) {
        {truck, 0, "truck.mesh", "at byte 84: the header says 2 facets, which takes 184 bytes"}});
 }
 
+TEST(CheckCase, TeethThatWearBeyondTheirLength) {
+  const Checkout checkout;
+  expect_findings(check(checkout, {{"machine.tooth_wear_m", "0.5"}}), {});
+  expect_findings(check(checkout, {{"machine.tooth_wear_m", "0.6"}}),
+                  {{"--set", 0, "machine.tooth_wear_m", "is > 0 and <= 0.54"}});
+}
+
 TEST(CheckCase, InvertedTruck) {
   const Checkout checkout;
   const fs::path truck = checkout.root / "meshes/truck.stl";
