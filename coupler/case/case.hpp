@@ -86,7 +86,7 @@ struct CrustCase {
   double thickness_m = 0;          ///< straight down from the pile's surface; 0: no limit
 };
 
-/// pile: a bench of rock that fills x > toe (at its angle of repose), between side walls.
+/// pile: a bench of rock that fills x > toe, between side walls: a trapezoid, or a scanned profile.
 struct PileCase {
   double toe_x_m = 0;         ///< where the settled face should meet the ground, in W
   double height_m = 0;        ///< of the bench behind the crest
@@ -95,6 +95,10 @@ struct PileCase {
   double face_angle_deg = 0;  ///< of the retaining sheet while the rock settles
   double settle_s = 0;        ///< with the sheet
   double relax_s = 0;         ///< after the sheet is gone
+  /// A scanned section, CSV (coupler/deck/outline_file.hpp), in place of toe, height, crest depth
+  /// and face angle; empty: none.
+  std::filesystem::path profile;
+  std::vector<Eigen::Vector2d> outline_m;  ///< what the profile holds: x and z in W
 };
 
 /// truck: a fixed wall. Its bed counts what lands in it.

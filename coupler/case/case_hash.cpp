@@ -45,6 +45,7 @@ std::vector<fs::path> shape_files(const fs::path& folder, const std::string& sha
 std::vector<fs::path> referenced_files(const Case& c) {
   std::set<fs::path> files{c.machine.model, c.machine.motion, c.truck.mesh};
   for (const auto& body : c.bodies) files.insert(body.second);
+  if (!c.pile.profile.empty()) files.insert(c.pile.profile);
   for (const std::string& shape : used_shapes(c)) {
     for (const fs::path& file : shape_files(c.rock.shape_folder, shape)) files.insert(file);
   }

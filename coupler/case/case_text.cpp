@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 
 namespace fs = std::filesystem;
@@ -58,6 +59,8 @@ std::string case_text(const Case& c, const PathText& path_text) {
     // What a sieve curve gave stands in the classes: with both, the text would be no case.
     if (spec.key.rfind("rock.sieve.", 0) == 0) continue;
     if (spec.key == "effects.*") continue;  // the keys they change have their values already
+    if (spec.key == "pile.profile" && c.pile.profile.empty()) continue;
+    if (is_replaced_by_profile(c, spec.key)) continue;
     for (const Place& place : places_of(c, spec)) {
       lines[concrete_key(spec, place)] = std::visit(value_text, spec.slot(copy, place));
     }

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "coupler/case/check_parts.hpp"
+#include "coupler/deck/outline_file.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/mesh/mesh_check.hpp"
 #include "coupler/mesh/stl.hpp"
@@ -30,6 +33,26 @@ void check_box(const Case& c, const std::string& key, const std::string& what,
     if (box.min[i] < c.domain.min_m[i]) report(box.min[i], c.domain.min_m[i], "domain.min_m");
     if (box.max[i] > c.domain.max_m[i]) report(box.max[i], c.domain.max_m[i], "domain.max_m");
   }
+}
+
+// The first point of the profile beyond each side of the box.
+void check_profile_points(const Case& c, Findings& findings) {
+  std::vector<int> lines;
+  const BenchOutline points = read_outline(c.pile.profile, &lines);
+  std::set<std::string> told;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const int i : {0, 1}) {
+      const double at = points[k][i];
+      const int axis = i == 0 ? 0 : 2;
+      const double low = c.domain.min_m[axis], high = c.domain.max_m[axis];
+      if (at >= low && at <= high) continue;
+      const std::string corner = at < low ? "domain.min_m" : "domain.max_m";
+      if (!told.insert(corner + "xz"[i]).second) continue;
+      findings.push_back({c.pile.profile, lines[k], "pile.profile",
+                          fmt::format("{}_m is {:g}, outside of {}'s {:g}; end the profile there "
+                                      "or make the domain larger",
+                                      "xz"[i], at, corner, at < low ? low : high)});
+    }
 }
 
 }  // namespace
@@ -75,10 +98,17 @@ void check_truck_in_domain(const Case& c, const TriangleMesh& truck, Findings& f
 void check_pile_in_domain(const Case& c, Findings& findings) {
   const PileShape shape = pile_shape(c);
   const double half = c.pile.width_m / 2;
-  check_box(c, "pile", "the pile",
-            {{c.pile.toe_x_m, -half, 0}, {shape.rear_x_m, half, c.pile.height_m}}, findings);
+  BoundingBox box{{shape.toe_x_m, -half, 0}, {shape.rear_x_m, half, shape.height_m}};
+  if (!c.pile.profile.empty()) {
+    check_profile_points(c, findings);
+    for (const int i : {0, 2}) {  // told by those
+      box.min[i] = std::max(box.min[i], c.domain.min_m[i]);
+      box.max[i] = std::min(box.max[i], c.domain.max_m[i]);
+    }
+  }
+  check_box(c, "pile", "the pile", box, findings);
   const double top = shape.pour_height_m;
-  if (c.pile.height_m <= c.domain.max_m.z() && top > c.domain.max_m.z()) {
+  if (shape.height_m <= c.domain.max_m.z() && top > c.domain.max_m.z()) {
     findings.push_back(finding_at(
         c, "domain.max_m",
         fmt::format("z = {:g} is too low: the rock for this pile is poured up to z = {:.4g} m",

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <set>
 
+#include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/case/suggest.hpp"
 #include "coupler/case/yaml_tree.hpp"
@@ -191,6 +192,13 @@ void apply_effects(Case& c, std::vector<Finding>& findings) {
       const std::vector<double*> values = numbers_at(c, change.key, spec);
       if (values.empty()) {
         findings.push_back({file, change.origin.line, change.key, "is no number of a case"});
+      }
+      if (is_replaced_by_profile(c, change.key)) {
+        findings.push_back(finding_at(
+            c, key,
+            fmt::format("changes {}, which pile.profile replaces; change the profile's points",
+                        change.key)));
+        continue;
       }
       for (double* x : values) {
         if (const auto other = taken.emplace(x, name); !other.second) {

@@ -13,6 +13,7 @@
 #include "coupler/case/case.hpp"
 #include "coupler/case/case_text.hpp"
 #include "coupler/case/effects.hpp"
+#include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/case/sieve_classes.hpp"
 #include "coupler/case/suggest.hpp"
@@ -90,10 +91,11 @@ class Loader {
       return;
     }
     for (const std::string& name : known) {
-      const bool replaced = join_key(pattern, name) == "rock.classes" && has(node, "sieve");
-      if (!has(node, name) && !meant.count(name) && !replaced &&
-          is_required(join_key(pattern, name))) {
-        add(node, join_key(key, name), missing_message(join_key(pattern, name)));
+      const std::string child = join_key(pattern, name);
+      const bool replaced =
+          (child == "rock.classes" && has(node, "sieve")) || is_replaced_by_profile(case_, child);
+      if (!has(node, name) && !meant.count(name) && !replaced && is_required(child)) {
+        add(node, join_key(key, name), missing_message(child));
       }
     }
   }
@@ -381,6 +383,7 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
   if (root.origin.file.empty()) root.origin = {file, 1};
   Loader(c, findings).read_section(root, "", "", {});
   if (findings.size() == before) make_sieve_classes(c, findings);
+  read_pile_profile(c, findings);
   if (findings.size() == before) apply_effects(c, findings);
   check_between_keys(c, findings);
   std::stable_sort(findings.begin() + static_cast<std::ptrdiff_t>(before), findings.end(),

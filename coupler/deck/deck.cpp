@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -87,11 +88,11 @@ std::string case_in(const Case& c) {
   var("bond_shear", c.crust.shear_ratio * c.crust.tensile_strength_Pa, "Pa");
   text("wear", c.output.wear_m3_J > 0 ? "finnie" : "off", "of dipper and door");
   text("wall_arrays", wall_arrays(c.output), "in their dumps");
-  var("toe", c.pile.toe_x_m, "m, x of the bench's toe");
+  var("toe", pile.toe_x_m, "m, x of the bench's toe");
   var("rear", pile.rear_x_m, "m, x of the wall behind it");
   var("half_width", c.pile.width_m / 2, "m");
   var("pour_height", pile.pour_height_m, "m");
-  var("pour_run", pile.crest_x_m - c.pile.toe_x_m, "m, x from the toe to the pour's crest");
+  var("pour_run", pile.pour_run_m, "m, x from the toe to the pour's crest");
   var("pour_mass", pile.mass_kg, "kg");
   var("settle_time", c.pile.settle_s, "s, with the sheet");
   var("relax_time", c.pile.relax_s, "s, without");
@@ -205,18 +206,27 @@ std::string sphere_file(const RockShape& shape, const std::string& resolution) {
 PileShape pile_shape(const Case& c) {
   const PileCase& p = c.pile;
   PileShape s;
-  const double run = p.height_m / std::tan(p.face_angle_deg * M_PI / 180);
-  s.crest_x_m = p.toe_x_m + run;
-  s.rear_x_m = s.crest_x_m + p.crest_depth_m;
-  s.volume_m3 = p.width_m * p.height_m * (run / 2 + p.crest_depth_m);
+  if (p.profile.empty()) {
+    s.toe_x_m = p.toe_x_m;
+    s.height_m = p.height_m;
+    s.pour_run_m = p.height_m / std::tan(p.face_angle_deg * M_PI / 180);
+    s.rear_x_m = s.toe_x_m + s.pour_run_m + p.crest_depth_m;
+    s.volume_m3 = p.width_m * p.height_m * (s.pour_run_m / 2 + p.crest_depth_m);
+  } else {
+    s.toe_x_m = p.outline_m.front().x();
+    s.rear_x_m = p.outline_m.back().x();
+    for (const auto& point : p.outline_m) s.height_m = std::max(s.height_m, point.y());
+    s.volume_m3 = p.width_m * s.height_m * (s.rear_x_m - s.toe_x_m);
+  }
   s.mass_kg = kSpare * kSettledFraction * laden_density(c) * s.volume_m3;
-  s.pour_height_m = p.height_m * kSpare * kSettledFraction / kPouredFraction;
+  s.pour_height_m = s.height_m * kSpare * kSettledFraction / kPouredFraction;
   return s;
 }
 
 BenchOutline bench_outline(const Case& c) {
+  if (!c.pile.profile.empty()) return c.pile.outline_m;
   const PileShape s = pile_shape(c);
-  return {{c.pile.toe_x_m, 0}, {s.crest_x_m, c.pile.height_m}, {s.rear_x_m, c.pile.height_m}};
+  return {{s.toe_x_m, 0}, {s.toe_x_m + s.pour_run_m, s.height_m}, {s.rear_x_m, s.height_m}};
 }
 
 std::vector<ClassCount> rock_counts(const Case& c) {

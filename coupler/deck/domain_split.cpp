@@ -10,20 +10,16 @@
 namespace dipper {
 namespace {
 
-/// The bench's section in (x, z): a face at its angle from the toe, a flat top, a rear wall.
+/// The bench's section in (x, z), from the toe to the rear wall.
 class Bench {
  public:
-  explicit Bench(const Case& c) : c_(c), shape_(pile_shape(c)) {}
+  explicit Bench(const Case& c) : c_(c), shape_(pile_shape(c)), outline_(bench_outline(c)) {}
   /// Height of the bench at x.
-  double top(double x) const {
-    if (x < c_.pile.toe_x_m || x > shape_.rear_x_m) return 0;
-    const double run = shape_.crest_x_m - c_.pile.toe_x_m;
-    return c_.pile.height_m * std::min(1.0, (x - c_.pile.toe_x_m) / run);
-  }
+  double top(double x) const { return x > shape_.rear_x_m ? 0 : outline_height(outline_, x); }
   /// Area of the section between two x and two z.
   double area(double x0, double x1, double z0, double z1) const {
     constexpr int kSlices = 200;
-    const double from = std::max(x0, c_.pile.toe_x_m), to = std::min(x1, shape_.rear_x_m);
+    const double from = std::max(x0, shape_.toe_x_m), to = std::min(x1, shape_.rear_x_m);
     if (to <= from) return 0;
     double sum = 0;
     for (int i = 0; i < kSlices; ++i) {
@@ -41,6 +37,7 @@ class Bench {
  private:
   const Case& c_;
   PileShape shape_;
+  BenchOutline outline_;
 };
 
 struct Grid {

@@ -11,7 +11,7 @@
 
 namespace dipper {
 
-BenchOutline read_outline(const std::filesystem::path& file) {
+BenchOutline read_outline(const std::filesystem::path& file, std::vector<int>* lines) {
   std::ifstream in(file);
   if (!in) throw InputError({file.string() + ": cannot be opened"});
   std::vector<std::string> faults;
@@ -44,6 +44,7 @@ BenchOutline read_outline(const std::filesystem::path& file) {
       fault(fmt::format("x_m falls from {:g} to {:g}; points run from the toe to the rear",
                         outline.back().x(), p.x()));
     outline.push_back(p);
+    if (lines != nullptr) lines->push_back(at);
   }
   if (faults.empty() && outline.size() < 2)
     fault(fmt::format("{} points; an outline has at least two", outline.size()));

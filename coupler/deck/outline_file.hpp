@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "coupler/deck/bench_cut.hpp"
 
@@ -9,7 +11,8 @@ namespace dipper {
 /// Reads an outline: CSV with the columns x_m,z_m; empty lines and lines that start with # do not
 /// count. x must not fall (where it stays, the face is upright), z must not be negative. Throws
 /// InputError with a message `file:line: what; what would be right` for everything wrong.
-BenchOutline read_outline(const std::filesystem::path& file);
+/// \param lines  if given: the line of each point
+BenchOutline read_outline(const std::filesystem::path& file, std::vector<int>* lines = nullptr);
 
 /// The same text back.
 std::string to_csv(const BenchOutline& outline);

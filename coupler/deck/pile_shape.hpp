@@ -6,12 +6,14 @@
 
 namespace dipper {
 
-/// In W; the bench's section is a trapezoid in (x, z), extruded over the width.
+/// In W, extruded over the width.
 struct PileShape {
-  double crest_x_m = 0;
+  double toe_x_m = 0;
   double rear_x_m = 0;       ///< the rear wall
-  double volume_m3 = 0;      ///< of the bench
-  double mass_kg = 0;        ///< poured: the bench at kSettledFraction, and kSpare more
+  double height_m = 0;       ///< of the bench's highest point
+  double pour_run_m = 0;     ///< from the toe to the pour's crest; 0: behind an upright form wall
+  double volume_m3 = 0;      ///< what the pour fills: the bench, and what a form wall holds over it
+  double mass_kg = 0;        ///< poured: that volume at kSettledFraction, and kSpare more
   double pour_height_m = 0;  ///< top of the poured rock, before it falls
 };
 
@@ -23,9 +25,11 @@ inline constexpr double kSpare = 1.10;
 /// Solid by volume while it is in the air: what random insertion without overlap reaches.
 inline constexpr double kPouredFraction = 0.30;
 
+/// The pour fills the trapezoid, or the whole box behind the toe of a profile: rock stands at its
+/// own angle, so a face is only as steep as the profile's when it is cut from a higher fill.
 PileShape pile_shape(const Case& c);
 
-/// What the poured pile is cut to.
+/// What the poured pile is cut to: the case's trapezoid or its profile.
 BenchOutline bench_outline(const Case& c);
 
 }  // namespace dipper

@@ -53,20 +53,21 @@ TriangleMesh sides_and_rear(const Case& c, double x0, double top,
 
 TriangleMesh funnel_walls(const Case& c) {
   const PileShape p = pile_shape(c);
-  const double y = c.pile.width_m / 2, x0 = c.pile.toe_x_m;
+  const double y = c.pile.width_m / 2, x0 = p.toe_x_m;
   const auto all = [](const Vector3d&) { return true; };
   TriangleMesh mesh = sides_and_rear(c, x0 - kMargin_m, p.pour_height_m + kMargin_m, all);
   // Through the toe line, as steep as the pour's front; continued to both ends.
-  const Vector3d slope(p.crest_x_m - x0, 0, p.pour_height_m);
+  const Vector3d slope(p.pour_run_m, 0, p.pour_height_m);
   const Vector3d below = -slope * (kFoot_m / slope.z()), foot(x0, -y, 0);
   add_rectangle(mesh, foot + below, slope - below, {0, 2 * y, 0}, all);
   return mesh;
 }
 
 TriangleMesh bench_walls(const Case& c) {
-  const double rise = std::tan(c.pile.face_angle_deg * M_PI / 180), toe = c.pile.toe_x_m;
-  return sides_and_rear(c, toe - kMargin_m, c.pile.height_m + kMargin_m, [&](const Vector3d& p) {
-    return p.z() < std::max(0.0, rise * (p.x() - toe)) + kMargin_m;
+  const PileShape p = pile_shape(c);
+  const BenchOutline bench = bench_outline(c);
+  return sides_and_rear(c, p.toe_x_m - kMargin_m, p.height_m + kMargin_m, [&](const Vector3d& at) {
+    return at.z() < outline_height(bench, at.x()) + kMargin_m;
   });
 }
 

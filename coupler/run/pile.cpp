@@ -38,10 +38,11 @@ std::string pile_hash(const Case& c, const fs::path& deck) {
   for (std::string line; std::getline(lines, line);) {
     for (const char* section : {"rock.", "contact.", "pile.", "domain.", "dem.", "seed"}) {
       if (line.rfind("dem.hold", 0) == 0) continue;  // of the dig, not of the settling
-      // A path says where the shapes are, not what they are: their spheres are hashed below.
-      if (line.rfind(section, 0) == 0 && line.rfind("rock.shape_folder", 0) != 0) {
-        all += line + '\n';
-      }
+      // A path says where a file is, not what is in it: the deck's spheres and outline are hashed
+      // below.
+      const bool path =
+          line.rfind("rock.shape_folder", 0) == 0 || line.rfind("pile.profile", 0) == 0;
+      if (line.rfind(section, 0) == 0 && !path) all += line + '\n';
     }
   }
   all += read_file(source_folder() / "dem_in" / "settle.in");

@@ -24,6 +24,12 @@ std::vector<Finding> check(const Checkout& checkout, const std::vector<Override>
   return check_case(c);
 }
 
+std::vector<Finding> load_findings(const Checkout& checkout) {
+  std::vector<Finding> findings;
+  load_case(checkout.folder(), {}, findings);
+  return findings;
+}
+
 TEST(CheckCase, QuickIsSound) {
   const Checkout checkout(true);
   expect_findings(check(checkout), {});
@@ -206,6 +212,80 @@ TEST(CheckCase, Shapes) {
        {wedge, 0, "rock.shape_folder", open_edge}});
 }
 
+/// The case's trapezoid replaced by a profile.
+void use_profile(Checkout& checkout, const std::string& rows) {
+  checkout.replace("toe_x_m", "profile: scan.csv");
+  for (const char* key : {"height_m", "crest_depth_m", "face_angle_deg"}) checkout.replace(key, "");
+  write_text(checkout.folder() / "scan.csv", "# of the face\nx_m,z_m\n" + rows);
+}
+
+TEST(CheckCase, ProfileInPlaceOfTheTrapezoid) {
+  Checkout checkout;
+  use_profile(checkout, "13,0\n13,2\n16,6.5\n20,6\n");
+  std::vector<Finding> findings;
+  const Case c = load_case(checkout.folder(), {}, findings);
+  ASSERT_TRUE(findings.empty()) << to_string(findings[0]);
+  ASSERT_EQ(c.pile.outline_m.size(), 4U);
+  EXPECT_EQ(c.pile.outline_m[2], Eigen::Vector2d(16, 6.5));
+  EXPECT_NE(c.text.find("pile.profile=\"scan.csv\"\n"), std::string::npos);
+  EXPECT_EQ(c.text.find("pile.height_m"), std::string::npos);  // the text is a case: one of the two
+  expect_findings(check_case(c), {});
+}
+
+TEST(CheckCase, ProfileFaults) {
+  Checkout checkout;
+  use_profile(checkout, "13,0\n12,2\n16,6.5\n");
+  const int line = checkout.line("profile:");
+  const fs::path file = checkout.file(), scan = checkout.folder() / "scan.csv";
+  const std::string at = scan.string();
+  expect_findings(load_findings(checkout), {{file, line, "pile.profile",
+                                             at + ":4: x_m falls from 13 to 12; points run from"}});
+  write_text(scan, "x_m,z_m\n13,0\n");
+  expect_findings(load_findings(checkout),
+                  {{file, line, "pile.profile", at + ":2: 1 points; an outline has at least two"}});
+  write_text(scan, "x_m,z_m\n13,0\n20,0\n");
+  expect_findings(load_findings(checkout), {{file, line, "pile.profile",
+                                             "no rock is under a profile of 7 m length and 0 m"}});
+  fs::remove(scan);
+  expect_findings(load_findings(checkout),
+                  {{file, line, "pile.profile", at + ": cannot be opened"}});
+}
+
+TEST(CheckCase, ProfileThatLeavesTheDomain) {
+  Checkout checkout;
+  use_profile(checkout, "13,0\n16,6.5\n33,8\n60,25\n");
+  const fs::path scan = checkout.folder() / "scan.csv";
+  expect_findings(check(checkout, {{"domain.max_m", "[32, 28, 24]"}}),
+                  {{scan, 5, "pile.profile", "x_m is 33, outside of domain.max_m's 32; end the"},
+                   {scan, 6, "pile.profile", "z_m is 25, outside of domain.max_m's 24"}});
+  expect_findings(
+      check(checkout, {{"domain.max_m", "[61, 28, 26]"}}),
+      {{"--set", 0, "domain.max_m", "the rock for this pile is poured up to z = 55 m"}});
+}
+
+TEST(CheckCase, ProfileBesideWhatItReplaces) {
+  Checkout checkout;
+  const int toe = checkout.replace("toe_x_m", "toe_x_m: 13\nprofile: scan.csv");
+  write_text(checkout.folder() / "scan.csv", "x_m,z_m\n13,0\n16,6.5\n");
+  const std::string what =
+      "replaces pile.toe_x_m, pile.height_m, pile.crest_depth_m, pile.face_angle_deg";
+  expect_findings(
+      load_findings(checkout),
+      {{checkout.file(), toe, "pile.toe_x_m", what},
+       {checkout.file(), checkout.line("height_m"), "pile.height_m", what},
+       {checkout.file(), checkout.line("crest_depth_m"), "pile.crest_depth_m", what},
+       {checkout.file(), checkout.line("face_angle_deg"), "pile.face_angle_deg", what}});
+}
+
+TEST(CheckCase, EffectOnWhatAProfileReplaces) {
+  Checkout checkout;
+  use_profile(checkout, "13,0\n16,6.5\n20,6\n");
+  std::vector<Finding> findings;
+  load_case(checkout.folder(), {{"effects.pile_height", "1"}}, findings);
+  expect_findings(findings, {{"--set", 0, "effects.pile_height",
+                              "changes pile.height_m, which pile.profile replaces"}});
+}
+
 /// The case's classes replaced by a sieve curve.
 void use_sieve(const Checkout& checkout, const std::string& rows, const std::string& keys) {
   const std::string text = read_text(checkout.file());
@@ -214,12 +294,6 @@ void use_sieve(const Checkout& checkout, const std::string& rows, const std::str
   write_text(checkout.file(),
              text.substr(0, from) + "  sieve: {file: sieve.csv, " + keys + "}\n" + text.substr(to));
   write_text(checkout.folder() / "sieve.csv", "size_m,passing_percent\n" + rows);
-}
-
-std::vector<Finding> load_findings(const Checkout& checkout) {
-  std::vector<Finding> findings;
-  load_case(checkout.folder(), {}, findings);
-  return findings;
 }
 
 TEST(CheckCase, SieveCurveInPlaceOfClasses) {
@@ -299,10 +373,11 @@ TEST(CheckCommand, SoundCase) {
   const Checkout checkout;
   std::ostringstream out;
   EXPECT_EQ(check_command(checkout.folder(), {}, out), 0);
-  EXPECT_THAT(out.str(),
-              MatchesRegex("quick is sound: about [0-9]+ rocks, [0-9.]+ s simulated in [0-9]+ "
-                           "steps and [0-9]+ windows of [0-9.]+ ms, after [0-9]+ steps that settle "
-                           "the pile; the step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"));
+  EXPECT_THAT(
+      out.str(),
+      MatchesRegex("quick is sound: about [0-9]+ rocks, [0-9.]+ s simulated in [0-9]+ "
+                   "steps and [0-9]+ windows of [0-9.]+ ms, after [0-9]+ steps that settle "
+                   "the pile; the step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"));
 }
 
 TEST(CheckCommand, PrintsEveryFindingAndTheirNumber) {

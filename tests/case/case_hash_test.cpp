@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "coupler/case/case_text.hpp"
@@ -69,6 +70,21 @@ TEST(CaseHash, FollowsEveryValueAndEveryReferencedByte) {
     test::write_text(file, bytes);
   }
   EXPECT_FALSE(hashes.insert(case_hash(load(checkout.folder()))).second);
+}
+
+TEST(CaseHash, FollowsTheBytesOfAProfile) {
+  Checkout checkout;
+  checkout.replace("toe_x_m", "profile: scan.csv");
+  for (const char* key : {"height_m", "crest_depth_m", "face_angle_deg"}) checkout.replace(key, "");
+  std::set<std::string> hashes;
+  for (const char* rows : {"13,0\n16,6\n", "13,0\n16,7\n"}) {
+    test::write_text(checkout.folder() / "scan.csv", std::string("x_m,z_m\n") + rows);
+    const Case c = load(checkout.folder());
+    hashes.insert(case_hash(c));
+    const auto files = referenced_files(c);
+    EXPECT_EQ(std::count(files.begin(), files.end(), c.pile.profile), 1);
+  }
+  EXPECT_EQ(hashes.size(), 2U);
 }
 
 TEST(CaseHash, DoesNotKnowWhereTheCheckoutIs) {

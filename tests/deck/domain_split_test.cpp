@@ -39,6 +39,25 @@ TEST(DomainSplit, SharesByHand) {
   EXPECT_NEAR(best_split(c, 8).largest_share, 0.125, 1e-3);
 }
 
+TEST(DomainSplit, FollowsAProfile) {
+  // Nine tenths of the section lie in the middle fifth of the box.
+  Case c = quick_case();
+  c.domain.min_m = {0, -12, 0};
+  c.domain.max_m = {20, 12, 10};
+  c.pile.width_m = 24;
+  c.pile.profile = "scan.csv";
+  c.pile.outline_m = {{8, 0}, {8, 9}, {12, 9}, {12, 1}, {16, 1}};
+  // By hand: along x in 5, the fullest part has 36 of 40 m2; along y in 5, a fifth each.
+  EXPECT_THAT(best_split(c, 5).parts, ElementsAre(1, 5, 1));
+  EXPECT_NEAR(best_split(c, 5).largest_share, 0.2, 1e-9);
+  // Only x and z: 2 parts along x share at x = 10, the middle of the block: 18 and 22 m2.
+  c.pile.width_m = 1;
+  c.domain.min_m.y() = -0.6;
+  c.domain.max_m.y() = 1e3;
+  EXPECT_THAT(best_split(c, 2).parts, ElementsAre(2, 1, 1));
+  EXPECT_NEAR(best_split(c, 2).largest_share, 22.0 / 40, 5e-3);
+}
+
 TEST(DomainSplit, IsNeverWorseThanAcrossTheWidth) {
   const Case c = quick_case();
   const double part = (c.domain.max_m.y() - c.domain.min_m.y());

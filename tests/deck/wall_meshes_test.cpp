@@ -63,9 +63,36 @@ TEST(PileShape, IsTheTrapezoid) {
   Case c = quick_case();
   c.pile.face_angle_deg = 45;
   const PileShape p = pile_shape(c);
-  EXPECT_NEAR(p.crest_x_m, 21, 1e-12);
+  EXPECT_NEAR(p.pour_run_m, 8, 1e-12);
   EXPECT_NEAR(p.rear_x_m, 23, 1e-12);
   EXPECT_NEAR(p.volume_m3, 8 * (8 * 8 / 2 + 8 * 2), 1e-9);
+}
+
+TEST(PileShape, OfAProfileIsABoxBehindItsToe) {
+  Case c = quick_case();
+  c.pile.profile = "scan.csv";
+  c.pile.outline_m = {{12, 0}, {12, 3}, {15, 7}, {20, 6}};
+  const PileShape p = pile_shape(c);
+  EXPECT_EQ(p.toe_x_m, 12);
+  EXPECT_EQ(p.rear_x_m, 20);
+  EXPECT_EQ(p.height_m, 7);
+  EXPECT_EQ(p.pour_run_m, 0);
+  EXPECT_NEAR(p.volume_m3, 8 * 8 * 7, 1e-9);
+  EXPECT_NEAR(p.pour_height_m, 7 * kSpare * kSettledFraction / kPouredFraction, 1e-9);
+  EXPECT_EQ(bench_outline(c), c.pile.outline_m);
+  // An upright form wall at the toe, as high as the pour; then walls that follow the profile.
+  double front_top = 0;
+  for (const Vector3d& v : funnel_walls(c).vertices)
+    if (std::abs(v.x() - 12) < 1e-9) front_top = std::max(front_top, v.z());
+  EXPECT_NEAR(front_top, p.pour_height_m, 1e-9);
+  double top = 0, top_of_front = 0;
+  for (const Vector3d& v : bench_walls(c).vertices) {
+    top = std::max(top, v.z());
+    if (v.x() < 11.5) top_of_front = std::max(top_of_front, v.z());
+  }
+  EXPECT_NEAR(top, 8, 1e-9);
+  EXPECT_GT(top_of_front, 3);
+  EXPECT_LT(top_of_front, 5.5);  // the margin and a facet over the upright part
 }
 
 TEST(PileWalls, StayLowInFrontOfTheBench) {

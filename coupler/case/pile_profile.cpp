@@ -1,0 +1,45 @@
+#include "coupler/case/pile_profile.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "coupler/deck/outline_file.hpp"
+#include "coupler/motion/input_error.hpp"
+
+namespace dipper {
+
+bool is_replaced_by_profile(const Case& c, const std::string& key) {
+  return !c.pile.profile.empty() && std::find(kReplacedByProfile.begin(), kReplacedByProfile.end(),
+                                              key) != kReplacedByProfile.end();
+}
+
+void read_pile_profile(Case& c, std::vector<Finding>& findings) {
+  if (c.pile.profile.empty()) return;
+  for (const std::string& key : kReplacedByProfile)
+    if (c.origins.count(key) != 0)
+      findings.push_back(finding_at(
+          c, key,
+          fmt::format("pile.profile is there as well and replaces {}; leave out the one or the "
+                      "others",
+                      fmt::join(kReplacedByProfile, ", "))));
+  try {
+    c.pile.outline_m = read_outline(c.pile.profile);
+  } catch (const InputError& e) {
+    for (const std::string& message : e.messages())
+      findings.push_back(finding_at(c, "pile.profile", message));
+    return;
+  }
+  const auto& points = c.pile.outline_m;
+  double top = 0;
+  for (const auto& p : points) top = std::max(top, p.y());
+  if (top <= 0 || points.back().x() <= points.front().x())
+    findings.push_back(finding_at(
+        c, "pile.profile",
+        fmt::format("{}: no rock is under a profile of {:g} m length and {:g} m height; x_m rises "
+                    "from the toe to the rear wall, z_m is over the ground",
+                    c.pile.profile.string(), points.back().x() - points.front().x(), top)));
+}
+
+}  // namespace dipper
