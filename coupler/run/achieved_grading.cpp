@@ -4,25 +4,11 @@
 
 #include <set>
 
-#include "analysis/dump_reader.hpp"
 #include "coupler/deck/contact_table.hpp"
+#include "coupler/run/first_dump.hpp"
 
 namespace dipper {
-namespace {
-
 namespace fs = std::filesystem;
-
-/// The text dump of the particles with the lowest step.
-fs::path first_dump(const fs::path& folder) {
-  fs::path first;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() != ".dump" || !step_in_name(entry.path())) continue;
-    if (first.empty() || *step_in_name(entry.path()) < *step_in_name(first)) first = entry.path();
-  }
-  return first;
-}
-
-}  // namespace
 
 std::vector<AchievedClass> achieved_grading(const Case& c, const fs::path& dumps) {
   const std::vector<RockClass> rocks = rock_classes(c);

@@ -18,6 +18,7 @@
 #include "coupler/mesh/stl.hpp"
 #include "coupler/motion/motion.hpp"
 #include "coupler/run/achieved_grading.hpp"
+#include "coupler/run/achieved_profile.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/dump_index.hpp"
 #include "coupler/run/installation.hpp"
@@ -299,6 +300,17 @@ class Leg {
                                  {"rocks", k.rocks},
                                  {"mass_percent", k.mass_percent},
                                  {"wanted_percent", k.wanted_percent}});
+    if (!case_.pile.profile.empty())
+      if (const auto p = achieved_profile(case_, folder_.dumps())) {
+        summary["pile"] = {{"below_profile_mean_m", p->below_mean_m},
+                           {"below_profile_most_m", p->below_most_m},
+                           {"below_profile_most_x_m", p->below_most_x_m},
+                           {"face_deg", p->face_deg}};
+        fmt::print(
+            "pile: stood {:.2f} m below its profile in the mean, {:.2f} m at x = {:.1f} m; its face "
+            "at {:.0f} deg\n",
+            p->below_mean_m, p->below_most_m, p->below_most_x_m, p->face_deg);
+      }
     std::ofstream out(folder_.summary());
     out << summary.dump(2) << '\n';
     if (!out.flush()) throw std::runtime_error("cannot write " + folder_.summary().string());
