@@ -99,6 +99,8 @@ struct PileCase {
   /// and face angle; empty: none.
   std::filesystem::path profile;
   std::vector<Eigen::Vector2d> outline_m;  ///< what the profile holds: x and z in W
+  /// Rock that overlaps dipper, door or truck at the start is removed: "on" or "off".
+  std::string clear_machine = "off";
 };
 
 /// truck: a fixed wall. Its bed counts what lands in it.

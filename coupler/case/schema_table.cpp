@@ -169,6 +169,9 @@ std::vector<KeySpec> make_schema() {
        "settling time with the sheet", SLOT(c.pile.settle_s)},
       {"pile.relax_s", "s", not_negative, {}, required,
        "settling time after the sheet is gone", SLOT(c.pile.relax_s)},
+      {"pile.clear_machine", "", any, {"off", "on"}, optional,
+       "rock that overlaps dipper, door or truck at the start is removed; off",
+       SLOT(c.pile.clear_machine)},
 
       {"bodies.*", "", any, {}, required,
        "name of a moving body and its wall mesh, STL in m in the body's own frame",

@@ -54,6 +54,10 @@ ServerInfo LiggghtsRock::info() const {
   info.channels.push_back({"particles", "1", "-"});  // spheres, those of the rocks included
   if (setup_.hold) info.channels.push_back({"rock_parked", "kg", "-"});
   if (setup_.crust) info.channels.push_back({"bonds", "1", "-"});  // of the crust, unbroken
+  if (!setup_.cleared.empty()) {  // at the start; the same in every row
+    info.channels.push_back({"rocks_removed", "1", "-"});
+    info.channels.push_back({"mass_removed", "kg", "-"});
+  }
   info.timestep_s = lmp_->update->dt;
   return info;
 }
@@ -63,6 +67,12 @@ RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
     setup_.resumed ? walls_[b]->adopt(X_WB[b], setup_.resumed->at(b)) : walls_[b]->place(X_WB[b]);
   }
   X_WB_ = X_WB;
+  if (!setup_.resumed && !setup_.cleared.empty()) {
+    cleared_ = clear_start(*lmp_, setup_.cleared, comm_);
+    if (cleared_.rocks > 0 && lmp_->comm->me == 0)
+      fmt::print("{:.0f} rocks, {:.0f} kg, overlapped a wall at the start and were removed\n",
+                 cleared_.rocks, cleared_.mass_kg);
+  }
   start();
   if (setup_.crust && !setup_.resumed) {
     form_crust(*lmp_, *setup_.crust);
@@ -184,6 +194,7 @@ std::vector<double> LiggghtsRock::weigh() const {
   if (setup_.crust) sums.push_back(count_bonds(*lmp_));
   MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM,
                 comm_);
+  if (!setup_.cleared.empty()) sums.insert(sums.end(), {cleared_.rocks, cleared_.mass_kg});
   return sums;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "coupler/core/server.hpp"
+#include "coupler/dem/clear_start.hpp"
 #include "coupler/dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
@@ -47,6 +48,7 @@ class LiggghtsRock final : public Rock {
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::vector<WallMotion*> walls_;  // owned by LIGGGHTS
   std::vector<Pose> X_WB_;
+  Cleared cleared_;  // nothing in a run that is resumed
   std::unique_ptr<HoldRock> hold_;
 };
 

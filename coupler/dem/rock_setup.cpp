@@ -43,15 +43,11 @@ json to_json(const RockSetup& setup) {
             {"sight_s", h->sight_s}};
   json crust;  // null: none
   if (setup.crust) crust = {setup.crust->above_m, setup.crust->thickness_m};
-  return {{"deck", setup.deck},
-          {"variables", setup.variables},
-          {"log", setup.log},
-          {"screen", setup.screen},
-          {"bodies", setup.bodies},
-          {"resumed", resumed},
-          {"scales", scales},
-          {"crust", crust},
-          {"hold", hold}};
+  return {{"deck", setup.deck},     {"variables", setup.variables},
+          {"log", setup.log},       {"screen", setup.screen},
+          {"bodies", setup.bodies}, {"resumed", resumed},
+          {"scales", scales},       {"cleared", setup.cleared},
+          {"crust", crust},         {"hold", hold}};
 }
 
 RockSetup rock_setup_from(const json& j) {
@@ -71,7 +67,8 @@ RockSetup rock_setup_from(const json& j) {
   if (const auto& crust = j.at("crust"); !crust.is_null()) {
     setup.crust = CrustZone{crust.at(0), crust.at(1)};
   }
-  // A recording made before rock could be held has no such entry.
+  // Recordings made before these were there have no such entries.
+  setup.cleared = j.value("cleared", std::vector<std::string>{});
   if (const auto hold = j.find("hold"); hold != j.end() && !hold->is_null()) {
     HoldSettings& h = setup.hold.emplace();
     h.below_m_s = hold->at("below_m_s");

@@ -40,6 +40,7 @@ struct RockSetup {
   std::string screen;                                          ///< LIGGGHTS screen output
   std::vector<std::string> bodies;                             ///< fix ids of the moving walls
   std::vector<Scale> scales;
+  std::vector<std::string> cleared;  ///< fix ids of the walls that no rock may overlap at the start
   std::optional<CrustZone> crust;
   std::optional<HoldSettings> hold;  ///< not set: all rock is computed all the time
   /// Set, one a body, when the deck reads a checkpoint, with the walls in place.

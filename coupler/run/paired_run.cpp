@@ -17,6 +17,7 @@
 #include "coupler/deck/deck.hpp"
 #include "coupler/mesh/stl.hpp"
 #include "coupler/motion/motion.hpp"
+#include "coupler/record/record.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
 #include "coupler/run/checkpoint.hpp"
@@ -190,7 +191,15 @@ class Leg {
       sides_->machine().resume_at(from_->step_index, nanoseconds());
       sides_->rock().resume_at(from_->step_index, from_->dem_step);
     } else {
-      take(coupling.start());
+      const Window first = coupling.start();
+      take(first);
+      if (case_.pile.clear_machine == "on") {
+        const auto channel = [&](const char* name) {
+          return first.rock.channels[channel_index(rock_info, name)];
+        };
+        fmt::print("start: {:.0f} rocks, {:.2f} t, stood where the machine is and were removed\n",
+                   channel("rocks_removed"), channel("mass_removed") * 1e-3);
+      }
     }
     const auto payload = channel_index(rock_info, "mass_in_dipper");
     Progress progress(time_s(), static_cast<double>(end_step_) * case_.dem.timestep_s);
@@ -293,6 +302,13 @@ class Leg {
 
   void write_summary() {
     auto summary = summarise(facts_, folder_.record());
+    if (case_.pile.clear_machine == "on") {
+      const auto first = [&](const char* name) {
+        return read_channel(folder_.record(), name).at(0);
+      };
+      summary["start"] = {{"rocks_removed", first("rock/rocks_removed")},
+                          {"mass_removed_kg", first("rock/mass_removed")}};
+    }
     const auto grading = achieved_grading(case_, folder_.dumps());
     std::ofstream(folder_.deck() / "achieved.csv") << to_csv(grading);
     for (const AchievedClass& k : grading)
@@ -307,7 +323,8 @@ class Leg {
                            {"below_profile_most_x_m", p->below_most_x_m},
                            {"face_deg", p->face_deg}};
         fmt::print(
-            "pile: stood {:.2f} m below its profile in the mean, {:.2f} m at x = {:.1f} m; its face "
+            "pile: stood {:.2f} m below its profile in the mean, {:.2f} m at x = {:.1f} m; its "
+            "face "
             "at {:.0f} deg\n",
             p->below_mean_m, p->below_most_m, p->below_most_x_m, p->face_deg);
       }

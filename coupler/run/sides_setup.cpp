@@ -69,6 +69,7 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
                      {"dipper_z", "0"},
                      {"door_z", "0"}};
   setup.bodies = {"dipper", "door"};
+  if (c.pile.clear_machine == "on") setup.cleared = {"dipper", "door", "truck"};
   if (c.dem.hold_below_m_s > 0) setup.hold.emplace().below_m_s = c.dem.hold_below_m_s;
   Pose X_WT;
   X_WT.p = c.truck.position_m;

@@ -35,13 +35,13 @@ class RunTest(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="dipper-test-"))
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def start(self, out, *arguments):
-        return subprocess.Popen([DIPPER, "run", TINY, "--out", out, *arguments],
+    def start(self, out, *arguments, case=TINY):
+        return subprocess.Popen([DIPPER, "run", case, "--out", out, *arguments],
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
-    def run_case(self, out, *arguments, status=0):
+    def run_case(self, out, *arguments, status=0, case=TINY):
         """Runs to the end; returns (stdout, stderr)."""
-        process = self.start(out, *arguments)
+        process = self.start(out, *arguments, case=case)
         try:
             text = process.communicate(timeout=120)
         finally:

@@ -1,0 +1,52 @@
+"""How a run starts: in a bench cut to a scan, and with the machine where rock is."""
+
+import unittest
+
+import h5py
+
+from runs import TINY, RunTest
+
+REPLACED = ("toe_x_m:", "height_m:", "crest_depth_m:", "face_angle_deg:")
+
+
+class Start(RunTest):
+    def scanned_case(self):
+        """The tiny case, of a bench that reaches into the dipper."""
+        folder = self.folder / "a" / "b" / "case"
+        folder.mkdir(parents=True)
+        text = (TINY / "case.yaml").read_text().replace("../../../", f"{TINY.parents[2]}/")
+        lines = [line for line in text.splitlines() if not line.strip().startswith(REPLACED)]
+        at = next(i for i, line in enumerate(lines) if line.startswith("pile:"))
+        lines.insert(at + 1, "  profile: scan.csv")
+        (folder / "case.yaml").write_text("\n".join(lines) + "\n")
+        (folder / "scan.csv").write_text("x_m,z_m\n9,0\n9,1.5\n11,3\n14,2.5\n")
+        return folder
+
+    def test_rock_in_the_machine_is_removed_and_told(self):
+        case = self.scanned_case()
+        settings = ("--set", "end_s=0.05", "--set", "output.dump_every_s=1")
+        kept, cleared = self.folder / "kept", self.folder / "cleared"
+        self.run_case(kept, *settings, case=case)
+        out, _ = self.run_case(cleared, *settings, "--set", "pile.clear_machine=on", case=case)
+
+        self.assertNotIn("start", self.summary(kept))
+        start = self.summary(cleared)["start"]
+        self.assertGreater(start["rocks_removed"], 0)
+        self.assertIn(f"start: {start['rocks_removed']:.0f} rocks, ", out)
+        self.assertIn("removed", (cleared / "logs" / "dem.log").read_text())
+        with h5py.File(kept / "record.h5") as a, h5py.File(cleared / "record.h5") as b:
+            self.assertAlmostEqual(a["rock/rock_mass"][0] - b["rock/rock_mass"][0],
+                                   start["mass_removed_kg"], delta=1e-6 * a["rock/rock_mass"][0])
+            # After the first window; in the row before it no step has been made.
+            push = [abs(f["bodies/dipper/wrench_end"][1, 3:]).max() for f in (a, b)]
+        self.assertGreater(push[0], 1e4, "rock in steel pushes")
+        self.assertLess(push[1], 0.01 * push[0])
+
+        pile = self.summary(cleared)["pile"]
+        self.assertIn("pile: stood", out)
+        self.assertLess(abs(pile["below_profile_mean_m"]), 1)
+        self.assertIn("pile: cached", out, "how the dig starts is not part of the pile")
+
+
+if __name__ == "__main__":
+    unittest.main()
