@@ -7,7 +7,7 @@ from sklearn.covariance import ledoit_wolf
 LEAST_SEEDS = 8
 PRIOR_DOF = 14.0   # how many degrees of freedom the spread pooled over passes counts against a pass's own
 COLLINEAR = 0.98   # a feature that follows another this closely says nothing of its own
-PREFERRED = ("mass", "mean", "slope", "peak", "work")
+PREFERRED = ("mass", "balance", "mean", "slope", "peak", "work")
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def seed_covariance(values, grid):
     """
     runs = len(values)
     deviation = to_grid(values - values.mean(axis=0), grid) * np.sqrt(runs / (runs - 1.0))
-    own = np.nanmean(deviation**2, axis=0)
+    own = (deviation**2).mean(axis=0)  # nan where a pass has no such cell: the same in every run
     pooled = np.nanmean(deviation**2, axis=(0, 1))
     sd = np.sqrt((PRIOR_DOF * pooled + (runs - 1.0) * own) / (PRIOR_DOF + runs - 1.0))
     unit = np.where(np.isfinite(deviation) & (sd > 0), deviation / np.where(sd > 0, sd, 1.0), 0.0)

@@ -5,6 +5,7 @@
     peak   its largest size
     work   of a force along the way of its own drive, kJ
     mass   what the truck scale gained, one a pass (filed under `dump`)
+    balance of that and the carried hoist force (balance.py)
     duration  of the phase, s (channel `time`): prescribed, so it only shows that the motion differs
 
 All but the peak are linear in the signal; a signal is taken as straight between readings.
@@ -18,7 +19,7 @@ from .phases import find_phases
 
 TIME = "time"
 DRIVE = {"hoist_force_kN": ("hoist_m", -1.0), "crowd_force_kN": ("crowd_m", 1.0)}  # rope in lifts
-FEATURES = ("mean", "slope", "peak", "work", "mass", "duration")
+FEATURES = ("mean", "slope", "peak", "work", "mass", "balance", "duration")
 
 
 @dataclass(frozen=True)

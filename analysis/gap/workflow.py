@@ -3,6 +3,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from .balance import balanced, tonnes_a_kN
 from .baseline import LEAST_SEEDS, make_baseline
 from .closure import best_fit, closure
 from .curves import curves, masses
@@ -20,6 +21,7 @@ from .simulator import request
 NEED_PASSES = 2
 SIGNATURE_RUNS = ((0, 0), (1, 0), (1, 1))  # (which of the two strengths, which of the baseline's seeds)
 FRESH_SEEDS = 5
+SHARPENED = 2           # times an effect's strength is found anew, each with its signature at the last
 FRESH_FROM = 1000       # seeds of the confirming runs start so far above the baseline's
 MOTION_TOLERANCE_S = 1.0
 TWO_SIDED_90 = 3.29     # a central 90 % interval of a Gaussian, in sd
@@ -111,31 +113,53 @@ class Workflow:
 
     def run(self):
         self.say(f"gap: {self.statement()}")
-        base, made = self.requests()
-        self._prepare(base, made)
-        out = self.out
-        directions = np.array([s.g for s in out.training.signatures]).T
-        null = simulate_null(self.whole, directions, passes=out.training.passes)
-        out.training = replace(out.training, covariance=null.inflation() * out.training.covariance)
+        self.prepare()
+        self.judge()
+        return self.out
+
+    def judge(self):
+        """From the prepared residuals to the verdict, its confirmation and what to do next."""
+        out, null, directions = self.out, self.null, self.directions
         residual = out.training.y - out.training.baseline.mean
         out.disagreement = localise(residual, out.training.baseline, null, directions)
         out.table = isolability(out.training.signatures, out.training.covariance)
         out.matched = match(residual, out.training.covariance, out.training.signatures, out.training.baseline)
+        for _ in range(SHARPENED):
+            self._sharpen(residual)
         out.verdict = decide(out.disagreement.omnibus_p, out.matched, out.training.signatures,
                              out.training.covariance, residual, out.training.baseline, null)
         self.say(f"gap: omnibus p {out.disagreement.omnibus_p:.3g}; verdict {out.verdict.verdict}"
                  + (f": {', '.join(out.verdict.members)}" if out.verdict.members else ""))
         if out.verdict.verdict == "named":
-            self._add_and_confirm(null)
+            self._add_and_confirm()
         else:
             self._draw([])
         if out.verdict.verdict == "class":
             self.out.intervals = {n: interval(out.matched, n, out.training.signatures)
                                   for n in out.verdict.members}
         self._next()
-        return out
 
-    def _prepare(self, base, made):
+    def _sharpen(self, residual):
+        """Matches again, with effects of the instruments known at the strength they seem to have: not all are linear."""
+        out, seeds = self.out, range(self.whole.seeds)
+        lead = max((s.name for s in out.training.signatures), key=out.matched.presence)
+        fit, better = out.matched.fits[out.matched.best_with(lead)], {}
+        for name, strength in zip(fit.names, fit.best):
+            asked = [request({name: strength}, self.first_seed + k, self.catalogue) for k in seeds]
+            if asked[0].how == "observe":
+                values = self._features_of(self.simulator.run(asked, self.say))
+                better[name] = fit_signature(self.catalogue[name], self.whole, [strength] * len(asked), seeds, values)
+        if not better:
+            return
+        for which in ("training", "holdout"):
+            part = getattr(out, which)
+            made = [better[s.name].part(part.at) if s.name in better else s for s in part.signatures]
+            setattr(out, which, replace(part, signatures=made))
+        out.matched = match(residual, out.training.covariance, out.training.signatures, out.training.baseline)
+
+    def prepare(self):
+        """Runs what is needed; from it the baseline, the signatures and the null of both parts."""
+        base, made = self.requests()
         rows = list(dict.fromkeys(base + [r for runs in made.values() for _, _, r in runs]))
         folders = dict(zip(rows, self.simulator.run(rows, self.say)))
         self.out.runs = len([r for r in rows if r.how == "run"])
@@ -150,12 +174,19 @@ class Workflow:
         channels = self.measured.channels
         cells, y, durations = measured_features(self.measured, numbers)
         views = {r: noisy_features(m, channels, numbers) for r, m in folders.items()}
+        plain = views[base[0]].cells
+        self.slope = tonnes_a_kN(plain, np.array([v.mean for v in (views[r] for r in base) if v.cells == plain]))
+        cells, y = balanced(cells, y, self.slope)
+        rows_of = {r: balanced(v.cells, v.mean, self.slope) for r, v in views.items()}
         self._check_motion(durations, views[base[0]].durations, numbers)
-        everywhere = set(cells).intersection(*(v.cells for v in views.values()))
+        everywhere = set(cells).intersection(*(c for c, _ in rows_of.values()))
         common = [c for c in cells if c in everywhere]
-        rows_of = {r: v.mean[_places(v.cells, common)] for r, v in views.items()}
-        at = _places(views[base[0]].cells, common)
-        noise = noise_covariance([views[r] for r in base], channels)[np.ix_(at, at)]
+        rows_of = {r: v[_places(c, common)] for r, (c, v) in rows_of.items()}
+        at = _places(balanced(plain, views[base[0]].mean, self.slope)[0], common)
+        noise = noise_covariance([views[r] for r in base], channels)
+        for _ in range(2):  # rows, then columns
+            noise = balanced(plain, noise, self.slope)[1].T
+        noise = noise[np.ix_(at, at)]
         whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers)
         self.out.inflation = left_out_inflation(whole, simulate_null(whole, draws=200))
         whole = replace(whole, seed=whole.seed * self.out.inflation)
@@ -165,13 +196,16 @@ class Workflow:
         signatures = [fit_signature(self.catalogue[n], whole, r.strengths, r.seed_index, r.values)
                       for n, r in runs.items()]
         size = np.array([channels[n].common_sigma for n in self._response_names()])
-        bias = views[base[0]].common[:, at][:, keep] / np.where(size > 0, size, 1.0)[:, None]
+        bias = balanced(plain, views[base[0]].common, self.slope)[1][:, at][:, keep] / np.where(size > 0, size, 1.0)[:, None]
         self.base_folders = [folders[r] for r in base]
         self.whole, self.runs, self.common = whole, runs, [common[i] for i in keep]
         y = y[_places(cells, self.common)]
         training, held = split(numbers)
-        self.out.training = self._part(training, y, signatures, bias)
         self.out.holdout = self._part(held, y, signatures, bias)
+        part = self._part(training, y, signatures, bias)
+        self.directions = np.array([s.g for s in part.signatures]).T
+        self.null = simulate_null(self.whole, self.directions, passes=training)
+        self.out.training = replace(part, covariance=self.null.inflation() * part.covariance)
 
     def _part(self, passes, y, signatures, bias):
         baseline, at = self.whole.part(passes)
@@ -188,9 +222,13 @@ class Workflow:
 
     def _features_of(self, folders):
         """(runs, n) over all passes' cells."""
-        views = [noisy_features(m, self.measured.channels, sorted({c.pass_number for c in self.common}))
-                 for m in folders]
-        return np.array([v.mean[_places(v.cells, self.common)] for v in views])
+        numbers = sorted({c.pass_number for c in self.common})
+        out = []
+        for m in folders:
+            view = noisy_features(m, self.measured.channels, numbers)
+            cells, row = balanced(view.cells, view.mean, self.slope)
+            out.append(row[_places(cells, self.common)])
+        return np.array(out)
 
     def _response_names(self):
         return self.measured.responses() + ([MASS] if MASS in self.measured.channels else [])
@@ -203,7 +241,7 @@ class Workflow:
                         f"pass {number}: {phase} takes {mine[phase]:.1f} s in the mine and "
                         f"{model.get(phase, 0.0):.1f} s in the model: is the case's motion the measured one?")
 
-    def _add_and_confirm(self, null):
+    def _add_and_confirm(self):
         out = self.out
         m, lead = out.matched, out.verdict.effect
         fit = m.fits[m.best_with(lead)]
@@ -225,7 +263,7 @@ class Workflow:
         if len(sure) > 1:
             out.second = self._second(m, sure[1], strengths[sure[1]])
         else:
-            self._look_again(lead, strengths[lead], after, null)
+            self._look_again(lead, strengths[lead], after)
 
     def _confirm(self, strengths):
         """Fresh runs of the patched case; fills out.confirmed."""
@@ -262,7 +300,7 @@ class Workflow:
         rivals["a constant bias in each channel"] = mean + shift @ part.bias
         return rivals
 
-    def _look_again(self, first, strength, after, null):
+    def _look_again(self, first, strength, after):
         """A second effect, where the first leaves more than noise on the training passes.
 
         Both are matched together; the first one's signature now also knows the fresh runs.
@@ -280,7 +318,7 @@ class Workflow:
         low, high = out.intervals[first]
         unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(better.g, better.g)
         covariance = train.baseline.noise + train.baseline.seed * (1 + 1 / len(after)) + unsure
-        if null.plain().omnibus_p(statistics(left, covariance, train.baseline.grid)) >= OMNIBUS_P:
+        if self.null.plain().omnibus_p(statistics(left, covariance, train.baseline.grid)) >= OMNIBUS_P:
             return
         m = match(residual, train.covariance, signatures, train.baseline)
         rest = [n for n in index if n != first]
