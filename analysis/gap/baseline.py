@@ -1,5 +1,5 @@
 """The unchanged model, run with several seeds: its mean, its own spread, and the instruments' errors."""
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from sklearn.covariance import ledoit_wolf
@@ -36,6 +36,10 @@ class Baseline:
     @property
     def prediction(self):
         return self.noise + self.seed * (1.0 + 1.0 / self.seeds)
+
+    def inflated(self, factor):
+        """The same with the seeds' covariance times `factor`."""
+        return replace(self, seed=self.seed * factor)
 
     @property
     def sd(self):

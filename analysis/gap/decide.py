@@ -28,8 +28,8 @@ class Verdict:
     rejected: tuple = field(default_factory=tuple)  # (effect, probability, reason)
 
 
-def decide(omnibus_p, m, signatures, covariance, residual, baseline, null):
-    """`covariance` holds the nuisances and the null's inflation."""
+def decide(omnibus_p, m, signatures, covariance, plain, residual, baseline, null):
+    """`covariance` holds the nuisances and the null's inflation; `plain` only the nuisances."""
     if omnibus_p >= OMNIBUS_P:
         return Verdict("no-gap", probability=m.probability["none"],
                        reasons=(f"omnibus p {omnibus_p:.2g} is not below {OMNIBUS_P:g}",))
@@ -38,7 +38,7 @@ def decide(omnibus_p, m, signatures, covariance, residual, baseline, null):
     best = m.fits[m.best_with(lead)]
     strength = best.best[best.names.index(lead)]
     members = _class(lead, strength, m, signatures, covariance)
-    residual_p = _left_over(best, by_name, covariance, residual, baseline, null)
+    residual_p = _left_over(best, by_name, plain, residual, baseline, null)
     failed = _failed(lead, members, strength, m, by_name, residual_p)
     probability = m.presence(lead)
     if not failed and probability >= PROBABILITY:
@@ -72,10 +72,9 @@ def _class(lead, strength, m, signatures, covariance):
     return tuple(members)
 
 
-def _left_over(best, by_name, covariance, residual, baseline, null):
-    """p of what the effects leave, by the omnibus test."""
-    # The null knows how little the covariance is known; the inflation that allows for it is taken back.
-    spread = covariance / null.inflation() + sum(a * a * by_name[n].spread for a, n in zip(best.best, best.names))
+def _left_over(best, by_name, plain, residual, baseline, null):
+    """p of what the effects leave, by the omnibus test, whose null knows how little the covariance is known."""
+    spread = plain + sum(a * a * by_name[n].spread for a, n in zip(best.best, best.names))
     stats = statistics(residual - best.explained, spread, baseline.grid)
     return float(null.plain().omnibus_p(stats))
 

@@ -36,7 +36,8 @@ class Part:
     baseline: object
     signatures: list
     nuisances: list
-    covariance: np.ndarray   # of the prediction, nuisances included
+    plain: np.ndarray        # covariance of the prediction, nuisances included
+    covariance: np.ndarray   # of the training passes: the same, wary of what few runs tell of the seeds'
     bias: np.ndarray         # (channels, n): shift by a constant in one channel
     at: list                 # these cells among those of all passes
 
@@ -119,15 +120,8 @@ class Workflow:
 
     def judge(self):
         """From the prepared residuals to the verdict, its confirmation and what to do next."""
-        out, null, directions = self.out, self.null, self.directions
-        residual = out.training.y - out.training.baseline.mean
-        out.disagreement = localise(residual, out.training.baseline, null, directions)
-        out.table = isolability(out.training.signatures, out.training.covariance)
-        out.matched = match(residual, out.training.covariance, out.training.signatures, out.training.baseline)
-        for _ in range(SHARPENED):
-            self._sharpen(residual)
-        out.verdict = decide(out.disagreement.omnibus_p, out.matched, out.training.signatures,
-                             out.training.covariance, residual, out.training.baseline, null)
+        out = self.out
+        self.look()
         self.say(f"gap: omnibus p {out.disagreement.omnibus_p:.3g}; verdict {out.verdict.verdict}"
                  + (f": {', '.join(out.verdict.members)}" if out.verdict.members else ""))
         if out.verdict.verdict == "named":
@@ -138,6 +132,24 @@ class Workflow:
             self.out.intervals = {n: interval(out.matched, n, out.training.signatures)
                                   for n in out.verdict.members}
         self._next()
+
+    def look(self):
+        """Where the training passes disagree, what explains it, and what may be said of it."""
+        out, null, directions = self.out, self.null, self.directions
+        residual = out.training.y - out.training.baseline.mean
+        out.disagreement = localise(residual, out.training.baseline, null, directions)
+        out.table = isolability(out.training.signatures, out.training.covariance)
+        out.matched = match(residual, out.training.covariance, out.training.signatures, out.training.baseline)
+        for _ in range(SHARPENED if out.disagreement.omnibus_p < OMNIBUS_P else 0):
+            self._sharpen(residual)
+        out.verdict = decide(out.disagreement.omnibus_p, out.matched, out.training.signatures,
+                             out.training.covariance, out.training.plain, residual, out.training.baseline, null)
+
+    def features(self, measured):
+        """(n,) over the cells of the prepared model."""
+        cells, y, _ = measured_features(measured, sorted({c.pass_number for c in self.common}))
+        cells, y = balanced(cells, y, self.slope)
+        return y[_places(cells, self.common)]
 
     def _sharpen(self, residual):
         """Matches again, with effects of the instruments known at the strength they seem to have: not all are linear."""
@@ -189,7 +201,7 @@ class Workflow:
         noise = noise[np.ix_(at, at)]
         whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers)
         self.out.inflation = left_out_inflation(whole, simulate_null(whole, draws=200))
-        whole = replace(whole, seed=whole.seed * self.out.inflation)
+        whole = whole.inflated(self.out.inflation)
         runs = {n: SignatureRuns(tuple(s for s, _, _ in made_rows), tuple(k for _, k, _ in made_rows),
                                  np.array([rows_of[r][keep] for _, _, r in made_rows]))
                 for n, made_rows in made.items()}
@@ -205,14 +217,16 @@ class Workflow:
         part = self._part(training, y, signatures, bias)
         self.directions = np.array([s.g for s in part.signatures]).T
         self.null = simulate_null(self.whole, self.directions, passes=training)
-        self.out.training = replace(part, covariance=self.null.inflation() * part.covariance)
+        wary = part.baseline.inflated(self.null.inflation()).prediction
+        self.out.training = replace(part, covariance=with_nuisances(wary, part.nuisances))
 
     def _part(self, passes, y, signatures, bias):
         baseline, at = self.whole.part(passes)
         cut = [s.part(at) for s in signatures]
         nuisances = [s for s in cut if s.effect.nuisance]
-        return Part(passes, y[at], baseline, [s for s in cut if not s.effect.nuisance], nuisances,
-                    with_nuisances(baseline.prediction, nuisances), bias[:, at], at)
+        plain = with_nuisances(baseline.prediction, nuisances)
+        return Part(passes, y[at], baseline, [s for s in cut if not s.effect.nuisance], nuisances, plain, plain,
+                    bias[:, at], at)
 
     def _draw(self, after_folders):
         held = self.out.holdout.passes

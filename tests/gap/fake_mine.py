@@ -80,7 +80,8 @@ class World:
         self.nuisances = [s for s in made if s.effect.nuisance]
         self.directions = np.array([s.g for s in self.signatures]).T
         self.null = simulate_null(self.baseline, self.directions, draws=300, seed=number)
-        self.covariance = self.null.inflation() * with_nuisances(self.baseline.prediction, self.nuisances)
+        self.plain = with_nuisances(self.baseline.prediction, self.nuisances)
+        self.covariance = with_nuisances(self.baseline.inflated(self.null.inflation()).prediction, self.nuisances)
 
     def _features(self, effects, seed):
         return noisy_features(synthetic.run(effects, seed, spread=self.spread), synthetic.CHANNELS, PASSES)

@@ -58,7 +58,7 @@ class Case:
         w = self.w
         p = localise(residual, w.baseline, self.null, self.directions).omnibus_p
         m = match(residual, w.covariance, w.signatures, w.baseline, largest=largest)
-        return decide(p, m, w.signatures, w.covariance, residual, w.baseline, self.null)
+        return decide(p, m, w.signatures, w.covariance, w.plain, residual, w.baseline, self.null)
 
 
 @pytest.fixture(scope="module")
@@ -105,7 +105,7 @@ def test_effects_that_look_alike_are_a_class(case):
     residual = w.residual({"fines": 1.5 * case.limits["fines"]}, 90)
     p = localise(residual, w.baseline, case.null, case.directions).omnibus_p
     m = match(residual, w.covariance, signatures, w.baseline, largest=1)
-    v = decide(p, m, signatures, w.covariance, residual, w.baseline, case.null)
+    v = decide(p, m, signatures, w.covariance, w.plain, residual, w.baseline, case.null)
     assert v.verdict == "class" and {"fines", "twin"} <= set(v.members)
     assert v.probability >= 0.9
     assert "twin" in isolability(signatures, w.covariance).classmates("fines")

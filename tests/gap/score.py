@@ -2,12 +2,14 @@
 """Scores blind cases: what the workflow said against truths that were sealed before it looked.
 
     FOLDER/sealed.csv              case,sha256            of each truth file, written before any analysis
-    FOLDER/truth/CASE.yaml         {kind, effects: {NAME: strength or null}, salt}
+    FOLDER/truth/CASE.yaml         {kind, effects: {NAME: strength or null}, times_limit, salt}
     FOLDER/results/CASE/gap.json   what `dipper gap` said
+    FOLDER/nulls.csv               case,verdict,omnibus_p: data sets in which nothing is hidden (optional)
 
 kind: effect (one of the catalogue), pair (two of it), outside (none of it), control (no effect, another twin),
 decoy (only nuisances or the operator differ), null (the model itself with fresh noise). A strength is null
-where the truth's implementation has no strength in the catalogue's unit.
+where the truth's implementation has no strength in the catalogue's unit; times_limit is the strength in
+detection limits of the model.
 
 usage: score.py seal FOLDER      writes sealed.csv (refuses to write it over)
        score.py FOLDER [TABLE]   checks the seals, scores, prints the table, writes it to TABLE
@@ -25,7 +27,8 @@ from scipy.stats import binomtest
 
 KINDS = ("effect", "pair", "outside", "control", "decoy", "null")
 # name: (smallest or largest allowed, which of them)
-TARGETS = {"false alarms": (0.05, "most"), "wrong name": (0.05, "most"), "right name": (0.75, "least"),
+TARGETS = {"false alarms": (0.05, "most"), "a gap where nothing is": (0.05, "most"), "wrong name": (0.05, "most"),
+           "right name at the limit": (0.75, "least"), "right name at twice the limit": (0.90, "least"),
            "right name or class": (0.95, "least"), "abstains outside": (0.80, "least"),
            "interval coverage": (0.80, "least"), "hold-out closure 60 %": (0.50, "least")}
 
@@ -44,6 +47,7 @@ class Row:
     outcome: str       # right | class | wrong | abstained | false alarm | quiet
     covered: object    # True, False, or None where there is nothing to cover
     closure: object
+    times: float = 1.0  # the truth's strength, in detection limits
 
 
 def sha256(file):
@@ -89,7 +93,18 @@ def score_case(folder, case):
             covered = bool(low <= strength <= high)
         closure = a["gap"]["holdout_closure"]
     said = a["effect"] or ", ".join(a["class"])
-    return Row(case, truth["kind"], ", ".join(effects) or "-", a["verdict"], said or "-", result, covered, closure)
+    return Row(case, truth["kind"], ", ".join(effects) or "-", a["verdict"], said or "-", result, covered, closure,
+               float(truth.get("times_limit", 1.0)))
+
+
+def null_rows(folder):
+    """(data sets called anything but no gap, data sets)."""
+    file = folder / "nulls.csv"
+    if not file.is_file():
+        return 0, 0
+    with open(file) as f:
+        rows = list(csv.DictReader(f))
+    return sum(r["verdict"] != "no-gap" for r in rows), len(rows)
 
 
 def score(folder):
@@ -107,28 +122,30 @@ def score(folder):
     return [score_case(folder, c) for c in sorted(seals) if (folder / "results" / c / "gap.json").is_file()]
 
 
-def rates(rows):
-    """{what: (hits, of)}, what the targets are about."""
-    def count(kinds, outcomes):
-        chosen = [r for r in rows if r.kind in kinds]
+def rates(rows, nulls=(0, 0)):
+    """{what: (hits, of)}, what the targets are about. Half a limit is beyond what is asked of names."""
+    def count(kinds, outcomes, least=0.0, most=np.inf):
+        chosen = [r for r in rows if r.kind in kinds and least <= r.times < most]
         return sum(r.outcome in outcomes for r in chosen), len(chosen)
 
     known = ("effect", "pair")
     covered = [r.covered for r in rows if r.covered is not None]
     closures = [r.closure for r in rows if r.closure is not None]
     return {"false alarms": count(("control", "decoy", "null"), ("false alarm",)),
+            "a gap where nothing is": nulls,
             "wrong name": count(known + ("outside",), ("wrong",)),
-            "right name": count(known, ("right",)),
-            "right name or class": count(known, ("right", "class")),
+            "right name at the limit": count(known, ("right",), 0.75, 1.5),
+            "right name at twice the limit": count(known, ("right",), 1.5),
+            "right name or class": count(known, ("right", "class"), 0.75),
             "abstains outside": count(("outside",), ("abstained",)),
             "interval coverage": (sum(covered), len(covered)),
             "hold-out closure 60 %": (sum(c >= 0.6 for c in closures), len(closures))}
 
 
-def table(rows):
+def table(rows, nulls=(0, 0)):
     """The scores in Markdown: rates with 95 % intervals beside the targets, then every case."""
     out = ["| measure | hits | of | rate | 95 % interval | target |", "|---|---|---|---|---|---|"]
-    for name, (hits, of) in rates(rows).items():
+    for name, (hits, of) in rates(rows, nulls).items():
         limit, side = TARGETS[name]
         goal = f"{'<=' if side == 'most' else '>='} {limit:g}"
         if of:
@@ -139,12 +156,12 @@ def table(rows):
     closures = [r.closure for r in rows if r.closure is not None]
     if closures:
         out.append(f"\nMedian hold-out closure of right names: {100 * np.median(closures):.0f} %.")
-    out += ["", "| case | kind | truth | verdict | said | outcome | covered | hold-out closure |",
-            "|---|---|---|---|---|---|---|---|"]
+    out += ["", "| case | kind | truth | times limit | verdict | said | outcome | covered | hold-out closure |",
+            "|---|---|---|---|---|---|---|---|---|"]
     for r in rows:
         covered = {None: "-", True: "yes", False: "no"}[r.covered]
         closure = "-" if r.closure is None else f"{r.closure:.2f}"
-        out.append(f"| {r.case} | {r.kind} | {r.truth} | {r.verdict} | {r.said} | {r.outcome} | {covered} | {closure} |")
+        out.append(f"| {r.case} | {r.kind} | {r.truth} | {r.times:.2g} | {r.verdict} | {r.said} | {r.outcome} | {covered} | {closure} |")
     return "\n".join(out) + "\n"
 
 
@@ -153,7 +170,7 @@ def main(words):
         if len(words) == 2 and words[0] == "seal":
             print(f"{seal(Path(words[1]))} truths sealed")
         elif len(words) in (1, 2):
-            text = table(score(words[0]))
+            text = table(score(words[0]), null_rows(Path(words[0])))
             print(text, end="")
             if len(words) == 2:
                 Path(words[1]).write_text(text)

@@ -39,7 +39,7 @@ def blind(tmp_path):
     (tmp_path / "truth").mkdir()
     for case, (kind, effects, said) in cases.items():
         (tmp_path / "truth" / f"{case}.yaml").write_text(json.dumps(
-            {"kind": kind, "effects": effects, "salt": case * 8}))
+            {"kind": kind, "effects": effects, "times_limit": 2.0 if case == "b" else 1.0, "salt": case * 8}))
         (tmp_path / "results" / case).mkdir(parents=True)
         (tmp_path / "results" / case / "gap.json").write_text(json.dumps(said))
     assert score.seal(tmp_path) == 4
@@ -49,11 +49,13 @@ def blind(tmp_path):
 def test_rates(blind):
     rows = score.score(blind)
     r = score.rates(rows)
-    assert r["right name"] == (2, 2) and r["wrong name"] == (1, 3) and r["false alarms"] == (0, 1)
+    assert r["right name at the limit"] == (1, 1) and r["right name at twice the limit"] == (1, 1)
+    assert r["a gap where nothing is"] == (0, 0)
+    assert r["wrong name"] == (1, 3) and r["false alarms"] == (0, 1)
     assert r["interval coverage"] == (1, 2) and r["hold-out closure 60 %"] == (2, 2)
     assert r["abstains outside"] == (0, 1)
     text = score.table(rows)
-    assert "| wrong name | 1 | 3 | 0.33 |" in text and "| b | effect | fines | named | fines | right | no |" in text
+    assert "| wrong name | 1 | 3 | 0.33 |" in text and "| b | effect | fines | 2 | named | fines | right | no |" in text
 
 
 def test_a_truth_changed_after_sealing_is_refused(blind, capsys):

@@ -22,11 +22,10 @@ from gap.__main__ import cache_folder, program  # noqa: E402
 from gap.effects import read_catalogue  # noqa: E402
 from gap.isolability import isolability  # noqa: E402
 from gap.simulator import DipperSimulator, request  # noqa: E402
-from gap.workflow import Workflow  # noqa: E402
+from gap.workflow import FRESH_FROM, FRESH_SEEDS, Workflow  # noqa: E402
 from make import CHANNELS  # noqa: E402
 
 CASE = ROOT / "cases/screening"
-FRESH = 2000  # first of the seeds whose runs play the mine in a null: none that an analysis has
 
 
 def simulator(catalogue):
@@ -63,3 +62,43 @@ def run(folder, out, cases):
         (folder / "results" / case).mkdir(parents=True, exist_ok=True)
         shutil.copy(out / case / "gap.json", folder / "results" / case / "gap.json")
     return 0
+
+
+def nulls(count, file):
+    """Fresh runs of the model itself, each seen through `count` / 5 draws of the instruments' noise."""
+    catalogue = read_catalogue(ROOT / "analysis/effects")
+    sim = simulator(catalogue)
+    seeds = [1 + FRESH_FROM + k for k in range(FRESH_SEEDS)]
+    runs = sim.run([request({}, s, catalogue) for s in seeds])
+    rng = np.random.default_rng(20)
+    flow = Workflow(as_mine(runs[0], rng), sim, catalogue, 1, lambda text: None)
+    flow.prepare()
+    prepared = flow.out
+    with open(file, "w") as f:
+        f.write("case,verdict,omnibus_p\n")
+        for k in range(count):
+            y = flow.features(as_mine(runs[k % len(runs)], rng))
+            flow.out = replace(prepared, training=replace(prepared.training, y=y[prepared.training.at]))
+            flow.look()
+            f.write(f"seed {seeds[k % len(runs)]} noise {k // len(runs)},{flow.out.verdict.verdict},"
+                    f"{flow.out.disagreement.omnibus_p:.4f}\n")
+
+
+def main(words):
+    if words[:1] == ["limits"] and len(words) == 2:
+        found, table = limits()
+        for name, strength, d in zip(table.names, table.strengths, table.d):
+            print(f"{name:20} limit {found[name]}, d {d:.1f} at {strength:.3g}")
+        Path(words[1]).write_text(json.dumps(found, indent=1) + "\n")
+        return 0
+    if words[:1] == ["run"] and len(words) >= 3:
+        return run(Path(words[1]), Path(words[2]), words[3:])
+    if words[:1] == ["nulls"] and len(words) == 3:
+        nulls(int(words[1]), Path(words[2]))
+        return 0
+    print(__doc__, file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
