@@ -86,6 +86,12 @@ struct CrustCase {
   double thickness_m = 0;          ///< straight down from the pile's surface; 0: no limit
 };
 
+/// collapse: rock over the bench that comes down during the dig (coupler/deck/collapse.hpp).
+struct CollapseCase {
+  double height_m = 0;  ///< of the slab, straight up; 0: none
+  double at_s = 0;      ///< when it comes loose; 0: when the door first opens
+};
+
 /// pile: a bench of rock that fills x > toe, between side walls: a trapezoid, or a scanned profile.
 struct PileCase {
   double toe_x_m = 0;         ///< where the settled face should meet the ground, in W
@@ -165,6 +171,7 @@ struct Case {
   ContactCase contact;
   CrustCase crust;
   PileCase pile;
+  CollapseCase collapse;
   std::map<std::string, std::filesystem::path>
       bodies;  ///< body name -> wall mesh, in its own frame
   TruckCase truck;

@@ -144,6 +144,7 @@ std::optional<Motion> check_motion(const Case& c, const std::map<std::string, Tr
     findings.push_back({c.machine.motion, 0, "machine.motion", message});
   }
   check_bodies_in_domain(c, shovel, *motion, known, findings);
+  check_collapse(c, shovel, *motion, known, findings);
   return motion;
 }
 

@@ -7,6 +7,7 @@
 
 #include "coupler/case/case.hpp"
 #include "coupler/mesh/triangle_mesh.hpp"
+#include "coupler/motion/kinematics.hpp"
 #include "coupler/motion/motion.hpp"
 
 namespace dipper::check {
@@ -32,6 +33,11 @@ void check_pile_in_domain(const Case& c, Findings& findings);
 /// time. Empty when the motion cannot be read.
 std::optional<Motion> check_motion(const Case& c, const std::map<std::string, TriangleMesh>& bodies,
                                    Findings& findings);
+
+/// The slab of collapse.height_m: a rock of it at least, inside the domain, during the motion, and not
+/// where the bodies are just then.
+void check_collapse(const Case& c, const ShovelKinematics& shovel, const Motion& motion,
+                    const std::map<std::string, TriangleMesh>& bodies, Findings& findings);
 
 /// Windows against the simulated time.
 void check_windows(const Case& c, const Motion& motion, Findings& findings);

@@ -173,6 +173,13 @@ std::vector<KeySpec> make_schema() {
        "rock that overlaps dipper, door or truck at the start is removed; off",
        SLOT(c.pile.clear_machine)},
 
+      {"collapse.height_m", "m", between(0, 20), {}, optional,
+       "of a slab over the bench's upper half that comes down during the dig; 0, none",
+       SLOT(c.collapse.height_m)},
+      {"collapse.at_s", "s", not_negative, {}, optional,
+       "when it comes down; 0, the default, is when the door first opens",
+       SLOT(c.collapse.at_s)},
+
       {"bodies.*", "", any, {}, required,
        "name of a moving body and its wall mesh, STL in m in the body's own frame",
        SLOT(c.bodies[p.name])},

@@ -92,10 +92,34 @@ void LiggghtsRock::start() {
   update->laststep = update->endstep = update->ntimestep + std::numeric_limits<int>::max();
   lmp_->output->init();
   lmp_->output->setup(0);
-  if (setup_.hold && !hold_) hold_ = std::make_unique<HoldRock>(*lmp_, *setup_.hold, comm_);
+}
+
+/// Told from the step alone, so that a resumed run knows whether the rock has come.
+bool LiggghtsRock::rock_falls(std::int64_t n_steps) const {
+  const std::int64_t now = lmp_->update->ntimestep;
+  return setup_.fall && now <= setup_.fall->at_step && setup_.fall->at_step < now + n_steps;
+}
+
+void LiggghtsRock::let_rock_in() {
+  if (hold_) hold_->release();
+  hold_.reset();  // it counts the rock when it begins
+  lmp_->input->file(setup_.fall->deck.c_str());
+  start();
+}
+
+double LiggghtsRock::rock_mass() const { return weigh().at(setup_.scales.size()); }
+
+void LiggghtsRock::check_rock_came(double mass_before_kg) const {
+  const double came = rock_mass() - mass_before_kg, wanted = setup_.fall->mass_kg;
+  if (came > 0.8 * wanted) return;
+  throw std::runtime_error(
+      fmt::format("of {:.0f} kg of rock that come down, {:.0f} kg found room; take a lower "
+                  "collapse.height_m or a longer or wider bench",
+                  wanted, came));
 }
 
 void LiggghtsRock::hold(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
+  if (!hold_) hold_ = std::make_unique<HoldRock>(*lmp_, *setup_.hold, comm_);
   std::vector<MovingBody> bodies;
   const double window_s = static_cast<double>(n_steps) * lmp_->update->dt;
   for (std::size_t b = 0; b < walls_.size(); ++b) {
@@ -111,12 +135,16 @@ void LiggghtsRock::hold(std::int64_t n_steps, const std::vector<Pose>& X_WB_targ
 }
 
 RockState LiggghtsRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
-  if (hold_) hold(n_steps, X_WB_target);
+  const bool falls = rock_falls(n_steps);
+  const double mass_before = falls ? rock_mass() : 0;
+  if (falls) let_rock_in();
+  if (setup_.hold && !falls) hold(n_steps, X_WB_target);
   for (std::size_t b = 0; b < walls_.size(); ++b) {
     walls_[b]->begin_window(X_WB_target[b], static_cast<long>(n_steps));
   }
   lmp_->update->nsteps = static_cast<int>(n_steps);
   lmp_->update->integrate->run(static_cast<int>(n_steps));
+  if (falls) check_rock_came(mass_before);
   return state();
 }
 

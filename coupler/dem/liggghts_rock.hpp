@@ -42,6 +42,10 @@ class LiggghtsRock final : public Rock {
   RockState state();
   std::vector<double> weigh() const;
   void hold(std::int64_t n_steps, const std::vector<Pose>& X_WB_target);
+  bool rock_falls(std::int64_t n_steps) const;
+  void let_rock_in();
+  void check_rock_came(double mass_before_kg) const;
+  double rock_mass() const;
 
   RockSetup setup_;
   MPI_Comm comm_;

@@ -43,11 +43,20 @@ json to_json(const RockSetup& setup) {
             {"sight_s", h->sight_s}};
   json crust;  // null: none
   if (setup.crust) crust = {setup.crust->above_m, setup.crust->thickness_m};
-  return {{"deck", setup.deck},     {"variables", setup.variables},
-          {"log", setup.log},       {"screen", setup.screen},
-          {"bodies", setup.bodies}, {"resumed", resumed},
-          {"scales", scales},       {"cleared", setup.cleared},
-          {"crust", crust},         {"hold", hold}};
+  json fall;  // null: none
+  if (const auto& f = setup.fall)
+    fall = {{"deck", f->deck}, {"at_step", f->at_step}, {"mass_kg", f->mass_kg}};
+  return {{"deck", setup.deck},
+          {"variables", setup.variables},
+          {"log", setup.log},
+          {"screen", setup.screen},
+          {"bodies", setup.bodies},
+          {"resumed", resumed},
+          {"scales", scales},
+          {"cleared", setup.cleared},
+          {"crust", crust},
+          {"fall", fall},
+          {"hold", hold}};
 }
 
 RockSetup rock_setup_from(const json& j) {
@@ -69,6 +78,9 @@ RockSetup rock_setup_from(const json& j) {
   }
   // Recordings made before these were there have no such entries.
   setup.cleared = j.value("cleared", std::vector<std::string>{});
+  if (const auto fall = j.find("fall"); fall != j.end() && !fall->is_null()) {
+    setup.fall = RockFall{fall->at("deck"), fall->at("at_step"), fall->at("mass_kg")};
+  }
   if (const auto hold = j.find("hold"); hold != j.end() && !hold->is_null()) {
     HoldSettings& h = setup.hold.emplace();
     h.below_m_s = hold->at("below_m_s");

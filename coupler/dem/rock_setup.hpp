@@ -1,6 +1,7 @@
 // What dipper-dem is started with: the launcher writes it, LiggghtsRock reads it.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -32,6 +33,13 @@ struct CrustZone {
   double thickness_m = 0;  ///< straight down from the surface; 0: no limit
 };
 
+/// Rock that comes into the run.
+struct RockFall {
+  std::string deck;          ///< LIGGGHTS commands that let it in with the next step
+  std::int64_t at_step = 0;  ///< in the window that begins at this step or holds it
+  double mass_kg = 0;        ///< of it, about
+};
+
 /// What dipper-dem is started with (written by the launcher as JSON).
 struct RockSetup {
   std::string deck;                                            ///< LIGGGHTS input script
@@ -42,6 +50,7 @@ struct RockSetup {
   std::vector<Scale> scales;
   std::vector<std::string> cleared;  ///< fix ids of the walls that no rock may overlap at the start
   std::optional<CrustZone> crust;
+  std::optional<RockFall> fall;
   std::optional<HoldSettings> hold;  ///< not set: all rock is computed all the time
   /// Set, one a body, when the deck reads a checkpoint, with the walls in place.
   std::optional<std::vector<WallMemory>> resumed;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coupler/deck/collapse.hpp"
 #include "coupler/dem/rock_setup.hpp"
 #include "coupler/run/installation.hpp"
 
@@ -79,6 +80,14 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
       {"mass_in_truck", "", X_WT, facts.truck_bed.min, facts.truck_bed.max}};
   if (c.crust.tensile_strength_Pa > 0) {
     setup.crust = CrustZone{c.crust.above_m, c.crust.thickness_m};
+  }
+  if (c.collapse.height_m > 0) {
+    const CollapseSlab slab = collapse_slab(c);
+    // The check has refused a case whose slab never comes loose.
+    const double at_s = collapse_time_s(c, Motion::load(c.machine.motion)).value();
+    setup.fall = RockFall{(source_folder() / "dem_in" / "collapse.in").string(),
+                          std::llround(at_s / c.dem.timestep_s), slab.mass_kg};
+    for (const auto& v : collapse_variables(slab)) setup.variables.push_back(v);
   }
   return to_json(setup);
 }

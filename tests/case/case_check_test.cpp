@@ -92,6 +92,24 @@ TEST(CheckCase, TeethThatWearBeyondTheirLength) {
                   {{"--set", 0, "machine.tooth_wear_m", "is > 0 and <= 0.54"}});
 }
 
+TEST(CheckCase, CollapseThatCannotBe) {
+  const Checkout checkout(true);
+  expect_findings(check(checkout, {{"collapse.height_m", "1"}}), {});
+  expect_findings(check(checkout, {{"collapse.height_m", "0.001"}, {"collapse.at_s", "1e3"}}),
+                  {{"--set", 0, "collapse.height_m", "less than a rock of "},
+                   {"--set", 0, "collapse.at_s", "1000 s is not before the motion's end at "}});
+  expect_findings(check(checkout, {{"collapse.height_m", "8"}}),
+                  {{"--set", 0, "collapse.height_m", "above domain.max_m's 24"}});
+  expect_findings(check(checkout, {{"collapse.height_m", "1"}, {"collapse.at_s", "9"}}),
+                  {{"--set", 0, "collapse.at_s", "at 9.00 s the dipper is where the slab"}});
+}
+
+TEST(CheckCase, CollapseOfAMotionThatNeverOpensTheDoor) {
+  const Checkout checkout;  // its motion ends before
+  expect_findings(check(checkout, {{"collapse.height_m", "1"}}),
+                  {{"--set", 0, "collapse.at_s", "never opens the door; write when"}});
+}
+
 TEST(CheckCase, InvertedTruck) {
   const Checkout checkout;
   const fs::path truck = checkout.root / "meshes/truck.stl";
