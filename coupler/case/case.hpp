@@ -105,6 +105,7 @@ struct PileCase {
   /// and face angle; empty: none.
   std::filesystem::path profile;
   std::vector<Eigen::Vector2d> outline_m;  ///< what the profile holds: x and z in W
+  double held_layer_m = 0;  ///< rock this near to ground, rear and side walls is held fixed; 0: none
   /// Rock that overlaps dipper, door or truck at the start is removed: "on" or "off".
   std::string clear_machine = "off";
 };

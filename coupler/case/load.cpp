@@ -325,6 +325,12 @@ void check_between_keys(const Case& c, std::vector<Finding>& findings) {
                    "cannot be used with a crust, whose bonds are not followed in rock "
                    "that is held; leave one of the two out"));
   }
+  if (c.pile.held_layer_m > 0 && c.crust.tensile_strength_Pa > 0) {
+    findings.push_back(
+        finding_at(c, "pile.held_layer_m",
+                   "cannot be used with a crust, whose bonds are not followed in rock "
+                   "that is held; leave one of the two out"));
+  }
   if (sound("domain.min_m") && sound("domain.max_m")) {
     for (int i = 0; i < 3; ++i) {
       if (c.domain.min_m[i] < c.domain.max_m[i]) continue;

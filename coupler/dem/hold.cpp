@@ -3,6 +3,9 @@
 #include <atom.h>
 #include <fix_multisphere.h>
 #include <fix_nve_sphere.h>
+#include <fmt/format.h>
+#include <group.h>
+#include <input.h>
 #include <integrate.h>
 #include <lammps.h>
 #include <modify.h>
@@ -26,6 +29,35 @@ Vector3d vector(const double* p) { return Eigen::Map<const Vector3d>(p); }
 
 }  // namespace
 
+void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer) {
+  lmp.input->one(fmt::format("group {} subtract all all", kLayerGroup).c_str());
+  const int bit = lmp.group->bitmask[lmp.group->find(kLayerGroup)];
+  const RockNumbers numbers(lmp);
+  std::vector<char> within(numbers.size(), 0);
+  const auto look = [&](std::size_t rock, const Vector3d& p) {
+    within[rock] = p.z() < layer.depth_m || p.x() > layer.rear_x_m - layer.depth_m ||
+                   std::abs(p.y()) > layer.half_width_m - layer.depth_m;
+  };
+  LAMMPS_NS::Atom* atom = lmp.atom;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const std::size_t rock = numbers.of_sphere(atom->tag[i]);
+    if (rock == static_cast<std::size_t>(atom->tag[i])) look(rock, vector(atom->x[i]));
+  }
+  auto* fix = lmp.modify->find_fix_style("multisphere", 0);
+  if (auto* bodies = static_cast<LAMMPS_NS::FixMultisphere*>(fix)) {
+    auto& data = bodies->data();
+    for (int b = 0; b < data.n_body(); ++b) {
+      Vector3d x;
+      data.xcm(x.data(), b);
+      look(numbers.of_body(data.tag(b)), x);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, within.data(), static_cast<int>(within.size()), MPI_BYTE, MPI_BOR,
+                lmp.world);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (within[numbers.of_sphere(atom->tag[i])] != 0) atom->mask[i] |= bit;
+}
+
 HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm)
     : lmp_(lmp),
       bodies_(
@@ -36,6 +68,7 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
       parked_(lmp, numbers_),
       policy_(settings, numbers_.size()),
       flags_(numbers_.size(), 0),
+      fixed_(numbers_.size(), 0),
       mask_(numbers_.size(), 0),
       carried_(numbers_.size(), Vector3d::Zero()),
       excess_(numbers_.size(), Vector3d::Zero()),
@@ -52,13 +85,19 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
           "rock at rest can be held only where `fix nve/sphere` has a group of its own, not all");
     integrated_ |= fix->groupbit;
   }
+  if (const int group = lmp.group->find(kLayerGroup); group >= 0)
+    layer_ = lmp.group->bitmask[group];
   for (int i = 0; i < lmp_.atom->nlocal; ++i) {
+    if ((lmp_.atom->mask[i] & layer_) != 0) fixed_[numbers_.of_sphere(lmp_.atom->tag[i])] = 1;
     largest_m_ = std::max(largest_m_, lmp_.atom->radius[i]);
     mask_[numbers_.of_sphere(lmp_.atom->tag[i])] |= lmp_.atom->mask[i] & integrated_;
   }
   MPI_Allreduce(MPI_IN_PLACE, mask_.data(), static_cast<int>(mask_.size()), MPI_INT, MPI_BOR,
                 comm_);
   MPI_Allreduce(MPI_IN_PLACE, &largest_m_, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  MPI_Allreduce(MPI_IN_PLACE, fixed_.data(), static_cast<int>(fixed_.size()), MPI_BYTE, MPI_BOR,
+                comm_);
+  hold_layer();
 }
 
 /// Calls visit(facts, centre, radius) for every rock of this rank in LIGGGHTS.
@@ -96,7 +135,7 @@ void HoldRock::join(std::vector<std::uint8_t>& bytes) const {
 void HoldRock::follow_loads(double dt_s) {
   const double part = std::min(1.0, dt_s / settings_.average_s);
   for_each_rock([&](const Facts& f, const auto&...) {
-    if (policy_.of(f.rock) != Rest::held) return;
+    if (policy_.of(f.rock) != Rest::held || fixed_[f.rock] != 0) return;
     Vector3d& excess = excess_[f.rock];
     excess += part * (f.force + carried_[f.rock] - excess);
     const double limit = settings_.unbalance * f.weight;
@@ -111,7 +150,7 @@ void HoldRock::look_at_motion(double dt_s) {
     // two would else never come to rest.
     const bool known = placed_[f.rock] == gathered_;
     const double way = known ? (x - place_[f.rock]).norm() : f.v_W.norm() * dt_s;
-    const bool calm = way <= settings_.below_m_s * dt_s;
+    const bool calm = settings_.below_m_s > 0 && way <= settings_.below_m_s * dt_s;
     place_[f.rock] = x;
     placed_[f.rock] = lmp_.update->ntimestep;
     if (policy_.of(f.rock) == Rest::moving && !calm) flags_[f.rock] |= rest_flag::busy;
@@ -211,6 +250,8 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
     const auto in_lists = static_cast<std::size_t>(std::count_if(
         policy_.all().begin(), policy_.all().end(), [](Rest r) { return r != Rest::parked; }));
     if (alarm || policy_.changes(next) > in_lists / 50) {
+      for (std::size_t r = 0; r < next.size(); ++r)
+        if (next[r] == Rest::moving) fixed_[r] = 0;
       apply(std::move(next));
       park_again_ = false;
     }
@@ -231,6 +272,13 @@ void HoldRock::release() {
   const std::vector<Rest> all(numbers_.size(), Rest::moving);
   if (policy_.changes(all) > 0) apply(all);
   std::fill(flags_.begin(), flags_.end(), 0);
+}
+
+void HoldRock::hold_layer() {
+  std::vector<Rest> rest = policy_.all();
+  for (std::size_t r = 0; r < rest.size(); ++r)
+    if (fixed_[r] != 0 && rest[r] == Rest::moving) rest[r] = Rest::held;
+  if (policy_.changes(rest) > 0) apply(std::move(rest));
 }
 
 void HoldRock::apply(std::vector<Rest> rest) {
@@ -263,6 +311,7 @@ void HoldRock::set_held(const std::vector<Rest>& rest) {
   double zero[] = {0, 0, 0};
   for (int i = 0; i < atom->nlocal; ++i) {
     const std::size_t rock = numbers_.of_sphere(atom->tag[i]);
+    if (fixed_[rock] == 0) atom->mask[i] &= ~layer_;
     if (rest[rock] == Rest::moving) {
       atom->mask[i] |= mask_[rock];
       continue;

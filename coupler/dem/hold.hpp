@@ -7,6 +7,7 @@
 
 #include "coupler/dem/hold_policy.hpp"
 #include "coupler/dem/parked_rock.hpp"
+#include "coupler/dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -22,13 +23,23 @@ struct MovingBody {
   Twist V_WB_W;
 };
 
+/// The LIGGGHTS group of the held layer.
+inline constexpr const char* kLayerGroup = "held_layer";
+
+/// Puts the rock of the layer into the group, before the first run. Collective.
+void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer);
+
 /// All methods but the last are collective.
 ///
 /// A held rock keeps its place and the forces on it are still computed; the sum of what it carried
 /// when it came to rest and what has changed since must stay below a part of its weight, or it
 /// wakes. Contact history is kept through all of it, so stress is what it was when the rock wakes.
-/// Who rests is not saved: after a checkpoint, in the run that goes on and in the one that resumes,
-/// all rock moves and a new HoldRock begins.
+///
+/// Rock of the group kLayerGroup is held from the beginning, whatever its load, until a moving wall
+/// comes near; then it is rock like any other, and leaves the group. The group is saved.
+///
+/// Who else rests is not saved: after a checkpoint, in the run that goes on and in the one that
+/// resumes, all rock moves and a new HoldRock begins.
 class HoldRock {
  public:
   HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm);
@@ -38,6 +49,9 @@ class HoldRock {
 
   /// Wakes all rock: before anything that wants all of it.
   void release();
+
+  /// Holds the rock of the layer again.
+  void hold_layer();
 
   /// Rock that is not in LIGGGHTS, on this rank. Changes only within the methods above.
   const std::vector<ParkedRock::Mass>& parked() const { return parked_.masses(); }
@@ -75,6 +89,8 @@ class HoldRock {
   double largest_m_ = 0;  ///< radius of the largest sphere
   int integrated_ = 0;    ///< mask bits of the groups of the spheres' integrators
   std::vector<std::uint8_t> flags_;
+  int layer_ = 0;            ///< mask bit of the layer's group; 0: none
+  std::vector<char> fixed_;  ///< by rock: of the layer; the same on every rank
   /// By rock: the integrators' bits of its spheres, taken from the mask while it rests. The same on
   /// every rank: a rock that has just crossed a boundary migrates as it comes to rest.
   std::vector<int> mask_;

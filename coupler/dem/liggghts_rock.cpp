@@ -37,6 +37,8 @@ LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup
   register_muck();
   lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(args.size()), args.data(), comm);
   lmp_->input->file(setup.deck.c_str());
+  // The layer is held by what holds rock at rest; no other rock comes to rest at 0 m/s.
+  if (setup_.layer && !setup_.hold) setup_.hold.emplace().below_m_s = 0;
   for (const auto& body : setup_.bodies) walls_.push_back(WallMotion::attach(lmp_.get(), body));
   X_WB_.resize(walls_.size());
 }
@@ -73,6 +75,7 @@ RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
       fmt::print("{:.0f} rocks, {:.0f} kg, overlapped a wall at the start and were removed\n",
                  cleared_.rocks, cleared_.mass_kg);
   }
+  if (!setup_.resumed && setup_.layer) mark_layer(*lmp_, *setup_.layer);
   start();
   if (setup_.crust && !setup_.resumed) {
     form_crust(*lmp_, *setup_.crust);
@@ -264,6 +267,7 @@ std::string LiggghtsRock::state_hash() {
                  comm_);
   std::sort(all.begin(), all.end(),
             [](const Particle& a, const Particle& b) { return a.id < b.id; });
+  if (hold_) hold_->hold_layer();
   return sha256({reinterpret_cast<const char*>(all.data()), all.size() * sizeof(Particle)});
 }
 

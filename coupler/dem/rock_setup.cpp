@@ -41,22 +41,19 @@ json to_json(const RockSetup& setup) {
             {"average_s", h->average_s}, {"layer_m", h->layer_m}, {"margin_m", h->margin_m},
             {"ahead_s", h->ahead_s},     {"check_s", h->check_s}, {"gather_s", h->gather_s},
             {"sight_s", h->sight_s}};
+  json layer;  // null: none
+  if (const auto& l = setup.layer) layer = {l->depth_m, l->rear_x_m, l->half_width_m};
   json crust;  // null: none
   if (setup.crust) crust = {setup.crust->above_m, setup.crust->thickness_m};
   json fall;  // null: none
   if (const auto& f = setup.fall)
     fall = {{"deck", f->deck}, {"at_step", f->at_step}, {"mass_kg", f->mass_kg}};
-  return {{"deck", setup.deck},
-          {"variables", setup.variables},
-          {"log", setup.log},
-          {"screen", setup.screen},
-          {"bodies", setup.bodies},
-          {"resumed", resumed},
-          {"scales", scales},
-          {"cleared", setup.cleared},
-          {"crust", crust},
-          {"fall", fall},
-          {"hold", hold}};
+  return {{"deck", setup.deck},     {"variables", setup.variables},
+          {"log", setup.log},       {"screen", setup.screen},
+          {"bodies", setup.bodies}, {"resumed", resumed},
+          {"scales", scales},       {"cleared", setup.cleared},
+          {"crust", crust},         {"fall", fall},
+          {"hold", hold},           {"layer", layer}};
 }
 
 RockSetup rock_setup_from(const json& j) {
@@ -81,6 +78,8 @@ RockSetup rock_setup_from(const json& j) {
   if (const auto fall = j.find("fall"); fall != j.end() && !fall->is_null()) {
     setup.fall = RockFall{fall->at("deck"), fall->at("at_step"), fall->at("mass_kg")};
   }
+  if (const auto layer = j.find("layer"); layer != j.end() && !layer->is_null())
+    setup.layer = HeldLayer{layer->at(0), layer->at(1), layer->at(2)};
   if (const auto hold = j.find("hold"); hold != j.end() && !hold->is_null()) {
     HoldSettings& h = setup.hold.emplace();
     h.below_m_s = hold->at("below_m_s");

@@ -40,6 +40,14 @@ struct RockFall {
   double mass_kg = 0;        ///< of it, about
 };
 
+/// Where rock is held fixed from the start of a run on, until a moving wall comes near: rock whose
+/// centre is within the depth of the ground, the rear wall or a side wall. The layer of the paper's
+/// simplified model (Svanberg et al. 2021, section 3.2 and Fig. 11b), 0.5 m there.
+struct HeldLayer {
+  double depth_m = 0;
+  double rear_x_m = 0, half_width_m = 0;  ///< of the pile, in W
+};
+
 /// What dipper-dem is started with (written by the launcher as JSON).
 struct RockSetup {
   std::string deck;                                            ///< LIGGGHTS input script
@@ -51,6 +59,7 @@ struct RockSetup {
   std::vector<std::string> cleared;  ///< fix ids of the walls that no rock may overlap at the start
   std::optional<CrustZone> crust;
   std::optional<RockFall> fall;
+  std::optional<HeldLayer> layer;
   std::optional<HoldSettings> hold;  ///< not set: all rock is computed all the time
   /// Set, one a body, when the deck reads a checkpoint, with the walls in place.
   std::optional<std::vector<WallMemory>> resumed;

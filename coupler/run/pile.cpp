@@ -38,7 +38,9 @@ std::string pile_hash(const Case& c, const fs::path& deck) {
   for (std::string line; std::getline(lines, line);) {
     for (const char* section : {"rock.", "contact.", "pile.", "domain.", "dem.", "seed"}) {
       // Of the dig, not of the settling:
-      if (line.rfind("dem.hold", 0) == 0 || line.rfind("pile.clear_machine", 0) == 0) continue;
+      if (line.rfind("dem.hold", 0) == 0 || line.rfind("pile.clear_machine", 0) == 0 ||
+          line.rfind("pile.held_layer", 0) == 0)
+        continue;
       // A path says where a file is, not what is in it: the deck's spheres and outline are hashed
       // below.
       const bool path =

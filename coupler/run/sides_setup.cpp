@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "coupler/deck/collapse.hpp"
+#include "coupler/deck/pile_shape.hpp"
 #include "coupler/dem/rock_setup.hpp"
 #include "coupler/run/installation.hpp"
 
@@ -72,6 +73,8 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
   setup.bodies = {"dipper", "door"};
   if (c.pile.clear_machine == "on") setup.cleared = {"dipper", "door", "truck"};
   if (c.dem.hold_below_m_s > 0) setup.hold.emplace().below_m_s = c.dem.hold_below_m_s;
+  if (c.pile.held_layer_m > 0)
+    setup.layer = HeldLayer{c.pile.held_layer_m, pile_shape(c).rear_x_m, c.pile.width_m / 2};
   Pose X_WT;
   X_WT.p = c.truck.position_m;
   X_WT.R = from_rotation_vector({0, 0, c.truck.heading_deg * M_PI / 180});

@@ -295,6 +295,15 @@ TEST(CheckCase, ProfileBesideWhatItReplaces) {
        {checkout.file(), checkout.line("face_angle_deg"), "pile.face_angle_deg", what}});
 }
 
+TEST(CheckCase, HeldLayerInACrust) {
+  Checkout checkout;
+  const int line = checkout.replace("toe_x_m", "toe_x_m: 13\nheld_layer_m: 0.5") + 1;
+  std::vector<Finding> findings;
+  load_case(checkout.folder(), {{"crust.tensile_strength_Pa", "1e5"}}, findings);
+  expect_findings(findings,
+                  {{checkout.file(), line, "pile.held_layer_m", "cannot be used with a crust"}});
+}
+
 TEST(CheckCase, EffectOnWhatAProfileReplaces) {
   Checkout checkout;
   use_profile(checkout, "13,0\n16,6.5\n20,6\n");
