@@ -24,7 +24,9 @@ class Start(RunTest):
 
     def test_rock_in_the_machine_is_removed_and_told(self):
         case = self.scanned_case()
-        settings = ("--set", "end_s=0.05", "--set", "output.dump_every_s=1")
+        # One rank and patience: on a busy machine ranks wait for each other.
+        settings = ("--ranks", "1", "--set", "coupling.timeout_s=60", "--set", "end_s=0.05",
+                    "--set", "output.dump_every_s=1")
         kept, cleared = self.folder / "kept", self.folder / "cleared"
         self.run_case(kept, *settings, case=case)
         out, _ = self.run_case(cleared, *settings, "--set", "pile.clear_machine=on", case=case)
