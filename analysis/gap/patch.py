@@ -1,5 +1,6 @@
 """The case with the named effects added: a folder that `dipper run` takes as it is."""
 import os
+import shutil
 from pathlib import Path
 
 import yaml
@@ -13,7 +14,10 @@ def overlay(effects):
 
 
 def write_patched_case(case, effects, out):
-    """Writes out/case.yaml: the case's own text, its paths seen from `out`, and the effects at its end."""
+    """Writes out/case.yaml: the case's own text, its paths seen from `out`, and the effects at its end.
+
+    Those of the effects that are the case's own come along.
+    """
     case, out = Path(case), Path(out)
     text = (case / "case.yaml").read_text()
     if effects and (yaml.safe_load(text) or {}).get("effects"):
@@ -26,6 +30,10 @@ def write_patched_case(case, effects, out):
         text += "".join(f"  {name}: {strength:.6g}\n" for name, strength in effects.items())
     out.mkdir(parents=True, exist_ok=True)
     (out / "case.yaml").write_text(text)
+    for own in (case / "effects" / f"{name}.yaml" for name in effects):
+        if own.exists():
+            (out / "effects").mkdir(exist_ok=True)
+            shutil.copyfile(own, out / "effects" / own.name)
     return out
 
 

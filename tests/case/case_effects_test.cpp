@@ -27,7 +27,9 @@ TEST(Effects, EveryFileOfTheCatalogueIsSoundAndAppliesAtBothItsBounds) {
   const Case plain = load(checkout, {}, &findings);
   const auto names = effect_names(checkout.folder());
   EXPECT_GE(names.size(), 12U);
+  const std::string page = test::read_text(fs::path(DIPPER_SOURCE) / "docs/case.md");
   for (const std::string& name : names) {
+    EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << "no row in docs/case.md";
     const Effect e = read_effect(effect_file(checkout.folder(), name), findings);
     EXPECT_TRUE(findings.empty()) << name << ": " << to_string(findings[0]);
     for (const double strength : {e.low, e.high}) {

@@ -135,6 +135,17 @@ def test_the_patched_case_keeps_the_text_and_finds_its_files(world):
     assert data["effects"] == {"fines": 0.123457}
     assert os.path.samefile(out / data["rock"]["mesh"], folder / "cases" / "rock.stl")
     assert overlay({"fines": 0.1234567}) == {"effects.fines": 0.123457}
+    assert not (out / "effects").exists()
+
+
+def test_the_patched_case_takes_the_cases_own_effect_along(world):
+    _, _, case, folder = world
+    (case / "effects").mkdir()
+    (case / "effects" / "mine.yaml").write_text(FINES)
+    (case / "effects" / "other.yaml").write_text(FINES)
+    out = write_patched_case(case, {"mine": 0.1, "fines": 0.2}, folder / "out" / "case")
+    assert [f.name for f in (out / "effects").iterdir()] == ["mine.yaml"]
+    assert read_catalogue(out / "effects")["mine"].title == "Fines"
 
 
 def test_a_bad_effect_file_is_told_whole(tmp_path):

@@ -1,11 +1,17 @@
 """Effects of the catalogue in whole runs: what the rock does when one is there."""
 
+import pathlib
+import re
+import subprocess
+import sys
 import unittest
 
 import h5py
 import numpy as np
 
-from runs import RunTest
+from runs import DIPPER, TINY, RunTest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Record:
@@ -89,13 +95,44 @@ class CollapsingPile(RunTest):
             np.testing.assert_allclose(parts.rock_kg, whole.rock_kg, rtol=1e-9)
 
     def test_comes_on_two_ranks(self):
-        slab = self.run_here("two", *SLAB, "--ranks", "2", "--set", "end_s=0.9")
+        slab = self.run_here("two", *SLAB, "--ranks", "2", "--set", "end_s=0.9",
+                             "--set", "coupling.timeout_s=60")
         np.testing.assert_allclose(slab.rock_kg[-1] - slab.rock_kg[0], SLAB_KG, rtol=0.05)
 
     def test_falls_on_rock_that_is_held_too(self):
         held = self.run_here("held", *SLAB, "--ranks", "1", "--set", "dem.hold_below_m_s=0.3")
         np.testing.assert_allclose(held.rock_kg[-1] - held.rock_kg[0], SLAB_KG, rtol=0.05)
         self.assertGreater(held.rock_J.max(), SLAB_KG * 9.81 * 0.2)
+
+
+class OneOfYourOwn(RunTest):
+    """docs/case.md's example, as it stands there, for the tiny case."""
+
+    def test_works_from_a_file_in_the_case_folder(self):
+        page = (ROOT / "docs/case.md").read_text()
+        file = re.search(r"Save this as `cases/quick/(effects/(\w+)\.yaml)`:\n\n```yaml\n(.*?)```", page, re.S)
+        command = re.search(r"dipper run cases/quick (--set \S+)", page[file.end():])
+        told = re.search(r"grep (\w+) .*# (\S+) in place of (\S+)\n", page[file.end():])
+        case = self.folder / "case"
+        (case / "effects").mkdir(parents=True)
+        (case / file[1]).write_text(file[3])
+        (case / "case.yaml").write_text((TINY / "case.yaml").read_text().replace("../../..", str(ROOT)))
+
+        words = command[1].split()
+        done = subprocess.run([DIPPER, "check", case, *words], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        done = subprocess.run([DIPPER, "run", case, *words, "--ranks", "1", "--set", "end_s=0.1", "--out",
+                               self.folder / "run"], capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        text = (self.folder / "run/case.txt").read_text()
+        value = float(re.search(rf"^\S*{told[1]}=(\S+)$", text, re.M)[1])
+        self.assertAlmostEqual(value, float(told[2]))
+        self.assertIn(f"{told[1]}: {told[3]}", (case / "case.yaml").read_text())
+        self.assertEqual(self.summary(self.folder / "run")["effects"], {file[2]: 0.2})
+
+        sys.path.insert(0, str(ROOT / "analysis"))
+        from gap.effects import read_catalogue
+        self.assertIn(file[2], read_catalogue(ROOT / "analysis/effects", case / "effects"))
 
 
 if __name__ == "__main__":
