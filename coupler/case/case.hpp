@@ -105,7 +105,8 @@ struct PileCase {
   /// and face angle; empty: none.
   std::filesystem::path profile;
   std::vector<Eigen::Vector2d> outline_m;  ///< what the profile holds: x and z in W
-  double held_layer_m = 0;  ///< rock this near to ground, rear and side walls is held fixed; 0: none
+  double held_layer_m =
+      0;  ///< rock this near to ground, rear and side walls is held fixed; 0: none
   /// Rock that overlaps dipper, door or truck at the start is removed: "on" or "off".
   std::string clear_machine = "off";
 };
@@ -210,9 +211,9 @@ struct Override {
 Case load_case(const std::filesystem::path& folder, const std::vector<Override>& overrides,
                std::vector<Finding>& findings);
 
-/// What only the parts together tell: files that exist, meshes that are closed and sound, motion
-/// within limits, a stable DEM step, walls that stay in the box, classes with at least one rock.
-/// Expects a case that loaded without findings.
+/// What only the parts together tell: files that exist, meshes that are closed and sound, and
+/// what is written beside them, motion within limits, a stable DEM step, walls that stay in the
+/// box, classes with at least one rock. Expects a case that loaded without findings.
 std::vector<Finding> check_case(const Case& c);
 
 }  // namespace dipper

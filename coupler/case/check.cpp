@@ -27,6 +27,7 @@ std::vector<Finding> check_case(const Case& c) {
   if (const auto truck = check::load_sound_mesh(c, "truck.mesh", c.truck.mesh, findings)) {
     check::check_truck_in_domain(c, *truck, findings);
   }
+  check::check_mesh_facts(c, findings);
   check::check_pile_in_domain(c, findings);
   if (const auto motion = check::check_motion(c, bodies, findings)) {
     check::check_windows(c, *motion, findings);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "coupler/case/check_parts.hpp"
+#include "coupler/case/mesh_facts.hpp"
 #include "coupler/deck/outline_file.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/mesh/mesh_check.hpp"
@@ -76,6 +77,15 @@ std::optional<TriangleMesh> load_sound_mesh(const Case& c, const std::string& ke
     findings.push_back({file, e.line, key, where + e.message});
     return std::nullopt;
   }
+}
+
+// A mesh that is not there is told by itself: its name is wrong, not the other's.
+void check_mesh_facts(const Case& c, Findings& findings) {
+  const auto dipper = c.bodies.find("dipper");
+  if (dipper != c.bodies.end() && fs::is_regular_file(dipper->second)) {
+    read_dipper_facts(c, findings);
+  }
+  if (fs::is_regular_file(c.truck.mesh)) read_truck_bed(c, findings);
 }
 
 void check_tooth_wear(const Case& c, const TriangleMesh& dipper, Findings& findings) {

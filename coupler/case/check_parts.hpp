@@ -22,6 +22,9 @@ bool file_exists(const Case& c, const std::string& key, const std::filesystem::p
 std::optional<TriangleMesh> load_sound_mesh(const Case& c, const std::string& key,
                                             const std::filesystem::path& file, Findings& findings);
 
+/// The YAML files beside the dipper's and the truck's mesh.
+void check_mesh_facts(const Case& c, Findings& findings);
+
 /// Teeth long enough for machine.tooth_wear_m.
 void check_tooth_wear(const Case& c, const TriangleMesh& dipper, Findings& findings);
 

@@ -3,11 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <set>
 
 #include "coupler/case/case.hpp"
@@ -18,6 +16,7 @@
 #include "coupler/case/sieve_classes.hpp"
 #include "coupler/case/suggest.hpp"
 #include "coupler/case/yaml_tree.hpp"
+#include "coupler/case/yaml_value.hpp"
 
 namespace fs = std::filesystem;
 
@@ -26,37 +25,6 @@ namespace {
 
 std::string join_key(const std::string& section, const std::string& name) {
   return section.empty() ? name : section + "." + name;
-}
-
-std::string shown(const YamlTree& node) {
-  switch (node.kind) {
-    case YamlTree::Kind::empty:
-      return "nothing";
-    case YamlTree::Kind::list:
-      return "a list";
-    case YamlTree::Kind::map:
-      return "a section";
-    case YamlTree::Kind::scalar:
-      break;
-  }
-  return node.quoted ? "\"" + node.scalar + "\"" : "'" + node.scalar + "'";
-}
-
-// Stricter than yaml-cpp, which reads hexadecimal, nan and .inf: decimal digits to the last
-// character, and finite.
-template <class T>
-std::optional<T> parse_number(const YamlTree& node) {
-  if (node.kind != YamlTree::Kind::scalar || node.quoted) return std::nullopt;
-  const char* first = node.scalar.data();
-  const char* last = first + node.scalar.size();
-  if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
-  T value{};
-  const auto result = std::from_chars(first, last, value);
-  if (result.ec != std::errc{} || result.ptr != last) return std::nullopt;
-  if constexpr (std::is_floating_point_v<T>) {
-    if (!std::isfinite(value)) return std::nullopt;
-  }
-  return value;
 }
 
 class Loader {

@@ -156,7 +156,7 @@ YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
     TreeBuilder rest(file, set_key, findings);
     if (parser.HandleNextDocument(rest)) {
       findings.push_back({file, line(YAML::Mark::null_mark()), set_key,
-                          "holds several YAML documents (---); a case is one"});
+                          "holds several YAML documents (---); write one"});
     }
   } catch (const YAML::Exception& e) {
     findings.push_back({file, line(e.mark), set_key, "not valid YAML: " + e.msg});

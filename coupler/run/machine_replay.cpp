@@ -102,7 +102,7 @@ void observe_changed_machine(const fs::path& run, const Case& changed, const fs:
   const RecordedWrench dipper(record, "dipper"), door(record, "door");
 
   PeerConfig config = read_peer_config(run / "logs" / "mbs.json");
-  config.settings = mbs_settings(changed, dipper_layers(changed, read_mesh_facts(changed).cavity));
+  config.settings = mbs_settings(changed, dipper_layers(changed, read_mesh_facts(changed).dipper.cavity));
   const fs::path scratch = out.string() + ".part";
   fs::create_directories(scratch);
   DriveSignals s;

@@ -89,13 +89,13 @@ class Leg {
     const double end_s = c.end_s > 0 ? c.end_s : static_cast<double>(motion.end_ns()) * 1e-9;
     end_step_ = std::llround(end_s / c.dem.timestep_s);
     shovel_ = read_mesh_facts(c);
-    layers_ = dipper_layers(c, shovel_.cavity);
+    layers_ = dipper_layers(c, shovel_.dipper.cavity);
     facts_.case_name = c.name;
     facts_.seed = c.seed;
     facts_.scheme = c.coupling.scheme;
     facts_.effects = c.effects;
     facts_.timestep_s = c.dem.timestep_s;
-    facts_.struck_volume_m3 = shovel_.struck_volume_m3;
+    facts_.struck_volume_m3 = shovel_.dipper.struck_volume_m3;
     facts_.bulk_density_kg_m3 = c.rock.bulk_density_kg_m3 * laden_density(c) / c.rock.density_kg_m3;
     if (from_) {
       dem_step_ = from_->dem_step;

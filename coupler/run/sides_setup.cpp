@@ -1,10 +1,8 @@
 #include "coupler/run/sides_setup.hpp"
 
-#include <fmt/core.h>
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
@@ -15,40 +13,18 @@ namespace dipper {
 namespace fs = std::filesystem;
 namespace {
 
-Eigen::Vector3d vector(const YAML::Node& node) {
-  const auto v = node.as<std::array<double, 3>>();
-  return {v[0], v[1], v[2]};
-}
-
-BoundingBox box(const YAML::Node& node) { return {vector(node["min_m"]), vector(node["max_m"])}; }
-
 /// Frames fall on ends of sync steps, where the record has a row.
 long dump_steps(const Case& c) {
   const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
   return std::max(1L, std::lround(c.output.dump_every_s / window_s)) * c.coupling.sync_steps;
 }
 
-fs::path beside(fs::path mesh) { return mesh.replace_extension(".yaml"); }
-
 }  // namespace
 
 MeshFacts read_mesh_facts(const Case& c) {
-  MeshFacts facts;
-  fs::path file = beside(c.bodies.at("dipper"));
-  try {
-    const YAML::Node dipper = YAML::LoadFile(file);
-    facts.struck_volume_m3 = dipper["struck_volume_m3"].as<double>();
-    facts.cavity = box(dipper["cavity"]);
-    facts.dipper_load = facts.cavity;
-    facts.dipper_load.max.x() += dipper["heap_height_m"].as<double>();
-    file = beside(c.truck.mesh);
-    facts.truck_bed = box(YAML::LoadFile(file)["bed"]);
-  } catch (const YAML::Exception& e) {
-    throw std::runtime_error(fmt::format(
-        "{}:{}: {}; beside a dipper's mesh: struck_volume_m3, cavity: {{min_m, max_m}}, "
-        "heap_height_m; beside a truck's: bed: {{min_m, max_m}}",
-        file.string(), e.mark.line + 1, e.msg));
-  }
+  std::vector<Finding> findings;
+  const MeshFacts facts{read_dipper_facts(c, findings), read_truck_bed(c, findings)};
+  if (!findings.empty()) throw std::runtime_error(to_string(findings.front()));
   return facts;
 }
 
@@ -79,7 +55,7 @@ nlohmann::json dem_settings(const Case& c, const MeshFacts& facts, const fs::pat
   X_WT.p = c.truck.position_m;
   X_WT.R = from_rotation_vector({0, 0, c.truck.heading_deg * M_PI / 180});
   setup.scales = {
-      {"mass_in_dipper", "dipper", Pose{}, facts.dipper_load.min, facts.dipper_load.max},
+      {"mass_in_dipper", "dipper", Pose{}, facts.dipper.load.min, facts.dipper.load.max},
       {"mass_in_truck", "", X_WT, facts.truck_bed.min, facts.truck_bed.max}};
   if (c.crust.tensile_strength_Pa > 0) {
     setup.crust = CrustZone{c.crust.above_m, c.crust.thickness_m};

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "coupler/case/case.hpp"
+#include "coupler/case/mesh_facts.hpp"
 #include "coupler/dem/rock_setup.hpp"
 #include "coupler/mesh/triangle_mesh.hpp"
 #include "coupler/run/dipper_layers.hpp"
@@ -15,13 +16,11 @@ namespace dipper {
 
 /// What the YAML files beside the dipper's and the truck's mesh say.
 struct MeshFacts {
-  double struck_volume_m3 = 0;
-  BoundingBox cavity;       ///< in B, up to the lip and the roof
-  BoundingBox dipper_load;  ///< in B: the cavity and the heap in front of the lip
-  BoundingBox truck_bed;    ///< in T
+  DipperFacts dipper;
+  BoundingBox truck_bed;  ///< in T
 };
 
-/// Reads meshes/NAME.yaml beside the meshes. Throws std::runtime_error naming file and key.
+/// Reads them. Throws std::runtime_error with the first finding, of which a checked case has none.
 MeshFacts read_mesh_facts(const Case& c);
 
 /// dipper-dem's settings. `resumed`: when `restart` is a checkpoint and not a settled pile, what

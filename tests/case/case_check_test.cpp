@@ -85,6 +85,73 @@ TEST(CheckCase, BrokenMeshes) {
        {truck, 0, "truck.mesh", "at byte 84: the header says 2 facets, which takes 184 bytes"}});
 }
 
+TEST(CheckCase, NothingBesideTheMeshes) {
+  const Checkout checkout;
+  for (const char* mesh : {"dipper", "door", "truck"}) {  // none is needed beside the door's
+    fs::remove(checkout.root / "meshes" / (std::string(mesh) + ".yaml"));
+  }
+  const auto file = checkout.file();
+  const std::string meshes = (checkout.root / "meshes").string();
+  expect_findings(
+      check(checkout),
+      {{file, checkout.line("dipper:"), "bodies.dipper",
+        "cannot read " + meshes +
+            "/dipper.yaml; write beside the mesh a file of that name with struck_volume_m3, "
+            "cavity: {min_m, max_m}, heap_height_m"},
+       {file, checkout.line("mesh:"), "truck.mesh",
+        "cannot read " + meshes +
+            "/truck.yaml; write beside the mesh a file of that name with bed: {min_m, max_m}"}});
+}
+
+TEST(CheckCase, KeysMissingBesideTheMeshes) {
+  const Checkout checkout;
+  const fs::path dipper = checkout.root / "meshes/dipper.yaml";
+  const fs::path truck = checkout.root / "meshes/truck.yaml";
+  write_text(dipper, "# ours\nunits: m\nstruck_volume: 42\ncavity:\n  min_m: [0, -2, -1.5]\n");
+  write_text(truck, "");
+  expect_findings(check(checkout),
+                  {{dipper, 2, "struck_volume_m3", "missing key; write the volume in m3"},
+                   {dipper, 4, "cavity.max_m", "missing key; write three numbers in m"},
+                   {dipper, 2, "heap_height_m", "missing key; write how far in m"},
+                   {truck, 1, "", "is nothing; write bed: {min_m, max_m}"}});
+}
+
+TEST(CheckCase, WrongValuesBesideTheMeshes) {
+  const Checkout checkout;
+  const fs::path dipper = checkout.root / "meshes/dipper.yaml";
+  const fs::path truck = checkout.root / "meshes/truck.yaml";
+  write_text(dipper,
+             "struck_volume_m3: 0\ncavity:\n  min_m: [0, -2, deep]\n  max_m: [4, 2]\n"
+             "heap_height_m: 1.2 m\n");
+  write_text(truck, "bed: {min_m: [-3.5, 3.25, 4.2],\n      max_m: [3.5, -3.25, 9]}\n");
+  expect_findings(check(checkout),
+                  {{dipper, 1, "struck_volume_m3", "0 is out of range; allowed is > 0"},
+                   {dipper, 3, "cavity.min_m.2", "is 'deep'; write a number in m"},
+                   {dipper, 4, "cavity.max_m", "is a list; write three numbers in m"},
+                   {dipper, 5, "heap_height_m", "is '1.2 m'; write how far in m"},
+                   {truck, 1, "bed.min_m", "y = 3.25 is not below max_m's -3.25"}});
+  write_text(dipper, "struck_volume_m3: 42\ncavity: {min_m: [0, -2\nheap_height_m: -1\n");
+  write_text(truck, "bed: 5\n");
+  const auto broken = check(checkout);
+  ASSERT_EQ(broken.size(), 2U);
+  EXPECT_EQ(broken[0].file, dipper);
+  EXPECT_GT(broken[0].line, 0);
+  EXPECT_THAT(broken[0].message, HasSubstr("not valid YAML: "));
+  EXPECT_EQ(to_string(broken[1]), truck.string() +
+                                      ":1: bed: is '5'; write {min_m, max_m}, corners of the box "
+                                      "in the mesh's frame whose rock is the truck's load");
+  write_text(dipper,
+             "struck_volume_m3: 42\ncavity: {min_m: [0, -2, -1.5], max_m: [4, 2, 1.5]}\n"
+             "heap_height_m: -1\n");
+  write_text(truck, "bed: {min_m: [-3.5, -3.25, 4.2], max_m: [3.5, 3.25, 9]}\n");
+  expect_findings(check(checkout),
+                  {{dipper, 3, "heap_height_m", "-1 is out of range; allowed is >= 0"}});
+  write_text(dipper,
+             "struck_volume_m3: 42\ncavity: {min_m: [0, -2, -1.5], max_m: [4, 2, 1.5]}\n"
+             "heap_height_m: 0\n");
+  expect_findings(check(checkout), {});
+}
+
 TEST(CheckCase, TeethThatWearBeyondTheirLength) {
   const Checkout checkout;
   expect_findings(check(checkout, {{"machine.tooth_wear_m", "0.5"}}), {});

@@ -1,0 +1,28 @@
+// What the YAML files beside the dipper's and the truck's mesh say: where load is, and how much
+// fits.
+#pragma once
+
+#include <vector>
+
+#include "coupler/case/case.hpp"
+#include "coupler/mesh/triangle_mesh.hpp"
+
+namespace dipper {
+
+/// Beside the dipper's mesh. Boxes in B [m].
+struct DipperFacts {
+  double struck_volume_m3 = 0;
+  BoundingBox cavity;  ///< up to the lip and the roof
+  BoundingBox load;    ///< the cavity and the heap in front of the lip
+};
+
+/// Reads struck_volume_m3, cavity {min_m, max_m} and heap_height_m from the YAML file of the
+/// dipper's mesh's name; other keys are the user's notes. Each that is missing or cannot be is
+/// appended to `findings`; the facts are usable only when none was. Expects bodies.dipper.
+DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings);
+
+/// Reads bed {min_m, max_m}, in the truck's frame [m], from the YAML file of the truck's mesh's
+/// name, likewise.
+BoundingBox read_truck_bed(const Case& c, std::vector<Finding>& findings);
+
+}  // namespace dipper
