@@ -16,6 +16,7 @@ DRAWS = 1000
 # caught under the lip gives a force no other seed has.
 DOF = (np.inf, 12.0, 6.0, 4.0, 3.0)
 TAIL_DRAWS = 60
+CLEARLY = 4.0    # squared sd by which heavier tails must look more like the runs
 FACTORS = (1.0, 1.5, 2.2, 3.3, 5.0, 7.5)  # tried on the seeds' covariance
 
 
@@ -147,7 +148,7 @@ def find_tails(baseline, seed=0):
             made = np.array([_shape(make_runs(seed_root, baseline.seeds, tails, labels, rng), baseline.grid)
                              for _ in range(TAIL_DRAWS)])
             off = (((seen - np.median(made, axis=0)) / made.std(axis=0)) ** 2).sum()
-            off += np.isfinite(whole) + np.isfinite(block)
+            off += CLEARLY * (np.isfinite(whole) + np.isfinite(block))
             if off < least:
                 best, least = tails, off
     return best

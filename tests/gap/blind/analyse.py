@@ -20,7 +20,7 @@ ROOT = HERE.parents[2]
 sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis")]
 from gap.__main__ import cache_folder, program  # noqa: E402
 from gap.effects import read_catalogue  # noqa: E402
-from gap.isolability import isolability  # noqa: E402
+from gap.isolability import DETECTION_D, isolability  # noqa: E402
 from gap.simulator import DipperSimulator, request  # noqa: E402
 from gap.workflow import FRESH_FROM, FRESH_SEEDS, Workflow  # noqa: E402
 from make import CHANNELS  # noqa: E402
@@ -50,7 +50,10 @@ def limits():
     flow = Workflow(mine, sim, catalogue, 1, lambda text: None)
     flow.prepare()
     table = isolability(flow.out.training.signatures, flow.out.training.covariance)
-    return {n: (float(limit) if np.isfinite(limit) else None) for n, limit in zip(table.names, table.limits)}, table
+    # Where none is within the bounds: as d grows with a small strength.
+    beyond = table.strengths * DETECTION_D / table.d
+    return {n: float(limit if np.isfinite(limit) else abs(b))
+            for n, limit, b in zip(table.names, table.limits, beyond)}, table
 
 
 def run(folder, out, cases):

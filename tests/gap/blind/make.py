@@ -35,7 +35,7 @@ CHANNELS = {c.name: c for c in (
     Channel("swing_rad", "rad", "driven", 0.001, 0.0),
     Channel("hoist_force_kN", "kN", "response", 25.0, 15.0),
     Channel("crowd_force_kN", "kN", "response", 25.0, 15.0))}
-BASES = 6          # twin runs without an effect; instruments' effects are laid over them
+BASES = 5          # twin runs without an effect; instruments' effects are laid over them
 TIMES = (0.5, 1.0, 2.0)  # of the detection limit
 JITTER = 0.1       # of a strength, so that it is no round multiple
 JOBS = int(os.environ.get("JOBS", "2"))

@@ -62,6 +62,15 @@ def liners(case, folder, s):
     return _dipper(case, folder, move, STEEL_KG_M3 * s * area, -0.8)
 
 
+def worn_teeth(case, folder, s):
+    """The outer teeth lose more than the inner ones."""
+    def move(p):
+        if p[0] > 4.3:
+            p[0] -= s * (1.15 if abs(p[1]) > 0.7 else 0.8)
+        return p
+    return _dipper(case, folder, move, 0.0, 0.0)
+
+
 def fines(case, folder, s):
     """Heavier rock that rolls a little more easily, in place of fines that ride with it."""
     voids = 1 - case["rock"]["bulk_density_kg_m3"] / case["rock"]["density_kg_m3"]
@@ -154,7 +163,7 @@ def logger_offset(signals, tonnes, s, rng):
     return {**signals, **{n: np.interp(t - late, t, signals[n]) for n in ("hoist_force_kN", "crowd_force_kN")}}, tonnes
 
 
-MADE = {f.__name__: f for f in (carry_back, liners, fines, friction_pair, moist_cohesion, frozen_crust, pile_height,
+MADE = {f.__name__: f for f in (carry_back, liners, worn_teeth, fines, friction_pair, moist_cohesion, frozen_crust, pile_height,
                                 rake_offset, standoff, rope_stretch)}
 SEEN = {f.__name__: f for f in (crowd_friction, hoist_drive_loss, truck_spillage, scale_gain, logger_offset)}
 
