@@ -103,6 +103,11 @@ def pile_height(case, folder, s):
     return changed(case, pile={"height_m": float(p["height_m"] + s), "crest_depth_m": float(p["crest_depth_m"] + 0.5)})
 
 
+def collapsing_pile(case, folder, s):
+    """Comes down while the dipper returns, not while it dumps."""
+    return changed(case, collapse={"height_m": float(s), "at_s": 19.0})
+
+
 def rake_offset(case, folder, s):
     """No other way: the dipper sits turned on its handle."""
     return changed(case, machine={"rake_angle_deg": float(case["machine"]["rake_angle_deg"] + s)})
@@ -164,7 +169,7 @@ def logger_offset(signals, tonnes, s, rng):
 
 
 MADE = {f.__name__: f for f in (carry_back, liners, worn_teeth, fines, friction_pair, moist_cohesion, frozen_crust, pile_height,
-                                rake_offset, standoff, rope_stretch)}
+                                collapsing_pile, rake_offset, standoff, rope_stretch)}
 SEEN = {f.__name__: f for f in (crowd_friction, hoist_drive_loss, truck_spillage, scale_gain, logger_offset)}
 
 
