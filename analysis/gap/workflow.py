@@ -3,7 +3,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .balance import balanced, tonnes_a_kN
 from .baseline import LEAST_SEEDS, make_baseline
 from .closure import best_fit, closure
 from .curves import curves, masses
@@ -13,10 +12,10 @@ from .localise import localise
 from .match import interval, match, stability
 from .measured import MASS
 from .next_experiment import propose
-from .noise import measured_features, noise_covariance, noisy_features
 from .null import left_out_inflation, simulate_null, statistics
 from .signatures import fit_signature
 from .simulator import request
+from .vectors import Vectors, places
 
 NEED_PASSES = 2
 SIGNATURE_RUNS = ((0, 0), (1, 0), (1, 1))  # (which of the two strengths, which of the baseline's seeds)
@@ -146,10 +145,9 @@ class Workflow:
                              out.training.covariance, out.training.plain, residual, out.training.baseline, null)
 
     def features(self, measured):
-        """(n,) over the cells of the prepared model."""
-        cells, y, _ = measured_features(measured, sorted({c.pass_number for c in self.common}))
-        cells, y = balanced(cells, y, self.slope)
-        return y[_places(cells, self.common)]
+        """(n,) of a mine's folder over the cells of the prepared model."""
+        cells, y, _ = self.vectors.of_mine(measured)
+        return y[places(cells, self.common)]
 
     def _sharpen(self, residual):
         """Matches again, with effects of the instruments known at the strength they seem to have: not all are linear."""
@@ -183,22 +181,15 @@ class Workflow:
         if len(numbers) < NEED_PASSES:
             raise ValueError(f"{len(numbers)} passes are both measured and simulated; {NEED_PASSES} or more "
                              "are needed, one to train on and one to hold out")
-        channels = self.measured.channels
-        cells, y, durations = measured_features(self.measured, numbers)
-        views = {r: noisy_features(m, channels, numbers) for r, m in folders.items()}
-        plain = views[base[0]].cells
-        self.slope = tonnes_a_kN(plain, np.array([v.mean for v in (views[r] for r in base) if v.cells == plain]))
-        cells, y = balanced(cells, y, self.slope)
-        rows_of = {r: balanced(v.cells, v.mean, self.slope) for r, v in views.items()}
-        self._check_motion(durations, views[base[0]].durations, numbers)
+        self.vectors = Vectors(self.measured.channels, numbers, [folders[r] for r in base])
+        cells, y, durations = self.vectors.of_mine(self.measured)
+        self._check_motion(durations, self.vectors.durations, numbers)
+        rows_of = {r: self.vectors.of_run(m) for r, m in folders.items()}
         everywhere = set(cells).intersection(*(c for c, _ in rows_of.values()))
         common = [c for c in cells if c in everywhere]
-        rows_of = {r: v[_places(c, common)] for r, (c, v) in rows_of.items()}
-        at = _places(balanced(plain, views[base[0]].mean, self.slope)[0], common)
-        noise = noise_covariance([views[r] for r in base], channels)
-        for _ in range(2):  # rows, then columns
-            noise = balanced(plain, noise, self.slope)[1].T
-        noise = noise[np.ix_(at, at)]
+        rows_of = {r: v[places(c, common)] for r, (c, v) in rows_of.items()}
+        at = places(self.vectors.cells, common)
+        noise = self.vectors.noise[np.ix_(at, at)]
         whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers)
         self.out.inflation = left_out_inflation(whole, simulate_null(whole, draws=200))
         whole = whole.inflated(self.out.inflation)
@@ -207,11 +198,11 @@ class Workflow:
                 for n, made_rows in made.items()}
         signatures = [fit_signature(self.catalogue[n], whole, r.strengths, r.seed_index, r.values)
                       for n, r in runs.items()]
-        size = np.array([channels[n].common_sigma for n in self._response_names()])
-        bias = balanced(plain, views[base[0]].common, self.slope)[1][:, at][:, keep] / np.where(size > 0, size, 1.0)[:, None]
+        size = np.array([self.measured.channels[n].common_sigma for n in self._response_names()])
+        bias = self.vectors.common[:, at][:, keep] / np.where(size > 0, size, 1.0)[:, None]
         self.base_folders = [folders[r] for r in base]
         self.whole, self.runs, self.common = whole, runs, [common[i] for i in keep]
-        y = y[_places(cells, self.common)]
+        y = y[places(cells, self.common)]
         training, held = split(numbers)
         self.out.holdout = self._part(held, y, signatures, bias)
         part = self._part(training, y, signatures, bias)
@@ -236,13 +227,8 @@ class Workflow:
 
     def _features_of(self, folders):
         """(runs, n) over all passes' cells."""
-        numbers = sorted({c.pass_number for c in self.common})
-        out = []
-        for m in folders:
-            view = noisy_features(m, self.measured.channels, numbers)
-            cells, row = balanced(view.cells, view.mean, self.slope)
-            out.append(row[_places(cells, self.common)])
-        return np.array(out)
+        rows = (self.vectors.of_run(m) for m in folders)
+        return np.array([row[places(cells, self.common)] for cells, row in rows])
 
     def _response_names(self):
         return self.measured.responses() + ([MASS] if MASS in self.measured.channels else [])
@@ -360,11 +346,6 @@ class Workflow:
         if out.verdict.verdict != "class":  # hardly anything is known: the catalogue as it stands
             weights = {n: w + 1.0 / len(names) for n, w in weights.items()}
         out.proposals = propose(weights)
-
-
-def _places(cells, wanted):
-    index = {c: i for i, c in enumerate(cells)}
-    return [index[c] for c in wanted]
 
 
 def as_text(strengths):
