@@ -103,7 +103,7 @@ def _unit(unit):
 def _strength(a):
     p = a["parameter"]
     low, high = p["interval90"]
-    return f"{p['name']} {p['estimate']:.3g} {_unit(p['unit'])} ({low:.2g} to {high:.2g}, 90 %)"
+    return f"{p['name']} {p['estimate']:.3g} {_unit(p['unit'])} ({_number(low)} to {_number(high)}, 90 %)"
 
 
 def _share(value, interval):

@@ -5,6 +5,9 @@ what drives and instruments show: f(signals, tonnes, s, rng) -> (signals, tonnes
 forces in kN, tonnes a pass. s is in the catalogue's unit. Where an effect is a plain change of place, it cannot
 be done otherwise; it then is a change of the rock's place where the catalogue moves the machine, or the like.
 """
+import shutil
+from pathlib import Path
+
 import numpy as np
 import yaml
 
@@ -26,6 +29,7 @@ def _machine(case, folder, change):
 def _dipper(case, folder, move, mass_kg, at_z):
     """The case with its dipper's vertices moved (p -> p) and a mass added at (2, 0, at_z) in B."""
     corners = read_stl(case["bodies"]["dipper"])
+    shutil.copy(Path(case["bodies"]["dipper"]).with_suffix(".yaml"), folder)
     write_stl(folder / "dipper.stl", np.array([[move(p.copy()) for p in facet] for facet in corners]))
 
     def heavier(data):
