@@ -8,6 +8,7 @@ import hashlib
 import os
 import signal
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import yaml
@@ -18,7 +19,7 @@ from .gap_json import as_json, write_json
 from .measured import read_measured
 from .patch import write_patched_case
 from .report import write_report
-from .simulator import DipperSimulator, RunFailed
+from .simulator import JOBS, DipperSimulator, RunFailed
 from .workflow import NEED_PASSES, Workflow
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -57,9 +58,13 @@ def read_case(folder):
 
 def usable(catalogue, simulator):
     """The effects this case can take at the strengths to be run, and a line for each that it cannot."""
+    def fault(effect):
+        return next(filter(None, (simulator.check([(effect.name, s)]) for s in effect.strengths())), "")
+
     kept, left_out = {}, []
-    for name, effect in catalogue.items():
-        bad = next(filter(None, (simulator.check([(name, s)]) for s in effect.strengths())), "")
+    with ThreadPoolExecutor(JOBS) as pool:
+        faults = list(pool.map(fault, catalogue.values()))
+    for (name, effect), bad in zip(catalogue.items(), faults):
         if bad:
             left_out.append(f"effect {name} is left out, as the case cannot take it: {bad.splitlines()[0]}")
             say(f"gap: {left_out[-1]}")

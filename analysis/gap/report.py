@@ -91,11 +91,6 @@ def _clearest(out, count=3):
     return ", ".join(list(seen)[:count])
 
 
-def _number(x):
-    """Two digits that count, without powers of ten."""
-    return f"{x:.2g}" if abs(x) < 100 else f"{x:.0f}"
-
-
 def _unit(unit):
     return "" if unit in ("-", "1") else unit
 
@@ -103,7 +98,7 @@ def _unit(unit):
 def _strength(a):
     p = a["parameter"]
     low, high = p["interval90"]
-    return f"{p['name']} {p['estimate']:.3g} {_unit(p['unit'])} ({_number(low)} to {_number(high)}, 90 %)"
+    return f"{p['name']} {p['estimate']:.3g} {_unit(p['unit'])} ({svg.number(low)} to {svg.number(high)}, 90 %)"
 
 
 def _share(value, interval):
@@ -170,8 +165,8 @@ def _alike(out):
     for i, n in enumerate(t.names):
         near = sorted((t.d_prime[i, j], o) for j, o in enumerate(t.names) if j != i)[:3]
         said = ", ".join(f"<b>{escape(o)} {x:.1f}</b>" if x < CONFUSABLE else f"{escape(o)} {x:.1f}" for x, o in near)
-        limit = _number(t.limits[i]) if np.isfinite(t.limits[i]) else "not within its bounds"
-        rows.append(f"<tr><td>{escape(n)}</td><td class=n>{_number(t.strengths[i])}</td><td class=n>{t.d[i]:.1f}</td>"
+        limit = svg.number(t.limits[i]) if np.isfinite(t.limits[i]) else "not within its bounds"
+        rows.append(f"<tr><td>{escape(n)}</td><td class=n>{svg.number(t.strengths[i])}</td><td class=n>{t.d[i]:.1f}</td>"
                     f"<td class=n>{limit}</td><td>{said}</td></tr>")
     return ("<h2>What these data can tell apart</h2><p class='note'>Known before the measured numbers are looked "
             "at. d: how far the effect stands out from instruments, seeds and nuisances. Found from: the strength "

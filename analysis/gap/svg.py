@@ -8,6 +8,11 @@ INK, GREY, LINE = "#1c2733", "#6b7a89", "#d5dce3"
 MEASURED, BEFORE, AFTER = "#1c2733", "#b8652a", "#1f7a8c"
 
 
+def number(x):
+    """Two digits that count, without powers of ten."""
+    return f"{x:.2g}" if abs(x) < 100 else f"{x:.0f}"
+
+
 def open_svg(width, height, label):
     return (f'<svg viewBox="0 0 {width:g} {height:g}" role="img" aria-label="{escape(label)}" '
             f'xmlns="http://www.w3.org/2000/svg">')
@@ -111,7 +116,7 @@ def ranking(rows):
                    f'<line x1="{at(0):.1f}" x2="{at(0):.1f}" y1="{y + 5}" y2="{y + 17}" stroke="{GREY}"/>'
                    f'<line x1="{at(low):.1f}" x2="{at(high):.1f}" y1="{y + 11}" y2="{y + 11}" stroke="{AFTER}" '
                    f'stroke-width="5"/><circle cx="{at(estimate):.1f}" cy="{y + 11}" r="4" fill="{INK}"/>')
-        out.append(text(end + 8, y + 15, f"{estimate:.3g} ({low:.2g} ... {high:.2g}) {unit}", 11))
+        out.append(text(end + 8, y + 15, f"{number(estimate)} ({number(low)} ... {number(high)}) {unit}", 11))
     return "".join(out) + "</svg>"
 
 
