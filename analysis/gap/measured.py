@@ -8,7 +8,7 @@
 """
 import csv
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -70,6 +70,12 @@ class Measured:
     time_s: np.ndarray
     signals: dict
     folder: str = ""
+
+    def seen_by(self, channels):
+        """The same as a mine with these channels would have it: what it does not log is left out."""
+        signals = {n: v for n, v in self.signals.items() if n in channels}
+        return replace(self, channels={n: c for n, c in self.channels.items() if n in channels}, signals=signals,
+                       time_s=self.time_s if signals else np.zeros(0))
 
     def responses(self):
         """Names of the signals that answer to the rock, in a fixed order."""

@@ -13,7 +13,7 @@ class Vectors:
 
     def __init__(self, channels, numbers, base):
         self.channels, self.numbers = channels, list(numbers)
-        views = [noisy_features(m, channels, numbers) for m in base]
+        views = [noisy_features(m.seen_by(channels), channels, numbers) for m in base]
         self.plain, self.durations = views[0].cells, views[0].durations
         self.slope = tonnes_a_kN(self.plain, np.array([v.mean for v in views if v.cells == self.plain]))
         self.cells, _ = balanced(self.plain, views[0].mean, self.slope)
@@ -25,7 +25,7 @@ class Vectors:
 
     def of_run(self, measured):
         """Cells and vector of a noise-free folder, as the mine's instruments would see it on average."""
-        view = noisy_features(measured, self.channels, self.numbers)
+        view = noisy_features(measured.seen_by(self.channels), self.channels, self.numbers)
         return balanced(view.cells, view.mean, self.slope)
 
     def of_mine(self, measured):

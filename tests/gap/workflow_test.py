@@ -115,3 +115,13 @@ class MassOnly(fake_mine.FakeSimulator):
     def _one(self, r):
         m = super()._one(r)
         return replace(m, signals={}, time_s=m.time_s[:0])
+
+
+def test_a_mine_may_log_less_than_the_model():
+    """Masses alone: a scale's gain may be found, a force's effect not, and nothing breaks."""
+    mine = synthetic.with_noise(synthetic.run({"crowd_friction": 300}, seed=905), 5)
+    only = {n: c for n, c in mine.channels.items() if n == "truck_mass_t"}
+    out = Workflow(mine.seen_by(only), fake_mine.FakeSimulator(), SMALL, 1, lambda text: None).run()
+    assert {c.channel for c in out.training.baseline.cells} == {"truck_mass_t"}
+    assert out.verdict.verdict == "no-gap"
+    page(out, as_json(out, SMALL, {"case": "0" * 64}), SMALL, "synthetic")
