@@ -108,8 +108,8 @@ def pile_height(case, folder, s):
 
 
 def collapsing_pile(case, folder, s):
-    """Comes down while the dipper returns, not while it dumps."""
-    return changed(case, collapse={"height_m": float(s), "at_s": 19.0})
+    """Comes down as the dipper leaves the truck, not as it opens its door."""
+    return changed(case, collapse={"height_m": float(s), "at_s": 17.0})
 
 
 def rake_offset(case, folder, s):
