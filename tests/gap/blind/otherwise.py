@@ -126,9 +126,9 @@ def rope_stretch(case, folder, s):
     """More of the rope is elastic, up to all of it; beyond that its modulus is lower."""
     def softer(data):
         rope = data["rope"]
-        whole = rope["elastic_fraction"]["value"] * (1 + s)
+        whole = float(rope["elastic_fraction"]["value"]) * (1 + s)
         rope["elastic_fraction"]["value"] = float(min(1.0, whole))
-        rope["axial_stiffness"]["value"] = float(rope["axial_stiffness"]["value"] / max(1.0, whole))
+        rope["axial_stiffness"]["value"] = float(rope["axial_stiffness"]["value"]) / max(1.0, whole)
     return _machine(case, folder, softer)
 
 
