@@ -80,7 +80,7 @@ def curves(title, c, unit):
     for v in ticks(low, high):
         out.append(f'<line x1="{left}" x2="{right}" y1="{y(v):.1f}" y2="{y(v):.1f}" stroke="{LINE}"/>')
         out.append(text(left - 6, float(y(v)) + 4, f"{v:g}", 10, GREY, "end"))
-    for t in ticks(0, end, 6):
+    for t in (v for v in ticks(0, end, 6) if x(v) < right - 20):  # the unit stands at the end
         out.append(text(float(x(t)), height - 10, f"{t:g}", 10, GREY, "middle"))
     out.append(text(right, height - 10, "s", 10, GREY, "end") + text(left - 6, top - 7, unit, 10, GREY, "end"))
     band = path(c.before + 2 * c.spread) + " " + " ".join(reversed(path(c.before - 2 * c.spread).split()))

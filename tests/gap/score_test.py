@@ -1,5 +1,6 @@
 """The scorer: what each verdict is worth, that a seal holds, and the rates it reports."""
 import json
+from pathlib import Path
 
 import pytest
 
@@ -75,3 +76,20 @@ def test_a_truth_added_later_has_no_seal(blind):
 def test_truths_are_sealed_once(blind):
     with pytest.raises(score.SealBroken, match="sealed once"):
         score.seal(blind)
+
+
+BLIND = Path(score.__file__).parent / "blind"
+
+
+def test_the_stored_blind_cases_score_what_the_table_says():
+    rows, nulls = score.score(BLIND), score.null_rows(BLIND)
+    assert score.table(rows, nulls) == (BLIND / "table.md").read_text()
+    assert len(rows) == len(list((BLIND / "measured").iterdir())) >= 12 + 4 + 3 + 2
+    assert nulls[1] >= 60
+    measured = score.rates(rows, nulls)
+    for name in ("false alarms", "a gap where nothing is", "wrong name"):
+        hits, of = measured[name]
+        assert hits <= 0.05 * of
+    for name in ("abstains outside", "interval coverage", "hold-out closure 60 %"):
+        hits, of = measured[name]
+        assert hits >= 0.8 * of
