@@ -14,6 +14,7 @@
 #include <update.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -36,6 +37,9 @@ LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup
   for (auto& w : words) args.push_back(w.data());
   register_muck();
   lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(args.size()), args.data(), comm);
+  // LIGGGHTS opens the screen on rank 0 alone, yet every rank prints to it what is wrong with its
+  // part of a mesh, and would crash. Not stderr: Error::all closes any screen but stdout.
+  if (lmp_->comm->me != 0) lmp_->screen = stdout;
   lmp_->input->file(setup.deck.c_str());
   // The layer is held by what holds rock at rest; no other rock comes to rest at 0 m/s.
   if (setup_.layer && !setup_.hold) setup_.hold.emplace().below_m_s = 0;

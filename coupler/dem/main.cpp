@@ -4,6 +4,7 @@
 #include <sys/prctl.h>
 
 #include <chrono>
+#include <cstdio>
 #include <thread>
 
 #include "coupler/dem/liggghts_rock.hpp"
@@ -64,7 +65,8 @@ void run(const char* config_file) {
 
 int main(int argc, char** argv) {
   dipper::die_with_parent();
-  prctl(PR_SET_TIMERSLACK, 1000UL);  // ns: sleeps between windows are tens of microseconds
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // MPI_Abort drops what a buffer holds
+  prctl(PR_SET_TIMERSLACK, 1000UL);          // ns: sleeps between windows are tens of microseconds
   MPI_Init(&argc, &argv);
   if (argc != 2) {
     fmt::print(stderr, "usage: dipper-dem CONFIG   (started by `dipper run`)\n");
