@@ -58,9 +58,10 @@ std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& 
 
 std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instruments& instruments) {
   std::vector<WeighedPass> out;
-  // A run may end within a pass that has not dumped yet: the last load on the truck is the one before.
-  const auto last = std::find_if(passes.rbegin(), passes.rend(),
-                                 [](const Pass& p) { return p.truck_kg > 0; });
+  // A run may end within a pass that has not dumped yet: the last load on the truck is the one
+  // before.
+  const auto last =
+      std::find_if(passes.rbegin(), passes.rend(), [](const Pass& p) { return p.truck_kg > 0; });
   for (const Pass& p : passes) {
     const double kept = last != passes.rend() && &p == &*last ? 1 - instruments.truck_spill : 1;
     out.push_back(

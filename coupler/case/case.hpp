@@ -105,8 +105,8 @@ struct PileCase {
   /// and face angle; empty: none.
   std::filesystem::path profile;
   std::vector<Eigen::Vector2d> outline_m;  ///< what the profile holds: x and z in W
-  double held_layer_m =
-      0;  ///< rock this near to ground, rear and side walls is held fixed; 0: none
+  /// rock this near to ground, rear and side walls is held fixed; 0: none
+  double held_layer_m = 0;
   /// Rock that overlaps dipper, door or truck at the start is removed: "on" or "off".
   std::string clear_machine = "off";
 };

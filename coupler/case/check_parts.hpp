@@ -37,8 +37,8 @@ void check_pile_in_domain(const Case& c, Findings& findings);
 std::optional<Motion> check_motion(const Case& c, const std::map<std::string, TriangleMesh>& bodies,
                                    Findings& findings);
 
-/// The slab of collapse.height_m: a rock of it at least, inside the domain, during the motion, and not
-/// where the bodies are just then.
+/// The slab of collapse.height_m: a rock of it at least, inside the domain, during the motion, and
+/// not where the bodies are just then.
 void check_collapse(const Case& c, const ShovelKinematics& shovel, const Motion& motion,
                     const std::map<std::string, TriangleMesh>& bodies, Findings& findings);
 

@@ -90,7 +90,8 @@ Case case_of_run(const fs::path& run, const std::vector<Override>& changes,
   }
   const fs::path record = run / "record.h5";
   const std::string folder = findings.empty() ? read_attribute(record, "case_folder") : "";
-  if (folder.empty()) findings.push_back({record, 0, "case_folder", "does not name the run's case"});
+  if (folder.empty())
+    findings.push_back({record, 0, "case_folder", "does not name the run's case"});
   all.insert(all.end(), changes.begin(), changes.end());
   if (!findings.empty()) return {};
   return load_case(folder, all, findings);
@@ -102,7 +103,8 @@ void observe_changed_machine(const fs::path& run, const Case& changed, const fs:
   const RecordedWrench dipper(record, "dipper"), door(record, "door");
 
   PeerConfig config = read_peer_config(run / "logs" / "mbs.json");
-  config.settings = mbs_settings(changed, dipper_layers(changed, read_mesh_facts(changed).dipper.cavity));
+  config.settings =
+      mbs_settings(changed, dipper_layers(changed, read_mesh_facts(changed).dipper.cavity));
   const fs::path scratch = out.string() + ".part";
   fs::create_directories(scratch);
   DriveSignals s;
