@@ -150,7 +150,7 @@ class Workflow:
         return y[places(cells, self.common)]
 
     def _sharpen(self, residual):
-        """Matches again, with effects of the instruments known at the strength they seem to have: not all are linear."""
+        """Matches again, with instruments' effects known at the strength they seem to have: not all are linear."""
         out, seeds = self.out, range(self.whole.seeds)
         lead = max((s.name for s in out.training.signatures), key=out.matched.presence)
         fit, better = out.matched.fits[out.matched.best_with(lead)], {}

@@ -80,7 +80,8 @@ def fines(case, folder, s):
     voids = 1 - case["rock"]["bulk_density_kg_m3"] / case["rock"]["density_kg_m3"]
     gain = 1 + s * voids * 0.6 * case["rock"]["density_kg_m3"] / case["rock"]["bulk_density_kg_m3"]
     return changed(case, rock={"density_kg_m3": float(case["rock"]["density_kg_m3"] * gain)},
-                   contact={"rolling_friction_sphere": float(case["contact"]["rolling_friction_sphere"] * (1 - 0.1 * s))})
+                   contact={"rolling_friction_sphere":
+                            float(case["contact"]["rolling_friction_sphere"] * (1 - 0.1 * s))})
 
 
 def friction_pair(case, folder, s):
@@ -172,8 +173,8 @@ def logger_offset(signals, tonnes, s, rng):
     return {**signals, **{n: np.interp(t - late, t, signals[n]) for n in ("hoist_force_kN", "crowd_force_kN")}}, tonnes
 
 
-MADE = {f.__name__: f for f in (carry_back, liners, worn_teeth, fines, friction_pair, moist_cohesion, frozen_crust, pile_height,
-                                collapsing_pile, rake_offset, standoff, rope_stretch)}
+MADE = {f.__name__: f for f in (carry_back, liners, worn_teeth, fines, friction_pair, moist_cohesion, frozen_crust,
+                                pile_height, collapsing_pile, rake_offset, standoff, rope_stretch)}
 SEEN = {f.__name__: f for f in (crowd_friction, hoist_drive_loss, truck_spillage, scale_gain, logger_offset)}
 
 
