@@ -4,7 +4,6 @@ The mine is the fraternal twin with friction in its crowd, done another way than
 twin are coarser than in the blind test and dig two passes, so that it fits into a test: about 14 runs.
 """
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path

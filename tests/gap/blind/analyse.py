@@ -6,7 +6,6 @@ usage: analyse.py limits FILE           the model's own detection limits, {effec
        analyse.py nulls COUNT FILE      how often nothing is called something, COUNT times over
 """
 import json
-import os
 import shutil
 import subprocess
 import sys
