@@ -154,14 +154,17 @@ def find_tails(baseline, seed=0):
     return best
 
 
-def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None):
-    """Null of the statistics over `passes` (default: all); covariances are estimated from all of them."""
+def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None, tails=None):
+    """Null of the statistics over `passes` (default: all); covariances are estimated from all of them.
+
+    `tails` are find_tails(baseline), when at hand.
+    """
     part, at = baseline.part(passes) if passes else (baseline, list(range(len(baseline.mean))))
     block = np.ix_(at, at)
     rng = np.random.default_rng(seed)
     n, runs = len(baseline.mean), baseline.seeds
     seed_root, noise_root = root(baseline.seed), root(baseline.noise)
-    tails, labels = find_tails(baseline), phase_labels(baseline.cells)
+    tails, labels = tails or find_tails(baseline), phase_labels(baseline.cells)
     stats, fits, z = [], [], np.empty((draws, len(at)))
     asked = directions is not None and directions.size > 0
     for d in range(draws):

@@ -12,7 +12,7 @@ from .localise import localise
 from .match import interval, match, stability
 from .measured import MASS
 from .next_experiment import propose
-from .null import left_out_inflation, simulate_null, statistics
+from .null import find_tails, left_out_inflation, simulate_null, statistics
 from .signatures import fit_signature
 from .simulator import request
 from .vectors import Vectors, places
@@ -191,7 +191,8 @@ class Workflow:
         at = places(self.vectors.cells, common)
         noise = self.vectors.noise[np.ix_(at, at)]
         whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers)
-        self.out.inflation = left_out_inflation(whole, simulate_null(whole, draws=200))
+        tails = find_tails(whole)  # of any size: the same when inflated
+        self.out.inflation = left_out_inflation(whole, simulate_null(whole, draws=200, tails=tails))
         whole = whole.inflated(self.out.inflation)
         runs = {n: SignatureRuns(tuple(s for s, _, _ in made_rows), tuple(k for _, k, _ in made_rows),
                                  np.array([rows_of[r][keep] for _, _, r in made_rows]))
@@ -207,7 +208,7 @@ class Workflow:
         self.out.holdout = self._part(held, y, signatures, bias)
         part = self._part(training, y, signatures, bias)
         self.directions = np.array([s.g for s in part.signatures]).T
-        self.null = simulate_null(self.whole, self.directions, passes=training)
+        self.null = simulate_null(self.whole, self.directions, passes=training, tails=tails)
         wary = part.baseline.inflated(self.null.inflation()).prediction
         self.out.training = replace(part, covariance=with_nuisances(wary, part.nuisances))
 

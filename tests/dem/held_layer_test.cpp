@@ -13,6 +13,7 @@
 #include "coupler/dem/liggghts_rock.hpp"
 #include "tests/dem/momentum.hpp"
 #include "tests/dem/scene.hpp"
+#include "tests/dem/spheres.hpp"
 
 namespace dipper {
 namespace {
@@ -20,32 +21,12 @@ namespace {
 constexpr double kDepth = 0.3, kHalf = 0.75, kDt = 1e-4;
 const Vector3d kGravity(0, 0, -9.81);
 
-/// Sphere by sphere, by id; the same on every rank. Forces without gravity.
-struct Spheres {
-  std::vector<Vector3d> x, f;
-};
-
-Spheres spheres(LAMMPS_NS::LAMMPS& lmp) {
-  const LAMMPS_NS::Atom& atom = *lmp.atom;
-  const auto n = static_cast<std::size_t>(lmp.atom->tag_max()) + 1;
-  Spheres s{std::vector<Vector3d>(n, Vector3d::Zero()), std::vector<Vector3d>(n, Vector3d::Zero())};
-  for (int i = 0; i < atom.nlocal; ++i) {
-    const auto tag = static_cast<std::size_t>(atom.tag[i]);
-    s.x[tag] = Eigen::Map<const Vector3d>(atom.x[i]);
-    s.f[tag] = Eigen::Map<const Vector3d>(atom.f[i]) - atom.rmass[i] * kGravity;
-  }
-  for (auto* v : {&s.x, &s.f})
-    MPI_Allreduce(MPI_IN_PLACE, v->data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM,
-                  MPI_COMM_WORLD);
-  return s;
-}
-
 class Layer {
  public:
   explicit Layer(const std::string& kind)
       : scene_("layer_" + kind), rock_(setup(kind), MPI_COMM_WORLD) {
     rock_.place({paddle_});
-    const Spheres s = spheres(rock_.liggghts());
+    const Spheres s = spheres(rock_.liggghts(), kGravity);
     in_.resize(s.x.size());
     for (std::size_t k = 0; k < in_.size(); ++k) {
       const Vector3d& p = s.x[k];
@@ -81,7 +62,7 @@ class Layer {
   }
   /// How far the rock of the layer, and the other, has moved from `from` at most.
   std::pair<double, double> moved(const Spheres& from) {
-    const Spheres now = spheres(rock_.liggghts());
+    const Spheres now = spheres(rock_.liggghts(), kGravity);
     double layer = 0, other = 0;
     for (std::size_t k = 0; k < in_.size(); ++k) {
       double& most = in_[k] ? layer : other;
@@ -124,7 +105,7 @@ class Layer {
 TEST(HeldLayer, StandsStillCarriesTheRestAndBalancesItsMomentum) {
   Layer bed("spheres");
   LAMMPS_NS::LAMMPS& lmp = bed.rock().liggghts();
-  const Spheres start = spheres(lmp);
+  const Spheres start = spheres(lmp, kGravity);
   const double all = test::momentum(lmp).mass, layer = bed.mass_of_layer(), free = all - layer;
   ASSERT_GT(layer, 0.2 * all);
   ASSERT_GT(free, 0.05 * all);
@@ -136,12 +117,12 @@ TEST(HeldLayer, StandsStillCarriesTheRestAndBalancesItsMomentum) {
   Vector3d p0 = test::momentum(lmp).linear;
   double worst = 0, hardest = 0;
   bed.step(1);  // the bin's force is known from the first step on
-  now = spheres(lmp);
+  now = spheres(lmp, kGravity);
   f0 = bed.bin() - bed.on_layer(now) + free * kGravity;
   p0 = test::momentum(lmp).linear;
   for (int k = 0; k < 3000; ++k) {
     bed.step(1);
-    now = spheres(lmp);
+    now = spheres(lmp, kGravity);
     const Vector3d f1 = bed.bin() - bed.on_layer(now) + free * kGravity;
     const Vector3d p1 = test::momentum(lmp).linear;
     const double scale = kDt * std::max(free * 9.81, bed.on_layer(now).norm());
@@ -152,7 +133,7 @@ TEST(HeldLayer, StandsStillCarriesTheRestAndBalancesItsMomentum) {
   }
   const Vector3d before = bed.on_layer(start);
   for (int k = 0; k < 300; ++k) bed.step(100);
-  now = spheres(lmp);
+  now = spheres(lmp, kGravity);
   const auto [layer_moved, free_moved] = bed.moved(start);
   const double carried = -(bed.on_layer(now) - before).z() / (free * 9.81);
   if (test::rank() == 0)
@@ -184,14 +165,14 @@ TEST_P(HeldLayerOf, IsTheSameAfterACheckpointAndEndsWhereTheWallComes) {
   ASSERT_GT(first, 10);
   for (int k = 0; k < 100; ++k) bed.step(100);
   bed.rock().state_hash();  // brings all rock in
-  const Spheres before = spheres(lmp);
+  const Spheres before = spheres(lmp, kGravity);
   bed.rock().save(bed.folder() / "bed.restart");
   EXPECT_EQ(held(), first);
   for (int k = 0; k < 50; ++k) bed.step(100);
   bed.rock().state_hash();
   EXPECT_EQ(held(), first);
   // All that was held is where it was.
-  const Spheres after = spheres(lmp);
+  const Spheres after = spheres(lmp, kGravity);
   const int bit = lmp.group->bitmask[lmp.group->find(kLayerGroup)];
   double most = 0;
   for (int i = 0; i < lmp.atom->nlocal; ++i) {

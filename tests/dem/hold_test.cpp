@@ -9,31 +9,12 @@
 #include "coupler/dem/liggghts_rock.hpp"
 #include "tests/dem/momentum.hpp"
 #include "tests/dem/scene.hpp"
+#include "tests/dem/spheres.hpp"
 
 namespace dipper {
 namespace {
 
 constexpr int kSteps = 100;  // a window: 0.01 s
-
-/// Centre and total contact force of every sphere, by id; the same on every rank.
-struct Spheres {
-  std::vector<Vector3d> x, f;
-};
-
-Spheres spheres(LAMMPS_NS::LAMMPS& lmp) {
-  const LAMMPS_NS::Atom& atom = *lmp.atom;
-  const auto n = static_cast<std::size_t>(lmp.atom->tag_max()) + 1;
-  Spheres s{std::vector<Vector3d>(n, Vector3d::Zero()), std::vector<Vector3d>(n, Vector3d::Zero())};
-  for (int i = 0; i < atom.nlocal; ++i) {
-    const auto tag = static_cast<std::size_t>(atom.tag[i]);
-    s.x[tag] = Eigen::Map<const Vector3d>(atom.x[i]);
-    s.f[tag] = Eigen::Map<const Vector3d>(atom.f[i]);
-  }
-  for (auto* v : {&s.x, &s.f})
-    MPI_Allreduce(MPI_IN_PLACE, v->data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM,
-                  MPI_COMM_WORLD);
-  return s;
-}
 
 /// The groups of every sphere, by id: who is integrated.
 std::vector<int> groups(LAMMPS_NS::LAMMPS& lmp) {

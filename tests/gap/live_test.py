@@ -40,12 +40,7 @@ def mine(tmp_path_factory):
     work = tmp_path_factory.mktemp("live")
     model = work / "model"
     model.mkdir()
-    text = twin.twin_case()  # for its absolute paths
-    plain = yaml.safe_load((twin.SCREENING / "case.yaml").read_text())
-    for section in ("contact", "coupling", "pile"):
-        text[section] = plain[section]
-    text["rock"]["classes"] = plain["rock"]["classes"]
-    (model / "case.yaml").write_text(yaml.safe_dump(coarse(text, 4.0, 1.6e-3), sort_keys=False))
+    (model / "case.yaml").write_text(yaml.safe_dump(coarse(twin.model_case(), 4.0, 1.6e-3), sort_keys=False))
     truth = coarse(twin.twin_case(), 3.6, 1.3e-3)
     run = twin.run(truth, 77, work / "truth", program())
     plan = make.Plan("effect", {}, {"crowd_friction": HIDDEN_KN})

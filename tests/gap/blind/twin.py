@@ -20,12 +20,17 @@ RATE_HZ = 20.0  # of the signals the mine's own drives and sensors are played on
 SHAPES = ["chunk", "column", "shard"]
 
 
-def twin_case():
-    """The twin as the text of a case, with paths from anywhere."""
+def model_case():
+    """cases/screening as a case with paths from anywhere."""
     case = yaml.safe_load((SCREENING / "case.yaml").read_text())
     for section, key in (("machine", "model"), ("machine", "motion"), ("rock", "shape_folder"),
                          ("bodies", "dipper"), ("bodies", "door"), ("truck", "mesh")):
         case[section][key] = str((SCREENING / case[section][key]).resolve())
+    return case
+
+
+def twin_case():
+    case = model_case()
     case["title"] = "fraternal twin of cases/screening"
     case["rock"]["coarse_graining"] = 2.6
     for size_class in case["rock"]["classes"]:
