@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace dipper {
+
+class BenchSurface;
 
 /// machine: the shovel and what drives it.
 struct MachineCase {
@@ -101,10 +104,13 @@ struct PileCase {
   double face_angle_deg = 0;  ///< of the retaining sheet while the rock settles
   double settle_s = 0;        ///< with the sheet
   double relax_s = 0;         ///< after the sheet is gone
-  /// A scanned section, CSV (coupler/deck/outline_file.hpp), in place of toe, height, crest depth
-  /// and face angle; empty: none.
+  /// A scanned section, CSV (coupler/deck/outline_file.hpp), or surface, STL
+  /// (coupler/deck/bench_surface.hpp), in place of toe, height, crest depth and face angle; empty:
+  /// none.
   std::filesystem::path profile;
   std::vector<Eigen::Vector2d> outline_m;  ///< what the profile holds: x and z in W
+  /// What it holds when it is an STL; the outline then is its highest section.
+  std::shared_ptr<const BenchSurface> surface;
   /// rock this near to ground, rear and side walls is held fixed; 0: none
   double held_layer_m = 0;
   /// Rock that overlaps dipper, door or truck at the start is removed: "on" or "off".

@@ -8,6 +8,7 @@
 
 #include "coupler/case/check_parts.hpp"
 #include "coupler/case/mesh_facts.hpp"
+#include "coupler/deck/bench_surface.hpp"
 #include "coupler/deck/outline_file.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/mesh/mesh_check.hpp"
@@ -109,14 +110,17 @@ void check_pile_in_domain(const Case& c, Findings& findings) {
   const PileShape shape = pile_shape(c);
   const double half = c.pile.width_m / 2;
   BoundingBox box{{shape.toe_x_m, -half, 0}, {shape.rear_x_m, half, shape.height_m}};
-  if (!c.pile.profile.empty()) {
+  if (c.pile.surface) {
+    for (const std::string& fault : c.pile.surface->faults(half))
+      findings.push_back({c.pile.profile, 0, "pile.profile", fault});
+  } else if (!c.pile.profile.empty()) {
     check_profile_points(c, findings);
     for (const int i : {0, 2}) {  // told by those
       box.min[i] = std::max(box.min[i], c.domain.min_m[i]);
       box.max[i] = std::min(box.max[i], c.domain.max_m[i]);
     }
   }
-  check_box(c, "pile", "the pile", box, findings);
+  check_box(c, c.pile.surface ? "pile.profile" : "pile", "the pile", box, findings);
   const double top = shape.pour_height_m;
   if (shape.height_m <= c.domain.max_m.z() && top > c.domain.max_m.z()) {
     findings.push_back(finding_at(

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "coupler/deck/bench_surface.hpp"
 #include "coupler/deck/outline_file.hpp"
+#include "coupler/mesh/stl.hpp"
 #include "coupler/motion/input_error.hpp"
 
 namespace dipper {
@@ -25,7 +27,15 @@ void read_pile_profile(Case& c, std::vector<Finding>& findings) {
                       "others",
                       fmt::join(kReplacedByProfile, ", "))));
   try {
-    c.pile.outline_m = read_outline(c.pile.profile);
+    if (is_stl(c.pile.profile)) {
+      c.pile.surface = std::make_shared<BenchSurface>(read_stl(c.pile.profile));
+      c.pile.outline_m = c.pile.surface->section(c.pile.width_m / 2, 1);
+    } else {
+      c.pile.outline_m = read_outline(c.pile.profile);
+    }
+  } catch (const StlError& e) {
+    findings.push_back(finding_at(c, "pile.profile", e.what()));
+    return;
   } catch (const InputError& e) {
     for (const std::string& message : e.messages())
       findings.push_back(finding_at(c, "pile.profile", message));
@@ -37,8 +47,8 @@ void read_pile_profile(Case& c, std::vector<Finding>& findings) {
   if (top <= 0 || points.back().x() <= points.front().x())
     findings.push_back(finding_at(
         c, "pile.profile",
-        fmt::format("{}: no rock is under a profile of {:g} m length and {:g} m height; x_m rises "
-                    "from the toe to the rear wall, z_m is over the ground",
+        fmt::format("{}: no rock is under a profile of {:g} m length and {:g} m height; x rises "
+                    "from the toe to the rear wall, z is over the ground",
                     c.pile.profile.string(), points.back().x() - points.front().x(), top)));
 }
 

@@ -153,7 +153,7 @@ std::vector<KeySpec> make_schema() {
        SLOT(c.crust.thickness_m)},
 
       {"pile.profile", "", any, {}, optional,
-       "CSV x_m,z_m in W, toe to rear: a scanned section that the bench is cut to, in place of the keys marked *",
+       "CSV x_m,z_m, toe to rear, or STL, z over x and y; in W: a scanned section or surface that the bench is cut to, in place of the keys marked *",
        SLOT(c.pile.profile)},
       {"pile.toe_x_m", "m", any, {}, required,
        "* where the settled face should meet the ground, in W", SLOT(c.pile.toe_x_m)},

@@ -15,8 +15,8 @@ double outline_height(const BenchOutline& outline, double x_m) {
   return a.y() + (after->y() - a.y()) * (x_m - a.x()) / (after->x() - a.x());
 }
 
-std::vector<long> over_outline(const std::vector<PileSphere>& spheres,
-                               const BenchOutline& outline) {
+std::vector<long> over_surface(const std::vector<PileSphere>& spheres,
+                               const std::function<double(double, double)>& height) {
   struct Moment {
     double volume = 0;
     Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -29,9 +29,7 @@ std::vector<long> over_outline(const std::vector<PileSphere>& spheres,
     m.volume += volume;
     m.first += volume * s.centre_m;
   }
-  const auto over = [&](const Eigen::Vector3d& p) {
-    return p.z() > outline_height(outline, p.x());
-  };
+  const auto over = [&](const Eigen::Vector3d& p) { return p.z() > height(p.x(), p.y()); };
   std::vector<long> ids;
   for (const PileSphere& s : spheres) {
     const Moment* m = s.rock < 0 ? nullptr : &rocks[s.rock];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,12 @@ using BenchOutline = std::vector<Eigen::Vector2d>;
 /// Height of the outline at x: 0 in front of it, as at its end behind it.
 double outline_height(const BenchOutline& outline, double x_m);
 
-/// Ids of the spheres of all rocks whose centre lies over the outline, in the order given. A rock
-/// goes or stays as a whole, by its own centre (the mean of its spheres by volume): were it to go
-/// with its highest sphere, a surface cut through the pile would take more of the large rocks.
-std::vector<long> over_outline(const std::vector<PileSphere>& spheres, const BenchOutline& outline);
+/// Ids of the spheres of all rocks whose centre lies over `height` at its x and y, in the order
+/// given. A rock goes or stays as a whole, by its own centre (the mean of its spheres by volume):
+/// were it to go with its highest sphere, a surface cut through the pile would take more of the
+/// large rocks.
+std::vector<long> over_surface(const std::vector<PileSphere>& spheres,
+                               const std::function<double(double x_m, double y_m)>& height);
 
 /// LIGGGHTS commands that put exactly these spheres into the group `waste`, which is empty or new.
 std::string waste_group(const std::vector<long>& ids);

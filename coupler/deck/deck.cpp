@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "coupler/deck/bench_surface.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/domain_split.hpp"
 #include "coupler/deck/outline_file.hpp"
@@ -22,6 +23,8 @@ namespace dipper {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kSurfaceFile = "surface.stl";
 
 void write(const fs::path& file, const std::string& text) {
   std::ofstream out(file);
@@ -90,6 +93,7 @@ std::string case_in(const Case& c) {
   text("wall_arrays", wall_arrays(c.output), "in their dumps");
   var("toe", pile.toe_x_m, "m, x of the bench's toe");
   var("rear", pile.rear_x_m, "m, x of the wall behind it");
+  if (c.pile.surface) text("outline", kSurfaceFile, "what the bench is cut to");
   var("half_width", c.pile.width_m / 2, "m");
   var("pour_height", pile.pour_height_m, "m");
   var("pour_run", pile.pour_run_m, "m, x from the toe to the pour's crest");
@@ -262,7 +266,11 @@ void write_deck(const Case& c, const fs::path& shapes, const fs::path& folder) {
   write(folder / "rocks.in", rocks_in(c, used));
   for (const auto& [name, shape] : used)
     write(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
-  write(folder / "outline.csv", to_csv(bench_outline(c)));
+  if (c.pile.surface) {
+    write(folder / kSurfaceFile, to_stl("surface", c.pile.surface->mesh()));
+  } else {
+    write(folder / "outline.csv", to_csv(bench_outline(c)));
+  }
   write(folder / "funnel.stl", to_stl("funnel", funnel_walls(c)));
   write(folder / "sides.stl", to_stl("sides", bench_walls(c)));
 }

@@ -29,7 +29,8 @@ inline constexpr double kPouredFraction = 0.30;
 /// own angle, so a face is only as steep as the profile's when it is cut from a higher fill.
 PileShape pile_shape(const Case& c);
 
-/// What the poured pile is cut to: the case's trapezoid or its profile.
+/// What the poured pile is cut to: the case's trapezoid or its profile; the highest section of a
+/// surface.
 BenchOutline bench_outline(const Case& c);
 
 }  // namespace dipper

@@ -211,6 +211,12 @@ TriangleMesh read_stl(const std::filesystem::path& file, double weld) {
   }
 }
 
+bool is_stl(const std::filesystem::path& file) {
+  std::string end = file.extension().string();
+  for (char& ch : end) ch = static_cast<char>(std::tolower(static_cast<unsigned char>(ch)));
+  return end == ".stl";
+}
+
 std::string to_stl(const std::string& name, const TriangleMesh& mesh) {
   // Adding zero writes -0 as 0.
   const auto numbers = [](const Eigen::Vector3d& v, int digits) {

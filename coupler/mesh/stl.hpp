@@ -36,6 +36,9 @@ TriangleMesh read_stl(const std::filesystem::path& file, double weld = 1e-6);
 /// The same from a file's bytes.
 TriangleMesh parse_stl(const std::string& bytes, double weld = 1e-6);
 
+/// Whether a file's name ends in .stl, in capitals or not.
+bool is_stl(const std::filesystem::path& file);
+
 /// An ascii file, seven digits a coordinate.
 std::string to_stl(const std::string& name, const TriangleMesh& mesh);
 

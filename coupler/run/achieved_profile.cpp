@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/pile_angle.hpp"
+#include "coupler/deck/bench_surface.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/run/first_dump.hpp"
@@ -28,7 +29,8 @@ std::optional<AchievedProfile> achieved_profile(const Case& c, const std::filesy
   double grain = 0;
   for (const RockClass& k : rock_classes(c)) grain = std::max(grain, 2 * k.radius_m);
   const SurfaceProfile surface = surface_profile(balls);
-  const BenchOutline outline = bench_outline(c);
+  const BenchOutline outline =
+      c.pile.surface ? c.pile.surface->section(c.pile.width_m / 2, 0.5) : bench_outline(c);
   AchievedProfile out;
   try {
     out.face_deg = pile_angle(surface, grain).angle_deg;

@@ -8,9 +8,9 @@
 
 namespace dipper {
 
-/// Of the surface seen from above (analysis/surface_profile.hpp) against the outline, from toe to
-/// rear wall. A face steeper than rock stands has slumped by the time it is dug: what it lost shows
-/// here.
+/// Of the surface seen from above (analysis/surface_profile.hpp) against the outline, or the median
+/// over y of a scanned surface, from toe to rear wall. A face steeper than rock stands has slumped
+/// by the time it is dug: what it lost shows here.
 struct AchievedProfile {
   double below_mean_m = 0;    ///< outline less surface, mean
   double below_most_m = 0;    ///< largest, as a mean over one largest rock's width of x

@@ -41,8 +41,8 @@ std::string pile_hash(const Case& c, const fs::path& deck) {
       if (line.rfind("dem.hold", 0) == 0 || line.rfind("pile.clear_machine", 0) == 0 ||
           line.rfind("pile.held_layer", 0) == 0)
         continue;
-      // A path says where a file is, not what is in it: the deck's spheres and outline are hashed
-      // below.
+      // A path says where a file is, not what is in it: the deck's spheres, outline and
+      // surface are hashed below.
       const bool path =
           line.rfind("rock.shape_folder", 0) == 0 || line.rfind("pile.profile", 0) == 0;
       if (line.rfind(section, 0) == 0 && !path) all += line + '\n';

@@ -1,10 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "coupler/case/check_command.hpp"
+#include "coupler/deck/bench_surface.hpp"
+#include "coupler/deck/pile_shape.hpp"
+#include "coupler/mesh/stl.hpp"
 #include "tests/case/checkout.hpp"
+#include "tests/deck/height_field.hpp"
 
 namespace dipper {
 namespace {
@@ -360,6 +365,90 @@ TEST(CheckCase, ProfileBesideWhatItReplaces) {
        {checkout.file(), checkout.line("height_m"), "pile.height_m", what},
        {checkout.file(), checkout.line("crest_depth_m"), "pile.crest_depth_m", what},
        {checkout.file(), checkout.line("face_angle_deg"), "pile.face_angle_deg", what}});
+}
+
+/// The same by a scanned surface.
+void use_surface(Checkout& checkout, const TriangleMesh& mesh) {
+  use_profile(checkout, "");
+  checkout.replace("profile:", "profile: scan.STL");
+  write_text(checkout.folder() / "scan.STL", to_stl("scan", mesh));
+}
+
+double face(double x, double y) { return std::min(0.9 * (x - 13), 5 + 0.2 * y); }
+
+TriangleMesh scan(double half_width) {
+  return height_field({13, 15, 17, 18, 19, 20, 21}, {-half_width, -1, 0, 2, half_width}, face);
+}
+
+TEST(CheckCase, SurfaceInPlaceOfTheTrapezoid) {
+  Checkout checkout;
+  use_surface(checkout, scan(6));
+  std::vector<Finding> findings;
+  const Case c = load_case(checkout.folder(), {}, findings);
+  ASSERT_TRUE(findings.empty()) << to_string(findings[0]);
+  ASSERT_TRUE(c.pile.surface);
+  EXPECT_NEAR(c.pile.surface->height(20, 2), 5.4, 1e-6);
+  // Poured as high as the highest of it within the width.
+  EXPECT_NEAR(pile_shape(c).height_m, 5 + 0.2 * c.pile.width_m / 2, 1e-6);
+  EXPECT_NEAR(pile_shape(c).rear_x_m, 21, 1e-6);
+  EXPECT_NE(c.text.find("pile.profile=\"scan.STL\"\n"), std::string::npos);
+  expect_findings(check_case(c), {});
+}
+
+TEST(CheckCase, SurfaceThatIsNone) {
+  Checkout checkout;
+  use_surface(checkout, scan(6));
+  const int line = checkout.line("profile:");
+  const fs::path stl = checkout.folder() / "scan.STL";
+  const auto expect = [&](const std::string& text, const std::string& message) {
+    write_text(stl, text);
+    expect_findings(load_findings(checkout),
+                    {{checkout.file(), line, "pile.profile", stl.string() + message}});
+  };
+  expect("x_m,z_m\n13,0\n16,6.5\n", ":1: not an ascii STL file: 'x_m,z_m' where 'solid' belongs");
+  expect("", ": holds no facets");
+  expect("solid scan\nendsolid scan\n", ": holds no facets");
+  expect(to_stl("scan", height_field({13, 21}, {-6, 6}, [](double, double) { return 0; })),
+         ": no rock is under a profile of 8 m length and 0 m height");
+  fs::remove(stl);
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), line, "pile.profile", stl.string() + ": no such file"}});
+}
+
+TEST(CheckCase, SurfaceThatDoesNotFitTheBench) {
+  Checkout checkout;
+  use_surface(checkout, scan(3));
+  const int line = checkout.line("profile:");
+  const fs::path stl = checkout.folder() / "scan.STL";
+  const auto expect = [&](const TriangleMesh& mesh, const fs::path& file, int at,
+                          const std::string& message) {
+    write_text(stl, to_stl("scan", mesh));
+    expect_findings(check(checkout), {{file, at, "pile.profile", message}});
+  };
+  expect(scan(3), stl, 0, "leaves 24.7 % of the bench uncovered, x = 13 m, y = -4 m for one");
+  expect(
+      height_field({13, 21}, {7, 9}, face), stl, 0,
+      "leaves 100 % of the bench uncovered, x = 13 m, y = -4 m for one; it lies at y = 7 to 9 m");
+  TriangleMesh mesh = scan(6);
+  add(mesh, height_field({18, 19}, {-1, 1}, [](double, double) { return 3; }));
+  expect(mesh, stl, 0, "overhangs: facets are at z = 3 m and 5.13 m at x = 18.9 m, y = 0.9 m");
+  expect(height_field({13, 15, 21}, {-6, 6}, [](double x, double) { return x - 14; }), stl, 0,
+         "is 1 m under the ground at x = 13 m");
+  expect(height_field({13, 33}, {-6, 6}, face), checkout.file(), line,
+         "reaches x = 33 m, 1 m outside of domain.max_m's 32");
+  write_text(stl, to_stl("scan", height_field({13, 21}, {-6, 6},
+                                              [](double x, double) { return 1.5 * (x - 13); })));
+  expect_findings(check(checkout), {{checkout.file(), checkout.line("max_m"), "domain.max_m",
+                                     "the rock for this pile is poured up to z = 26.4 m"}});
+}
+
+TEST(CheckCase, SurfaceBesideWhatItReplaces) {
+  Checkout checkout;
+  use_surface(checkout, scan(6));
+  checkout.replace("profile:", "profile: scan.STL\ntoe_x_m: 13");
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), checkout.line("toe_x_m"), "pile.toe_x_m",
+                    "pile.profile is there as well and replaces pile.toe_x_m"}});
 }
 
 TEST(CheckCase, HeldLayerInACrust) {

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 const BenchOutline kBench = {{10, 0}, {14, 4}, {20, 4}};
 
+double bench_height(double x_m, double) { return outline_height(kBench, x_m); }
+
 TEST(BenchCut, HeightOfTheOutline) {
   EXPECT_EQ(outline_height(kBench, 9.9), 0);
   EXPECT_DOUBLE_EQ(outline_height(kBench, 13), 3);
@@ -34,7 +36,7 @@ TEST(BenchCut, ARockGoesOrStaysAsAWholeByItsOwnCentre) {
       {2, 7, {16, 0, 4.5}, 0.2},   {3, 8, {17, 0, 4.1}, 0.4},    // goes: 4.04
       {4, 8, {17, 0, 3.6}, 0.2},   {5, -1, {18, 0, 3.99}, 0.3},  // a sphere by itself
       {6, -1, {18, 1, 4.01}, 0.3}, {7, -1, {9, 0, 0.1}, 0.1}};   // in front of the toe
-  EXPECT_EQ(over_outline(spheres, kBench), (std::vector<long>{3, 4, 6, 7}));
+  EXPECT_EQ(over_surface(spheres, bench_height), (std::vector<long>{3, 4, 6, 7}));
 }
 
 TEST(BenchCut, LargeAndSmallRocksStayInTheSameShare) {
@@ -48,7 +50,7 @@ TEST(BenchCut, LargeAndSmallRocksStayInTheSameShare) {
       spheres.push_back({2 * rock, rock, {16, 0, at + size / 2}, size / 2});
       spheres.push_back({2 * rock + 1, rock, {16, 0, at - size / 2}, size / 2});
     }
-    const double gone = static_cast<double>(over_outline(spheres, kBench).size()) / 10000;
+    const double gone = static_cast<double>(over_surface(spheres, bench_height).size()) / 10000;
     EXPECT_NEAR(gone, 0.5, 0.028) << size;
   }
 }

@@ -7,8 +7,8 @@
 
 #include "coupler/deck/deck.hpp"
 #include "coupler/run/achieved_profile.hpp"
-#include "tests/deck/liggghts_run.hpp"
 #include "tests/deck/quick_case.hpp"
+#include "tests/deck/settled_bench.hpp"
 
 namespace dipper {
 namespace {
@@ -26,22 +26,8 @@ Case steep_case() {
   return c;
 }
 
-/// Settles the bench of the deck, relaxed for `relax_s`, and looks at it.
 AchievedProfile settled(const fs::path& folder, double relax_s) {
-  const fs::path out = folder / fmt::format("relax{:g}", relax_s);
-  fs::create_directories(out);
-  const std::string deck = "-var deck '" + (folder / "deck").string() + "' ";
-  EXPECT_EQ(
-      run_liggghts("dem_in/settle.in", deck + fmt::format("-var relax_time {}", relax_s), 1, out),
-      0)
-      << read_text(out / "screen.txt");
-  EXPECT_EQ(run_liggghts("dem_in/dig.in",
-                         deck + "-var run_steps 1 -var dump_steps 1 -var pile '" +
-                             (out / "pile.restart").string() + "'",
-                         1, out),
-            0)
-      << read_text(out / "screen.txt");
-  const auto found = achieved_profile(steep_case(), out);
+  const auto found = achieved_profile(steep_case(), settled_bench(folder, relax_s));
   EXPECT_TRUE(found);
   return found.value_or(AchievedProfile{});
 }
