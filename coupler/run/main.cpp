@@ -94,6 +94,7 @@ int changed_machine_command(const Words& words) {
   }
   std::vector<Finding> findings;
   const Case changed = case_of_run(words.folder, overrides(words), findings);
+  if (findings.empty()) findings = check_case(changed);
   for (const Finding& f : findings) fmt::print(stderr, "{}\n", to_string(f));
   if (!findings.empty()) return 2;
   enter_private_network();

@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, RunTest
+from runs import DIPPER, TINY, RunTest
 
 
 class PairedRun(RunTest):
@@ -128,6 +128,16 @@ class PairedRun(RunTest):
         np.testing.assert_allclose(replayed[:, 4], plain[:, 4], rtol=1e-9)
         files = {p.name for p in (run / "observed").iterdir()}
         self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})
+        # A machine that could not run is not replayed either: its dipper would be in the ground.
+        sunk = ("--set", "machine.base_position_m=[0, 0, -5]")
+        errors = subprocess.run([DIPPER, "check", TINY, *sunk], text=True, capture_output=True)
+        done = subprocess.run([DIPPER, "replay", run, "--side", "mbs", "--out", self.folder / "no",
+                               *sunk], text=True, capture_output=True, timeout=120)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        said = [line[line.index("domain.min_m:"):] for line in errors.stdout.splitlines()[:-1]]
+        self.assertEqual([line[line.index("domain.min_m:"):] for line in done.stderr.splitlines()],
+                         said)
+        self.assertFalse((self.folder / "no").exists())
 
     def test_a_run_that_holds_rock_replays_and_resumes(self):
         hold = ("--ranks", "1", "--set", "dem.hold_below_m_s=0.3")
