@@ -8,15 +8,15 @@
 namespace dipper {
 
 namespace {
-constexpr std::size_t kBuffer = 1 << 17;
+constexpr std::size_t kBuffer = 1 << 18;
 }
 
 ByteReader::ByteReader(std::filesystem::path file, std::int64_t offset, long line)
-    : file_(std::move(file)),
+    : buffer_(kBuffer),
+      line_(line),
+      file_(std::move(file)),
       stream_(open_file(file_)),
-      buffer_(kBuffer),
-      base_(offset),
-      line_(line) {
+      base_(offset) {
   std::setvbuf(stream_.get(), nullptr, _IONBF, 0);
   if (fseeko(stream_.get(), offset, SEEK_SET) != 0)
     throw input_error(file_, line, "cannot be read there");
@@ -27,6 +27,7 @@ bool ByteReader::refill() {
   base_ += static_cast<std::int64_t>(read_);
   filled_ -= read_;
   read_ = 0;
+  if (filled_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
   const std::size_t got =
       std::fread(buffer_.data() + filled_, 1, buffer_.size() - filled_, stream_.get());
   if (got == 0 && std::ferror(stream_.get()) != 0)

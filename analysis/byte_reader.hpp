@@ -39,15 +39,18 @@ class ByteReader {
   long line() const { return line_; }
   const std::filesystem::path& file() const { return file_; }
 
+ protected:
+  bool refill();  ///< drops what is read; the buffer grows when all of it is unread
+
+  std::vector<char> buffer_;
+  std::size_t read_ = 0, filled_ = 0;  // in buffer_
+  long line_ = 1;
+
  private:
   int byte() const { return static_cast<unsigned char>(buffer_[read_]); }
-  bool refill();
   std::filesystem::path file_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
-  std::vector<char> buffer_;
-  std::size_t read_ = 0, filled_ = 0;
-  std::int64_t base_ = 0;
-  long line_ = 1;
+  std::int64_t base_ = 0;  // offset of buffer_[0] in the file
 };
 
 }  // namespace dipper

@@ -10,8 +10,6 @@
 namespace dipper {
 namespace {
 
-constexpr std::size_t kBuffer = 1 << 18;
-
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 }  // namespace
@@ -27,31 +25,6 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> open_file(const std::filesystem:
   if (!stream || std::filesystem::is_directory(file))
     throw input_error(file, 0, fmt::format("cannot be read: {}", std::strerror(errno)));
   return stream;
-}
-
-LineReader::LineReader(std::filesystem::path file, std::int64_t offset, long line)
-    : file_(std::move(file)),
-      stream_(open_file(file_)),
-      buffer_(kBuffer),
-      base_(offset),
-      line_(line) {
-  std::setvbuf(stream_.get(), nullptr, _IONBF, 0);
-  if (fseeko(stream_.get(), offset, SEEK_SET) != 0)
-    throw input_error(file_, line, "cannot be read there");
-}
-
-bool LineReader::refill() {
-  std::memmove(buffer_.data(), buffer_.data() + read_, filled_ - read_);
-  filled_ -= read_;
-  base_ += static_cast<std::int64_t>(read_);
-  read_ = 0;
-  if (filled_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-  const std::size_t got =
-      std::fread(buffer_.data() + filled_, 1, buffer_.size() - filled_, stream_.get());
-  if (got == 0 && std::ferror(stream_.get()) != 0)
-    throw input_error(file_, line_, "cannot be read any further");
-  filled_ += got;
-  return got > 0;
 }
 
 bool LineReader::next(std::string_view& text) {
