@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
 #include "coupler/core/cache_folder.hpp"
-#include "coupler/core/sha256.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/run/cache_entry.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
 #include "coupler/run/last_words.hpp"
@@ -22,13 +20,6 @@
 namespace dipper {
 namespace fs = std::filesystem;
 namespace {
-
-std::string read_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 fs::path sheet() { return source_folder() / "dem_in" / "sheet.stl"; }
 
@@ -63,13 +54,7 @@ std::string run_hash(const DeckRun& run, const fs::path& deck) {
   std::string all =
       fmt::format("LIGGGHTS 3.8.0\nseed {}\ntimestep {:.17g}\n", run.c.seed, run.c.dem.timestep_s);
   for (const auto& [name, value] : run.variables) all += name + ' ' + value + '\n';
-  all += read_file(script(run)) + read_file(sheet());
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(deck))
-    if (entry.path().filename() != "case.in") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) all += file.filename().string() + '\n' + read_file(file);
-  return sha256(all);
+  return deck_hash(all, {script(run), sheet()}, deck);
 }
 
 fs::path entry_of(const std::string& hash) { return cache_folder() / "calibrations" / hash; }

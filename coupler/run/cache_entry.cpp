@@ -7,9 +7,14 @@
 
 #include <cerrno>
 #include <chrono>
+#include <fstream>
+#include <iterator>
+#include <set>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#include "coupler/core/sha256.hpp"
 
 namespace dipper {
 namespace fs = std::filesystem;
@@ -73,6 +78,22 @@ void sweep(const fs::path& folder, const fs::path& locked_entry) {
 }
 
 }  // namespace
+
+std::string deck_hash(std::string what, const std::vector<fs::path>& files, const fs::path& deck) {
+  const auto add = [&](const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    what.append(std::istreambuf_iterator<char>(in), {});
+  };
+  for (const fs::path& file : files) add(file);
+  std::set<fs::path> sorted;
+  for (const auto& f : fs::directory_iterator(deck))
+    if (f.path().filename() != "case.in") sorted.insert(f.path());
+  for (const fs::path& file : sorted) {
+    what += file.filename().string() + '\n';
+    add(file);
+  }
+  return sha256(what);
+}
 
 bool make_once(const fs::path& entry, const std::function<void(const fs::path& part)>& write,
                const std::function<void()>& while_waiting) {

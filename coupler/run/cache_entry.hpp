@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace dipper {
 
@@ -14,5 +16,10 @@ namespace dipper {
 bool make_once(const std::filesystem::path& entry,
                const std::function<void(const std::filesystem::path& part)>& write,
                const std::function<void()>& while_waiting);
+
+/// An entry's name: the SHA-256 of `what`, the text of `files`, and names and text of all that a
+/// deck holds but case.in, which also has what an entry does not depend on.
+std::string deck_hash(std::string what, const std::vector<std::filesystem::path>& files,
+                      const std::filesystem::path& deck);
 
 }  // namespace dipper

@@ -2,15 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "coupler/core/cache_folder.hpp"
-#include "coupler/core/sha256.hpp"
 #include "coupler/deck/bench_cut.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/run/cache_entry.hpp"
@@ -22,13 +19,6 @@
 namespace dipper {
 namespace fs = std::filesystem;
 namespace {
-
-std::string read_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// Everything the bench depends on: the case's keys about rock, its bench and the DEM, the deck
 /// that settles it, the files that deck includes, and the program that runs it.
@@ -48,14 +38,7 @@ std::string pile_hash(const Case& c, const fs::path& deck) {
       if (line.rfind(section, 0) == 0 && !path) all += line + '\n';
     }
   }
-  all += read_file(source_folder() / "dem_in" / "settle.in");
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(deck)) {
-    if (entry.path().filename() != "case.in") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) all += file.filename().string() + '\n' + read_file(file);
-  return sha256(all);
+  return deck_hash(all, {source_folder() / "dem_in" / "settle.in"}, deck);
 }
 
 }  // namespace
