@@ -2,9 +2,10 @@
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.stats import chi2
 from sklearn.covariance import ledoit_wolf
 
-LEAST_SEEDS = 8
+SEEDS = 16
 PRIOR_DOF = 14.0   # how many degrees of freedom the spread pooled over passes counts against a pass's own
 COLLINEAR = 0.98   # a feature that follows another this closely says nothing of its own
 PREFERRED = ("mass", "balance", "mean", "slope", "peak", "work")
@@ -12,22 +13,24 @@ PREFERRED = ("mass", "balance", "mean", "slope", "peak", "work")
 
 @dataclass(frozen=True)
 class Baseline:
-    """Vectors over `cells`; y - mean of a new observation has covariance noise + seed (1 + 1/R)."""
+    """Vectors over `cells`; y - mean, where y is the mean over T trucks, has covariance noise + seed (f/T + 1/R)."""
 
     cells: list
     mean: np.ndarray        # (n,)
     values: np.ndarray      # (R, n)
-    noise: np.ndarray       # (n, n)
-    seed: np.ndarray        # (n, n)
+    noise: np.ndarray       # (n, n) of the mean over the trucks
+    seed: np.ndarray        # (n, n) of one run
     grid: np.ndarray        # (P, F) index into cells, -1 where there is none
+    trucks: int = 1         # T
+    scatter: float = 1.0    # f: variance of the mine's own runs, in variances of the model's
 
     def part(self, pass_numbers):
         """The same over some of the passes, and their indices. Covariances stay as all passes give them."""
         at = [i for i, c in enumerate(self.cells) if c.pass_number in pass_numbers]
         block = np.ix_(at, at)
         cells = [self.cells[i] for i in at]
-        return Baseline(cells, self.mean[at], self.values[:, at], self.noise[block], self.seed[block],
-                        make_grid(cells, pass_numbers)), at
+        return replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], noise=self.noise[block],
+                       seed=self.seed[block], grid=make_grid(cells, pass_numbers)), at
 
     @property
     def seeds(self):
@@ -35,7 +38,11 @@ class Baseline:
 
     @property
     def prediction(self):
-        return self.noise + self.seed * (1.0 + 1.0 / self.seeds)
+        return self.noise + self.seed * self.share(self.seeds)
+
+    def share(self, runs):
+        """Variance of the mine's mean less that of so many runs, in variances of a run."""
+        return self.scatter / self.trucks + 1.0 / runs
 
     def inflated(self, factor):
         """The same with the seeds' covariance times `factor`."""
@@ -90,6 +97,22 @@ def make_grid(cells, pass_numbers):
     return np.array([[place.get((p, *k), -1) for k in keys] for p in pass_numbers])
 
 
+def scatter(rows, baseline, common):
+    """Variance of the mine's passes from truck to truck, (T, n), in variances of the model's runs; 1 at least.
+
+    `common` (channels, n): the errors all trucks share, which do not scatter. The median over cells, as a
+    single rock under the lip makes some of them large.
+    """
+    if len(rows) < 2:
+        return 1.0
+    own = len(rows) * (np.diag(baseline.noise) - (common**2).sum(axis=0))
+    seed = np.diag(baseline.seed)
+    usual = chi2.median(len(rows) - 1) / (len(rows) - 1)  # of a variance, in what it estimates
+    moves = seed > own
+    ratio = (rows.var(axis=0, ddof=1) / usual - own)[moves] / seed[moves]
+    return max(1.0, float(np.median(ratio))) if moves.any() else 1.0
+
+
 def telling_cells(cells, values, noise):
     """Indices of the cells that vary at all and do not merely repeat another, pass by pass alike."""
     spread = values.std(axis=0, ddof=1)
@@ -118,7 +141,7 @@ def _follows(cells, values, noise, key, other):
     return bool(rho) and min(abs(r) for r in rho) > COLLINEAR
 
 
-def make_baseline(cells, values, noise, pass_numbers):
+def make_baseline(cells, values, noise, pass_numbers, trucks=1):
     """Baseline of R runs, (R, n), over the cells worth keeping; the kept indices beside it."""
     if len(values) < 2:
         raise ValueError("a baseline needs two runs or more")
@@ -126,4 +149,5 @@ def make_baseline(cells, values, noise, pass_numbers):
     kept = [cells[i] for i in keep]
     grid = make_grid(kept, pass_numbers)
     values, noise = values[:, keep], noise[np.ix_(keep, keep)]
-    return Baseline(kept, values.mean(axis=0), values, noise, seed_covariance(values, grid), grid), keep
+    return Baseline(kept, values.mean(axis=0), values, noise, seed_covariance(values, grid), grid,
+                    trucks), keep

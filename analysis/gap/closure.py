@@ -52,7 +52,7 @@ def closure(y, baseline, after, rivals, expected, seed=0):
     sd, runs, covariance = baseline.sd, len(after), baseline.prediction
     patched = after.mean(axis=0)
     g0, g1 = mean_square(y - baseline.mean, sd), mean_square(y - patched, sd)
-    floor = float(np.mean(np.diag(baseline.noise + baseline.seed * (1 + 1 / runs)) / sd**2))
+    floor = float(np.mean(np.diag(baseline.noise + baseline.seed * baseline.share(runs)) / sd**2))
     noise = rng.standard_normal((DRAWS, len(y))) @ root(covariance).T
     inverse = np.linalg.inv(covariance)
 

@@ -12,7 +12,7 @@ class Curve:
     held_out: bool
     channel: str
     time_s: np.ndarray     # since the pass began
-    measured: np.ndarray
+    measured: np.ndarray   # mean over trucks, at the first one's readings
     before: np.ndarray     # mean over runs
     spread: np.ndarray     # sd over runs
     after: np.ndarray      # None when nothing was added
@@ -22,7 +22,7 @@ class Curve:
 class Mass:
     pass_number: int
     held_out: bool
-    measured: float
+    measured: float        # mean over trucks
     before: float
     spread: float
     after: float           # None when nothing was added
@@ -31,15 +31,16 @@ class Mass:
 def curves(measured, before, after, numbers, held):
     """Curves of the response signals; simulated ones are read at the measured times within the pass."""
     out = []
+    trucks = measured.trucks()
     for number in numbers:
-        mine = _pass(measured, number)
+        mine = _pass(trucks[0], number)
         inside = (measured.time_s >= mine.t_start_s) & (measured.time_s <= mine.t_end_s)
         t = measured.time_s[inside] - mine.t_start_s
         for channel in measured.responses():
+            seen = np.mean([_read(m, number, channel, t) for m in trucks], axis=0)
             runs = np.array([_read(m, number, channel, t) for m in before])
             new = np.mean([_read(m, number, channel, t) for m in after], axis=0) if after else None
-            out.append(Curve(number, number in held, channel, t, measured.signals[channel][inside],
-                             runs.mean(axis=0), runs.std(axis=0, ddof=1), new))
+            out.append(Curve(number, number in held, channel, t, seen, runs.mean(axis=0), runs.std(axis=0, ddof=1), new))
     return out
 
 
@@ -48,9 +49,10 @@ def masses(measured, before, after, numbers, held):
         return []
     out = []
     for number in numbers:
+        mine = float(np.mean([_pass(m, number).truck_mass_t for m in measured.trucks()]))
         runs = np.array([_pass(m, number).truck_mass_t for m in before])
         new = float(np.mean([_pass(m, number).truck_mass_t for m in after])) if after else None
-        out.append(Mass(number, number in held, _pass(measured, number).truck_mass_t, float(runs.mean()),
+        out.append(Mass(number, number in held, mine, float(runs.mean()),
                         float(runs.std(ddof=1)), new))
     return out
 

@@ -35,7 +35,7 @@ def decide(omnibus_p, m, signatures, covariance, plain, residual, baseline, null
                        reasons=(f"omnibus p {omnibus_p:.2g} is not below {OMNIBUS_P:g}",))
     by_name = {s.name: s for s in signatures}
     lead = max(by_name, key=m.presence)
-    best = m.fits[m.best_with(lead)]
+    best = m.fits[sure(m, lead)]
     strength = best.best[best.names.index(lead)]
     members = _class(lead, strength, m, signatures, covariance)
     residual_p = _left_over(best, by_name, plain, residual, baseline, null)
@@ -56,6 +56,12 @@ def decide(omnibus_p, m, signatures, covariance, plain, residual, baseline, null
         reasons += (f"{len(members)} effects look alike here",)
     return Verdict("unknown", "", (), m.probability["unknown"], residual_p, reasons,
                    _rejected("", (), m, by_name))
+
+
+def sure(m, lead):
+    """The set of `lead` and its companions that are as probable as a name must be: what would be added."""
+    beside = {n for key in m.fits for n in key if n != lead and m.presence(n) >= PROBABILITY}
+    return next((key for key in m.fits if set(key) == beside | {lead}), (lead,))
 
 
 def _class(lead, strength, m, signatures, covariance):
@@ -88,7 +94,7 @@ def _failed(lead, members, strength, m, by_name, residual_p):
             out.append(f"Bayes factor over {other} is {np.exp(m.log_bayes(lead, other)):.1f}, "
                        f"not above {BAYES_FACTOR:g}")
     if residual_p <= CONSISTENT_P:
-        out.append(f"what {lead} leaves is not like noise: p {residual_p:.2g}")
+        out.append(f"what it leaves is not like noise: p {residual_p:.2g}")
     if strength == 0 or not effect.low < strength < effect.high:
         out.append(f"the estimate {strength:.3g} {effect.unit} is at a bound")
     return out

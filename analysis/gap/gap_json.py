@@ -24,6 +24,7 @@ def as_json(out, catalogue, hashes):
         "gap": _gap(out),
         "rejected": [{"effect": n, "probability": p, "reason": r} for n, p, r in v.rejected],
         "patch": overlay(out.effects),
+        "trucks": out.trucks,
         "runs": out.runs,
         "seeds": out.seeds,
         "hashes": hashes,

@@ -6,10 +6,12 @@ import numpy as np
 from scipy.special import logsumexp
 
 from . import evidence
+from .measured import MASS
 
 # Prior shares: how often, before looking, one expects so many effects. Equal among sets of one size.
 PRIOR = {"none": 0.45, "unknown": 0.10, 1: 0.35, 2: 0.08, 3: 0.02}
 UNKNOWN_SIZES = (1.0, 2.0, 4.0)  # of a free discrepancy, in sd of the prediction
+UNKNOWN_GAINS = (0.05, 0.15)     # of a force's reading, in parts
 INTERVAL = 0.90
 GAIN_ERROR = 0.10  # assumed: of a response taken as a straight line through two strengths
 SAMPLES = 4000
@@ -62,7 +64,8 @@ def unknown_evidence(residual, covariance, baseline):
     """log evidence of a free discrepancy: a mixture over where it is and how large.
 
     Everywhere and each pass anew; everywhere and alike in all passes; or alike in all passes but in one
-    channel, one phase, or one block of both; or in one pass alone.
+    channel, one phase, or one block of both; or in one pass alone; or one force reads too much, by a part that
+    stays or grows from pass to pass.
     """
     sd = baseline.sd
     same = np.array([[a.key == b.key for b in baseline.cells] for a in baseline.cells], float)
@@ -73,9 +76,21 @@ def unknown_evidence(residual, covariance, baseline):
     shapes = [np.diag(sd**2)] + [np.outer(sd * m, sd * m) * same for m in masks]
     for number in dict.fromkeys(c.pass_number for c in baseline.cells):
         shapes.append(np.diag(sd**2 * np.array([c.pass_number == number for c in baseline.cells])))
-    logs = [evidence.log_gaussian(residual, evidence.prepare(covariance + size**2 * shape))
-            for shape in shapes for size in UNKNOWN_SIZES]
+    sized = [size**2 * shape for shape in shapes for size in UNKNOWN_SIZES]
+    sized += [gain**2 * np.outer(v, v) for v in gains(baseline).T for gain in UNKNOWN_GAINS]
+    logs = [evidence.log_gaussian(residual, evidence.prepare(covariance + extra)) for extra in sized]
     return float(logsumexp(logs) - np.log(len(logs)))
+
+
+def gains(baseline):
+    """(n, 2 x forces): what a force's load cell shows that reads twice too much, in all passes or more and more."""
+    late = np.array([c.pass_number for c in baseline.cells], float)
+    late = (late - late.min()) / max(np.ptp(late), 1.0)
+    out = []
+    for channel in dict.fromkeys(c.channel for c in baseline.cells if c.channel != MASS):
+        reading = baseline.mean * [c.channel == channel for c in baseline.cells]
+        out += [reading, reading * late]
+    return np.array(out).reshape(-1, len(baseline.mean)).T
 
 
 def strength(m, name, signatures, seed=0):

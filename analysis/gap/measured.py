@@ -1,7 +1,7 @@
 """A measured folder: what a mine's logger and truck scale say, or what a simulation would have shown them.
 
     channels.yaml  NAME: {unit, role: driven|response, sigma, common_sigma}   for each channel used
-    passes.csv     pass,t_start_s,t_end_s,truck_mass_t
+    passes.csv     pass,t_start_s,t_end_s,truck_mass_t, and truck where the same passes were dug for several
     signals.csv    time_s and one column for each signal (optional: then only the masses are compared)
 
 `sigma` is the standard deviation of one reading, `common_sigma` that of an error all readings share.
@@ -41,6 +41,7 @@ KNOWN = {
 MASS = "truck_mass_t"
 MOTION = ("hoist_m", "crowd_m", "swing_rad")
 PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
+TRUCK = "truck"
 LEAST_SAMPLES = 10  # a pass with fewer readings cannot be cut into phases
 
 
@@ -59,6 +60,7 @@ class Pass:
     t_start_s: float
     t_end_s: float
     truck_mass_t: float
+    truck: int = 1
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,11 @@ class Measured:
         signals = {n: v for n, v in self.signals.items() if n in channels}
         return replace(self, channels={n: c for n, c in self.channels.items() if n in channels}, signals=signals,
                        time_s=self.time_s if signals else np.zeros(0))
+
+    def trucks(self):
+        """The passes of each truck as a folder of their own, in order."""
+        numbers = dict.fromkeys(p.truck for p in self.passes)
+        return [replace(self, passes=tuple(p for p in self.passes if p.truck == n)) for n in numbers]
 
     def responses(self):
         """Names of the signals that answer to the rock, in a fixed order."""
@@ -216,9 +223,14 @@ def _passes(file, channels, need_passes, found):
     if not all(name in table for name in need):
         return []
     masses = table.get(MASS, np.full(len(lines), math.nan))
-    passes, last_end, last_number = [], -math.inf, 0
-    for line, number, start, end, mass in zip(lines, table["pass"], table["t_start_s"],
-                                              table["t_end_s"], masses):
+    trucks = table.get(TRUCK, np.ones(len(lines)))
+    passes, last_end, last_number, last_truck = [], -math.inf, 0, 0
+    for line, truck, number, start, end, mass in zip(lines, trucks, table["pass"], table["t_start_s"],
+                                                     table["t_end_s"], masses):
+        if truck != last_truck:
+            last_number = 0
+        if not (truck == int(truck) and truck >= max(1, last_truck)):
+            found.add(file, line, TRUCK, f"is {truck:g}", "whole numbers from 1, the passes of a truck together")
         if number != int(number) or number <= last_number:
             found.add(file, line, "pass", f"is {number:g}", "whole numbers that rise, from 1")
         if not end > start:
@@ -228,12 +240,22 @@ def _passes(file, channels, need_passes, found):
                       f"{last_end:g} or later: passes must not overlap")
         if mass < 0:
             found.add(file, line, MASS, f"is {mass:g}", "0 or more")
-        if math.isfinite(number):
-            passes.append(Pass(int(number), float(start), float(end), float(mass)))
-            last_end, last_number = end, number
-    if len(passes) < need_passes:
-        found.add(file, 0, "passes", f"{len(passes)} found", f"{need_passes} or more are needed")
+        if math.isfinite(number) and math.isfinite(truck):
+            passes.append(Pass(int(number), float(start), float(end), float(mass), int(truck)))
+            last_end, last_number, last_truck = end, number, truck
+    first = [p.number for p in passes if p.truck == passes[0].truck]
+    for truck in dict.fromkeys(p.truck for p in passes):
+        numbers = [p.number for p in passes if p.truck == truck]
+        if numbers != first:
+            found.add(file, 0, f"truck {truck}", f"has passes {_list(numbers)}",
+                      f"{_list(first)}, as truck {passes[0].truck}; leave out a truck loaded otherwise")
+    if len(first) < need_passes:
+        found.add(file, 0, "passes", f"{len(first)} found", f"{need_passes} or more are needed")
     return passes
+
+
+def _list(numbers):
+    return ", ".join(map(str, numbers)) or "none"
 
 
 def _signals(file, channels, passes, found):
@@ -279,9 +301,9 @@ def write_measured(m, folder):
             f.write(f"{c.name}: {{unit: {c.unit}, role: {c.role}, sigma: {c.sigma:g}, "
                     f"common_sigma: {c.common_sigma:g}}}\n")
     with open(folder / "passes.csv", "w") as f:
-        f.write(",".join(PASS_COLUMNS) + "\n")
+        f.write(",".join(PASS_COLUMNS + (TRUCK,)) + "\n")
         for p in m.passes:
-            f.write(f"{p.number},{p.t_start_s:.3f},{p.t_end_s:.3f},{p.truck_mass_t:.3f}\n")
+            f.write(f"{p.number},{p.t_start_s:.3f},{p.t_end_s:.3f},{p.truck_mass_t:.3f},{p.truck}\n")
     if m.signals:
         with open(folder / "signals.csv", "w") as f:
             f.write(",".join(["time_s"] + list(m.signals)) + "\n")

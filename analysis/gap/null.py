@@ -1,6 +1,6 @@
 """What the test statistics look like when nothing is missing: the whole procedure on simulated data.
 
-Each draw makes R baseline runs and one more as the mine would see it, from the baseline's own covariance
+Each draw makes R baseline runs and one more a truck as the mine would see it, from the baseline's own covariance
 and as heavy-tailed as its runs are, then estimates everything from those R runs anew. So the null knows
 how little R runs tell.
 """
@@ -168,10 +168,11 @@ def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None, t
     stats, fits, z = [], [], np.empty((draws, len(at)))
     asked = directions is not None and directions.size > 0
     for d in range(draws):
-        made = make_runs(seed_root, runs + 1, tails, labels, rng)
-        seeds = seed_covariance(made[:-1], baseline.grid) * (1 + 1 / runs)
+        made = make_runs(seed_root, runs + baseline.trucks, tails, labels, rng)
+        seeds = seed_covariance(made[:runs], baseline.grid) * baseline.share(runs)
         covariance = baseline.noise + seeds
-        residual = made[-1] + noise_root @ rng.standard_normal(n) - made[:-1].mean(axis=0)
+        mine = np.sqrt(baseline.scatter) * made[runs:].mean(axis=0) + noise_root @ rng.standard_normal(n)
+        residual = mine - made[:runs].mean(axis=0)
         residual, covariance, seeds = residual[at], covariance[block], seeds[block]
         stats.append(statistics(residual, covariance, part.grid))
         if asked:

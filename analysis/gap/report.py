@@ -72,7 +72,9 @@ def _verdict(out, a, catalogue):
     elif out.second:
         second = "<p>Something else is left that has no name yet.</p>"
     g, held = a["gap"], out.confirmed.get("holdout")
-    facts = [("omnibus p", f"{a['omnibus_p']:.2g}"), ("probability", f"{100 * v.probability:.1f} %")]
+    passes = len(out.training.passes + out.holdout.passes)
+    facts = [("passes of each truck, trucks", f"{passes}, {out.trucks}"), ("omnibus p", f"{a['omnibus_p']:.2g}"),
+             ("probability", f"{100 * v.probability:.1f} %")]
     if v.verdict == "named":
         facts += [("leads again in resampled data", f"{100 * out.stability:.0f} %"),
                   ("gap closed, training", _share(g["closure"], g["closure_interval90"])),

@@ -1,7 +1,8 @@
 """What one unit of an effect does to the features, and how well a few runs tell it.
 
-Runs at two strengths use seeds of the baseline, so each is paired with the run without the effect. The
-paired differences are fitted by a line through zero. A handful of chaotic runs leaves more noise than
+Runs at two strengths use seeds of the baseline, so each is paired with the run without the effect, or where
+the rock has forgotten its seed, compared with the mean of them. The differences are fitted by a line through
+zero. A handful of chaotic runs leaves more noise than
 signal in 150 cells; the fit is therefore shrunk (empirical Bayes), block by block, with its remaining
 variance kept and used wherever the signature is.
 """
@@ -23,7 +24,7 @@ class Signature:
     effect: object
     g: np.ndarray        # (n,) per unit strength
     spread: np.ndarray   # (n, n) covariance of g, per unit strength squared
-    chaos: float         # variance of a paired difference, in variances of a run; 0: nothing random
+    chaos: float         # variance of a difference about the line, in variances of a run; 0: nothing random
 
     @property
     def name(self):
@@ -38,22 +39,30 @@ def fit_signature(effect, baseline, strengths, seed_index, values):
     """From runs (J, n) at `strengths` (J,), each paired with baseline run seed_index (J,); None: with none
     of them, so with their mean."""
     s = np.asarray(strengths, float)
-    difference = values - [baseline.mean if k is None else baseline.values[k] for k in seed_index]
-    g = s @ difference / (s @ s)
-    rest = difference - np.outer(s, g)
     variance = np.diag(baseline.seed)
     moves = variance > CHAOTIC * baseline.sd**2
-    chaos = 0.0
-    if moves.any() and len(s) > 1:
-        ratio = (rest[:, moves] ** 2).sum(axis=0) / variance[moves]
-        chaos = float(np.median(ratio) / chi2.median(len(s) - 1))
+    pairs = np.array([baseline.mean if k is None else baseline.values[k] for k in seed_index])
+    g, chaos = _line(s, values - pairs, variance, moves)
     error = chaos * variance / (s @ s)
+    if chaos > 1:  # nothing is left of the common seed: the mean of all seeds is the better partner
+        g, chaos = _line(s, values - baseline.mean, variance, moves)
+        chaos = max(chaos, 1.0)
+        error = variance * (chaos / (s @ s) + (s.sum() / (s @ s)) ** 2 / baseline.seeds)
     g, error = _shrink(g, error, baseline, effect.reference())
     scale = np.sqrt(np.divide(error, variance, out=np.zeros_like(error), where=variance > 0))
     spread = baseline.seed * np.outer(scale, scale)
     if effect.kind != "observation":
         spread = spread + _shape_error(g, baseline)
     return Signature(effect, g, spread, chaos)
+
+
+def _line(s, difference, variance, moves):
+    """Slope through zero, and the variance of what it leaves in variances of a run (median over cells)."""
+    g = s @ difference / (s @ s)
+    if not moves.any() or len(s) < 2:
+        return g, 0.0
+    ratio = ((difference - np.outer(s, g))[:, moves] ** 2).sum(axis=0) / variance[moves]
+    return g, float(np.median(ratio) / chi2.median(len(s) - 1))
 
 
 def _shape_error(g, baseline):

@@ -8,16 +8,17 @@ from .noise import measured_features, noise_covariance, noisy_features
 class Vectors:
     """How folders with these `channels` and pass `numbers` become vectors over `cells`.
 
-    `base` are runs of the unchanged case: their noise is everyone's, and they tell the balance.
+    `base` are runs of the unchanged case: their noise is everyone's, and they tell the balance. The mine's
+    vector is the mean over its `trucks`.
     """
 
-    def __init__(self, channels, numbers, base):
+    def __init__(self, channels, numbers, base, trucks=1):
         self.channels, self.numbers = channels, list(numbers)
         views = [noisy_features(m.seen_by(channels), channels, numbers) for m in base]
         self.plain, self.durations = views[0].cells, views[0].durations
         self.slope = tonnes_a_kN(self.plain, np.array([v.mean for v in views if v.cells == self.plain]))
         self.cells, _ = balanced(self.plain, views[0].mean, self.slope)
-        noise = noise_covariance(views, channels)
+        noise = noise_covariance(views, channels, trucks)
         for _ in range(2):  # rows, then columns
             noise = balanced(self.plain, noise, self.slope)[1].T
         self.noise = noise                                                   # (n, n)
@@ -29,9 +30,11 @@ class Vectors:
         return balanced(view.cells, view.mean, self.slope)
 
     def of_mine(self, measured):
-        """Cells, vector and durations of the mine's own folder."""
-        cells, y, durations = measured_features(measured, self.numbers)
-        return (*balanced(cells, y, self.slope), durations)
+        """Cells, vectors (trucks, n) and each truck's durations of the mine's own folder."""
+        seen = [measured_features(truck, self.numbers) for truck in measured.trucks()]
+        cells = [c for c in seen[0][0] if all(c in of for of, _, _ in seen)]
+        y = np.array([row[places(of, cells)] for of, row, _ in seen])
+        return (*balanced(cells, y, self.slope), [durations for _, _, durations in seen])
 
 
 def places(cells, wanted):

@@ -3,13 +3,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .baseline import LEAST_SEEDS, make_baseline
+from .baseline import SEEDS, make_baseline, scatter
 from .closure import best_fit, closure
 from .curves import curves, masses
-from .decide import OMNIBUS_P, PROBABILITY, Verdict, decide
+from .decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
 from .isolability import isolability, with_nuisances
 from .localise import localise
-from .match import interval, match, stability
+from .match import gains, interval, match, stability
 from .measured import MASS
 from .next_experiment import propose
 from .null import find_tails, left_out_inflation, simulate_null, statistics
@@ -23,6 +23,7 @@ FRESH_SEEDS = 5
 SHARPENED = 2           # times an effect's strength is found anew, each with its signature at the last
 FRESH_FROM = 1000       # seeds of the confirming runs start so far above the baseline's
 MOTION_TOLERANCE_S = 1.0
+SCATTERS = 2.0          # variance of the trucks' passes, in the model's, from which the report says so
 TWO_SIDED_90 = 3.29     # a central 90 % interval of a Gaussian, in sd
 
 
@@ -68,6 +69,7 @@ class Outcome:
     warnings: list = field(default_factory=list)
     curves: list = field(default_factory=list)      # of the report: curves.Curve
     masses: list = field(default_factory=list)      # curves.Mass
+    trucks: int = 1
     runs: int = 0
     seeds: dict = field(default_factory=dict)
 
@@ -89,7 +91,7 @@ class Workflow:
 
     def requests(self):
         """Baseline runs, and {effect: its signature runs}; effects with the same overlay share them."""
-        seeds = [self.first_seed + k for k in range(LEAST_SEEDS)]
+        seeds = [self.first_seed + k for k in range(SEEDS)]
         base = [request({}, s, self.catalogue) for s in seeds]
         made, shared = {}, {}
         for e in sorted(self.catalogue.values(), key=lambda e: e.nuisance):
@@ -145,9 +147,9 @@ class Workflow:
                              out.training.covariance, out.training.plain, residual, out.training.baseline, null)
 
     def features(self, measured):
-        """(n,) of a mine's folder over the cells of the prepared model."""
+        """(trucks, n) of a mine's folder over the cells of the prepared model."""
         cells, y, _ = self.vectors.of_mine(measured)
-        return y[places(cells, self.common)]
+        return y[:, places(cells, self.common)]
 
     def _sharpen(self, residual):
         """Matches again, with instruments' effects known at the strength they seem to have: not all are linear."""
@@ -181,8 +183,9 @@ class Workflow:
         if len(numbers) < NEED_PASSES:
             raise ValueError(f"{len(numbers)} passes are both measured and simulated; {NEED_PASSES} or more "
                              "are needed, one to train on and one to hold out")
-        self.vectors = Vectors(self.measured.channels, numbers, [folders[r] for r in base])
-        cells, y, durations = self.vectors.of_mine(self.measured)
+        trucks = self.out.trucks = len(self.measured.trucks())
+        self.vectors = Vectors(self.measured.channels, numbers, [folders[r] for r in base], trucks)
+        cells, rows, durations = self.vectors.of_mine(self.measured)
         self._check_motion(durations, self.vectors.durations, numbers)
         rows_of = {r: self.vectors.of_run(m) for r, m in folders.items()}
         everywhere = set(cells).intersection(*(c for c, _ in rows_of.values()))
@@ -190,24 +193,32 @@ class Workflow:
         rows_of = {r: v[places(c, common)] for r, (c, v) in rows_of.items()}
         at = places(self.vectors.cells, common)
         noise = self.vectors.noise[np.ix_(at, at)]
-        whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers)
+        whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers, trucks)
         tails = find_tails(whole)  # of any size: the same when inflated
-        self.out.inflation = left_out_inflation(whole, simulate_null(whole, draws=200, tails=tails))
+        one = replace(whole, trucks=1)
+        self.out.inflation = left_out_inflation(one, simulate_null(one, draws=200, tails=tails))
+        self.common = [common[i] for i in keep]
+        common_error = self.vectors.common[:, at][:, keep]
+        rows = rows[:, places(cells, self.common)]
         whole = whole.inflated(self.out.inflation)
+        whole = replace(whole, scatter=scatter(rows, whole, common_error))
+        if whole.scatter > SCATTERS:
+            self.out.warnings.append(f"the trucks' passes vary {np.sqrt(whole.scatter):.1f} times as much as the "
+                                     "model's from seed to seed: more trucks help less than they would")
         runs = {n: SignatureRuns(tuple(s for s, _, _ in made_rows), tuple(k for _, k, _ in made_rows),
                                  np.array([rows_of[r][keep] for _, _, r in made_rows]))
                 for n, made_rows in made.items()}
         signatures = [fit_signature(self.catalogue[n], whole, r.strengths, r.seed_index, r.values)
                       for n, r in runs.items()]
         size = np.array([self.measured.channels[n].common_sigma for n in self._response_names()])
-        bias = self.vectors.common[:, at][:, keep] / np.where(size > 0, size, 1.0)[:, None]
+        bias = common_error / np.where(size > 0, size, 1.0)[:, None]
         self.base_folders = [folders[r] for r in base]
-        self.whole, self.runs, self.common = whole, runs, [common[i] for i in keep]
-        y = y[places(cells, self.common)]
+        self.whole, self.runs = whole, runs
+        y = rows.mean(axis=0)
         training, held = split(numbers)
         self.out.holdout = self._part(held, y, signatures, bias)
         part = self._part(training, y, signatures, bias)
-        self.directions = np.array([s.g for s in part.signatures]).T
+        self.directions = np.column_stack([s.g for s in part.signatures] + [gains(part.baseline)])
         self.null = simulate_null(self.whole, self.directions, passes=training, tails=tails)
         wary = part.baseline.inflated(self.null.inflation()).prediction
         self.out.training = replace(part, covariance=with_nuisances(wary, part.nuisances))
@@ -234,21 +245,23 @@ class Workflow:
     def _response_names(self):
         return self.measured.responses() + ([MASS] if MASS in self.measured.channels else [])
 
-    def _check_motion(self, measured, simulated, passes):
-        for number, mine, model in zip(passes, measured, simulated):
-            for phase in mine:
-                if abs(mine[phase] - model.get(phase, 0.0)) > MOTION_TOLERANCE_S:
+    def _check_motion(self, trucks, simulated, passes):
+        """Says where a truck's phase takes another time than the model's; the worst truck of each."""
+        for k, (number, durations) in enumerate(zip(passes, simulated)):
+            for phase, model in durations.items():
+                mine = max((t[k].get(phase, 0.0) for t in trucks), key=lambda s: abs(s - model))
+                if abs(mine - model) > MOTION_TOLERANCE_S:
                     self.out.warnings.append(
-                        f"pass {number}: {phase} takes {mine[phase]:.1f} s in the mine and "
-                        f"{model.get(phase, 0.0):.1f} s in the model: is the case's motion the measured one?")
+                        f"pass {number}: {phase} takes {mine:.1f} s in the mine and {model:.1f} s in the model: is the "
+                        "case's motion the measured one?")
 
     def _add_and_confirm(self):
         out = self.out
         m, lead = out.matched, out.verdict.effect
-        fit = m.fits[m.best_with(lead)]
-        sure = [lead] + [n for n in fit.names if n != lead and m.presence(n) >= PROBABILITY]
-        strengths = {n: float(fit.best[fit.names.index(n)]) for n in sure}
-        out.intervals = {n: interval(m, n, out.training.signatures) for n in sure}
+        fit = m.fits[sure(m, lead)]
+        names = [lead] + [n for n in fit.names if n != lead]
+        strengths = {n: float(fit.best[fit.names.index(n)]) for n in names}
+        out.intervals = {n: interval(m, n, out.training.signatures) for n in names}
         out.stability = stability(m, lead, out.training.covariance, out.training.signatures)
         after = self._confirm(strengths)
         held = out.confirmed["holdout"]
@@ -261,8 +274,8 @@ class Workflow:
             out.verdict = replace(out.verdict, reasons=(
                 f"{as_text(strengths)} does not act on the hold-out passes: confirmed on training only",))
         out.effects = strengths
-        if len(sure) > 1:
-            out.second = self._second(m, sure[1], strengths[sure[1]])
+        if len(names) > 1:
+            out.second = self._second(m, names[1], strengths[names[1]])
         else:
             self._look_again(lead, strengths[lead], after)
 
@@ -318,7 +331,7 @@ class Workflow:
         left = train.y - after[:, train.at].mean(axis=0)
         low, high = out.intervals[first]
         unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(better.g, better.g)
-        covariance = train.baseline.noise + train.baseline.seed * (1 + 1 / len(after)) + unsure
+        covariance = train.baseline.noise + train.baseline.seed * train.baseline.share(len(after)) + unsure
         if self.null.plain().omnibus_p(statistics(left, covariance, train.baseline.grid)) >= OMNIBUS_P:
             return
         m = match(residual, train.covariance, signatures, train.baseline)

@@ -87,9 +87,34 @@ def test_too_few_passes_or_readings(folder):
 
 def test_a_run_may_end_within_a_pass(folder):
     with open(folder / "passes.csv", "a") as f:
-        f.write("4,144,148,0\n")
+        f.write("4,144,148,0,1\n")
     assert any("readings within pass 4" in f for f in findings(folder))
     assert [p.number for p in read_measured(folder, 3, simulated=True).passes] == [1, 2, 3]
+
+
+def test_passes_of_several_trucks(folder):
+    """Numbers begin anew with each truck; a folder without the column is of one."""
+    text = (folder / "passes.csv").read_text()
+    change(folder / "passes.csv", "\n3,96.000,144.000", "\n1,96.000,144.000")
+    assert any("passes.csv:4: pass: is 1; whole numbers that rise" in f for f in findings(folder))
+    rows = text.splitlines()
+    (folder / "passes.csv").write_text("\n".join(r.rsplit(",", 1)[0] for r in rows))
+    assert [p.truck for p in read_measured(folder).passes] == [1, 1, 1]
+    (folder / "passes.csv").write_text("\n".join(rows[:1] + ["1,0,20,30,1", "2,20,40,30,1", "1,60,80,31,2", "2,80,100,31,2"]))
+    trucks = read_measured(folder, 2).trucks()
+    assert [[(p.number, p.t_start_s) for p in t.passes] for t in trucks] == [[(1, 0), (2, 20)], [(1, 60), (2, 80)]]
+
+
+@pytest.mark.parametrize("rows, what", [
+    (["1,0,20,30,1", "2,20,40,30,1", "1,60,80,31,2"], "truck 2: has passes 1; 1, 2, as truck 1"),
+    (["1,0,20,30,2", "2,20,40,30,2", "1,60,80,31,1", "2,80,100,31,1"], "passes.csv:4: truck: is 1; whole numbers"),
+    (["1,0,20,30,1", "1,20,40,30,2", "2,60,80,31,1.5"], "passes.csv:4: truck: is 1.5; whole numbers"),
+    (["1,0,20,30,1", "1,20,40,30,2"], "1 found; 2 or more are needed"),
+])
+def test_faults_of_trucks(folder, rows, what):
+    (folder / "passes.csv").write_text("\n".join(["pass,t_start_s,t_end_s,truck_mass_t,truck"] + rows))
+    all_of_it = findings(folder, 2)
+    assert any(what in f for f in all_of_it), all_of_it
 
 
 def test_everything_at_once(folder):

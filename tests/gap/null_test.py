@@ -26,25 +26,26 @@ def truth(rng):
     return np.kron(between, (root @ root.T) * np.outer(size, size))
 
 
-def world(number, tails=None):
-    """A baseline of RUNS runs and MINES mines without any gap."""
+def world(number, tails=None, trucks=1):
+    """A baseline of RUNS runs and MINES mines of so many trucks without any gap."""
     rng = np.random.default_rng(number)
     cov = truth(rng)
     n = len(cov)
     noise = np.diag(0.3 * np.diag(cov)) + 0.1 * np.outer(np.sqrt(np.diag(cov)), np.sqrt(np.diag(cov)))
     lower = np.linalg.cholesky(cov)
-    rows = rng.standard_normal((RUNS + MINES, n)) @ lower.T
+    rows = rng.standard_normal((RUNS + MINES * trucks, n)) @ lower.T
     if tails:  # Student's t instead of a Gaussian, same covariance
-        rows *= np.sqrt((tails - 2) / rng.chisquare(tails, (RUNS + MINES, 1)))
-    baseline, keep = make_baseline(cells(), rows[:RUNS], noise, range(1, PASSES + 1))
-    seen = rows[RUNS:] + rng.standard_normal((MINES, n)) @ np.linalg.cholesky(noise).T
+        rows *= np.sqrt((tails - 2) / rng.chisquare(tails, (len(rows), 1)))
+    baseline, keep = make_baseline(cells(), rows[:RUNS], noise, range(1, PASSES + 1), trucks)
+    seen = rows[RUNS:].reshape(MINES, trucks, n).mean(axis=1)
+    seen = seen + rng.standard_normal((MINES, n)) @ np.linalg.cholesky(noise).T
     return baseline, seen[:, keep] - baseline.mean
 
 
-def p_values(count, tails=None):
+def p_values(count, tails=None, trucks=1):
     omnibus, cell = [], []
     for number in range(count):
-        baseline, residuals = world(number, tails)
+        baseline, residuals = world(number, tails, trucks)
         null = simulate_null(baseline, draws=DRAWS, seed=number)
         found = [localise(r, baseline, null) for r in residuals]
         omnibus.append([f.omnibus_p for f in found])
@@ -76,6 +77,12 @@ def test_omnibus_false_alarms_are_nominal(nulls, alpha):
 def test_omnibus_at_the_level_that_decides(nulls):
     rate, margin = bounds(nulls[0] < 0.01)
     assert rate < 0.01 + margin and rate < 0.02
+
+
+def test_omnibus_of_several_trucks_is_nominal():
+    rate, margin = bounds(p_values(20, trucks=4)[0] <= 0.2)
+    print(f"omnibus, four trucks: {rate:.4f} at 0.2")
+    assert abs(rate - 0.2) < margin
 
 
 def test_cells_false_alarms_are_family_wise(nulls):

@@ -6,6 +6,7 @@ used outside tests.
 """
 import functools
 import pathlib
+from dataclasses import replace
 
 import numpy as np
 
@@ -137,6 +138,6 @@ def with_noise(m, seed, channels=None):
         signals[name] = v + (noise if c.role == "response" else 0.0)
     scale = channels["truck_mass_t"]
     shared = scale.common_sigma * rng.standard_normal()
-    passes = tuple(Pass(p.number, p.t_start_s, p.t_end_s,
-                        p.truck_mass_t + shared + scale.sigma * rng.standard_normal()) for p in m.passes)
+    passes = tuple(replace(p, truck_mass_t=p.truck_mass_t + shared + scale.sigma * rng.standard_normal())
+                   for p in m.passes)
     return Measured(dict(channels), passes, m.time_s, signals)

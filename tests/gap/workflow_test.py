@@ -3,10 +3,12 @@ import json
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import fake_mine
 import synthetic
+from gap.baseline import SEEDS
 from gap.gap_json import as_json, write_json
 from gap.measured import write_measured
 from gap.report import page
@@ -60,9 +62,9 @@ def test_the_json_is_the_contract(fines, tmp_path):
 
 def test_observation_effects_cost_no_run_and_the_count_is_told_before(fines):
     _, a, simulator, said = fines
-    # 8 baseline runs; three each of fines, crowd friction, cohesion and density; five to confirm.
-    assert len(simulator.made) == 8 + 4 * 3 + 5 == a["runs"]
-    assert re.search(r"\b20 runs, 0 of them kept", said[0])
+    # Baseline runs; three each of fines, crowd friction, cohesion and density; five to confirm.
+    assert len(simulator.made) == SEEDS + 4 * 3 + 5 == a["runs"]
+    assert re.search(rf"\b{SEEDS + 12} runs, 0 of them kept", said[0])
 
 
 def test_the_page_says_it_and_needs_nothing_else(fines):
@@ -77,7 +79,7 @@ def test_the_page_says_it_and_needs_nothing_else(fines):
 def test_nothing_hidden_is_no_gap():
     _, a, simulator, _ = analyse({}, 3)
     assert a["verdict"] == "no-gap" and a["patch"] == {} and a["effect"] is None
-    assert len(simulator.made) == 20  # nothing to confirm
+    assert len(simulator.made) == SEEDS + 12  # nothing to confirm
 
 
 def test_an_effect_outside_the_catalogue_is_unknown_with_an_experiment():
@@ -109,6 +111,33 @@ def test_masses_alone_cannot_tell(tmp_path):
     write_measured(mine, tmp_path / "m")
     out = Workflow(mine, MassOnly(), SMALL, 1, lambda _: None).run()
     assert out.verdict.verdict != "named"
+
+
+def test_several_trucks_show_what_one_does_not():
+    """An effect that one truck leaves in noise; its strength comes out, and the trucks are counted."""
+    weak = {"fines": 0.06}
+    trucks = [synthetic.run(weak, seed=950 + k) for k in range(6)]
+    simulator = fake_mine.FakeSimulator()
+    few, many = (analyse_mine(synthetic.with_noise(in_a_row(t), 8), simulator) for t in (trucks[:1], trucks))
+    assert few["verdict"] == "no-gap" and few["trucks"] == 1
+    assert many["verdict"] == "named" and many["effect"] == "fines" and many["trucks"] == 6
+    low, high = many["parameter"]["interval90"]
+    assert low <= 0.06 <= high
+
+
+def analyse_mine(mine, simulator):
+    return as_json(Workflow(mine, simulator, SMALL, 1, lambda text: None).run(), SMALL, {"case": "0" * 64})
+
+
+def in_a_row(runs):
+    """Runs one after the other, a truck each."""
+    passes, times, start = [], [], 0.0
+    for truck, m in enumerate(runs, 1):
+        passes += [replace(p, t_start_s=p.t_start_s + start, t_end_s=p.t_end_s + start, truck=truck) for p in m.passes]
+        times.append(m.time_s + start)
+        start += m.time_s[-1] + 60.0
+    signals = {n: np.concatenate([m.signals[n] for m in runs]) for n in runs[0].signals}
+    return replace(runs[0], passes=tuple(passes), time_s=np.concatenate(times), signals=signals)
 
 
 class MassOnly(fake_mine.FakeSimulator):

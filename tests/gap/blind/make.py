@@ -5,7 +5,7 @@ usage: make.py WORK FOLDER SECRET LIMITS      (DIPPER names the program)
        make.py WORK FOLDER SECRET LIMITS --runs-only
 
 WORK keeps the twin's runs. SECRET is a text that decides every draw: which case is which, how strong, which
-seed, which noise. LIMITS is a JSON file {effect: detection limit}, from the model alone (analyse.py limits).
+seeds, which noise. LIMITS is a JSON file {effect: detection limit or null}, from the model alone (analyse.py limits).
 FOLDER gets measured/CASE, truth/CASE.yaml and sealed.csv.
 """
 import hashlib
@@ -35,12 +35,16 @@ CHANNELS = {c.name: c for c in (
     Channel("swing_rad", "rad", "driven", 0.001, 0.0),
     Channel("hoist_force_kN", "kN", "response", 25.0, 15.0),
     Channel("crowd_force_kN", "kN", "response", 25.0, 15.0))}
-BASES = 5          # twin runs without an effect; instruments' effects are laid over them
+TRUCKS = 4         # of each case, loaded by the same three passes
+BASES = 16         # twin runs without an effect; instruments' effects are laid over them
+CHANGE_S = 60.0    # from one truck to the next, nothing logged
+MADE = 8           # of the effects that need runs of their own, chosen by lot
+OWN_CASES = 8      # cases with runs of their own there is time for: the first by lot, of these and the others
 TIMES = (0.5, 1.0, 2.0)  # of the detection limit
 JITTER = 0.1       # of a strength, so that it is no round multiple
 JOBS = int(os.environ.get("JOBS", "2"))
-OUTSIDE = {"slippery_steel": 0.8, "drifting_cell": 0.25, "crowd_cell_gain": -0.2}
-PAIRS = (("crowd_friction", "scale_gain"), ("pile_height", "hoist_drive_loss"))
+OUTSIDE = {"slippery_steel": 0.8, "clipped_cell": 1100.0, "cable_drag": 90.0}
+PAIRS = (("crowd_friction", "truck_spillage"), ("hoist_drive_loss", "logger_offset"))
 DECOYS = {"nuisances_shift": 1.5, "operator": 0.4}
 
 
@@ -50,20 +54,26 @@ class Plan:
     effects: dict = field(default_factory=dict)   # of the catalogue: what is scored
     done: dict = field(default_factory=dict)      # implementation: strength
     times: float = 0.0
-    seed: int = 0
-    base: int = -1                                # which of the bases; -1: a run of its own
+    seeds: tuple = ()                             # a truck each
+    plain: bool = False                           # those are runs without an effect: of the bases
+
+
+def rng_of(secret, what):
+    return np.random.default_rng(list(hashlib.sha256(f"{secret} {what}".encode()).digest()))
 
 
 def strengths(catalogue, limits, name, times, rng):
-    """A strength of about `times` the limit, within bounds; the multiple it really is."""
+    """A strength of about `times` the limit, within bounds; the multiple it really is, 0 where there is no limit."""
     e = catalogue[name]
     sign = rng.choice([-1, 1]) if e.low < 0 < e.high else 1
     most = 0.9 * (e.high if sign > 0 else -e.low)
+    if limits[name] is None:
+        return float(sign * most), 0.0
     size = min(times * limits[name] * (1 + JITTER * rng.uniform(-1, 1)), most)
     return float(sign * size), float(size / limits[name])
 
 
-def plans(catalogue, limits, rng):
+def plans(catalogue, limits, bases, rng):
     """Every case, in an order of chance."""
     out = []
 
@@ -73,10 +83,10 @@ def plans(catalogue, limits, rng):
         strength = {n: s for n, (s, _) in chosen.items()}
         out.append(Plan(kind, strength if scored else {}, strength, real))
 
-    for name in otherwise.MADE:
-        add("effect", [name], rng.choice(TIMES[1:]))
+    for k, name in enumerate(rng.permutation(sorted(otherwise.MADE))[:MADE]):
+        add("effect", [str(name)], TIMES[1:][k % 2])
     for name in otherwise.SEEN:
-        for times in TIMES:
+        for times in TIMES if limits[name] is not None else TIMES[-1:]:
             add("effect", [name], times)
     for pair in PAIRS:
         add("pair", pair, 2.0)
@@ -84,37 +94,39 @@ def plans(catalogue, limits, rng):
         out.append(Plan("outside", {}, {name: s}))
     for name, s in DECOYS.items():
         out.append(Plan("decoy", {}, {name: s}))
-    out += [Plan("control") for _ in range(4)]
-    controls = 0
+    out += [Plan("control") for _ in range(BASES // TRUCKS)]
+    controls = iter(rng.permutation(bases).reshape(-1, TRUCKS))  # no run in two of them
     for p in out:
-        made = [n for n in p.done if _made(n)]
-        p.seed = int(rng.integers(5000, 10**6))
-        if not made:
-            p.base = controls if p.kind == "control" else int(rng.integers(BASES))
-            controls += p.kind == "control"
+        p.plain = not any(_made(n) for n in p.done)
+        if p.kind == "control":
+            chosen = next(controls)
+        else:
+            chosen = rng.choice(bases, TRUCKS, replace=False) if p.plain else rng.integers(5000, 10**6, TRUCKS)
+        p.seeds = tuple(int(x) for x in chosen)
     rng.shuffle(out)
-    return out
+    own = [p for p in out if not p.plain]
+    return [p for p in out if p.plain or p in own[:OWN_CASES]]
 
 
 def _made(name):
     return name in otherwise.MADE or name in ("slippery_steel", "nuisances_shift", "operator")
 
 
-def run_of(plan, work, bases, program):
-    if plan.base >= 0:
-        return twin.run(twin.twin_case(), bases[plan.base], work / f"base-{bases[plan.base]}", program)
+def run_of(plan, seed, work, program):
+    """The twin's run for one truck of a case."""
+    if plan.plain:
+        return twin.run(twin.twin_case(), seed, work / f"base-{seed}", program)
     made = [(n, s) for n, s in plan.done.items() if _made(n)]
-    text = json.dumps([made, plan.seed])
-    folder = work / hashlib.sha256(text.encode()).hexdigest()[:16]
+    folder = work / hashlib.sha256(json.dumps([made, seed]).encode()).hexdigest()[:16]
     folder.mkdir(parents=True, exist_ok=True)
     case = twin.twin_case()
     for name, s in made:
         case = getattr(otherwise, name)(case, folder, s)
-    return twin.run(case, plan.seed, folder, program)
+    return twin.run(case, seed, folder, program)
 
 
 def log(run_folder, plan, rng, program):
-    """What the mine's logger and scale wrote: (Measured)."""
+    """What one truck's passes look like to logger and scale without errors of their own: (Measured)."""
     signals, passes = twin.signals(run_folder, program)
     tonnes = passes[:, 3].copy()
     for name, s in plan.done.items():
@@ -122,14 +134,26 @@ def log(run_folder, plan, rng, program):
             signals, tonnes = getattr(otherwise, name)(signals, tonnes, s, rng)
     every = int(twin.RATE_HZ)
     keep = len(signals["time_s"]) // every * every
-    mean = {n: v[:keep].reshape(-1, every).mean(axis=1) for n, v in signals.items()}
+    mean = {n: v[:keep].reshape(-1, every).mean(axis=1) for n, v in signals.items() if n in CHANNELS}
     time = signals["time_s"][:keep].reshape(-1, every)[:, -1]
-    noisy = {n: mean[n] + rng.normal(0, c.common_sigma) + rng.normal(0, c.sigma, len(time))
-             for n, c in CHANNELS.items() if n in mean}
-    mass = CHANNELS["truck_mass_t"]
-    tonnes = np.maximum(0.0, tonnes + rng.normal(0, mass.common_sigma) + rng.normal(0, mass.sigma, len(tonnes)))
     rows = tuple(Pass(int(p[0]), p[1], p[2], float(t)) for p, t in zip(passes, tonnes))
-    return Measured(CHANNELS, rows, time, noisy)
+    return Measured(CHANNELS, rows, time, mean)
+
+
+def as_mine(runs, rng):
+    """Runs as one folder, a truck each, through the instruments of CHANNELS."""
+    shared = {n: rng.normal(0, c.common_sigma) for n, c in CHANNELS.items()}
+    mass, start = CHANNELS["truck_mass_t"], 0.0
+    times, passes, signals = [], [], {n: [] for n in CHANNELS if n != mass.name}
+    for truck, m in enumerate(runs, 1):
+        times.append(m.time_s + start)
+        for n, v in signals.items():
+            v.append(m.signals[n] + shared[n] + rng.normal(0, CHANNELS[n].sigma, len(m.time_s)))
+        for p in m.passes:
+            tonnes = max(0.0, p.truck_mass_t + shared[mass.name] + rng.normal(0, mass.sigma))
+            passes.append(Pass(p.number, p.t_start_s + start, p.t_end_s + start, tonnes, truck))
+        start += m.time_s[-1] + CHANGE_S
+    return Measured(CHANNELS, tuple(passes), np.concatenate(times), {n: np.concatenate(v) for n, v in signals.items()})
 
 
 def main(words):
@@ -139,20 +163,19 @@ def main(words):
     work, folder, secret = Path(words[0]).resolve(), Path(words[1]), words[2]
     limits = json.loads(Path(words[3]).read_text())
     program = os.environ.get("DIPPER", str(twin.ROOT / "build/release/bin/dipper"))
-    rng = np.random.default_rng(list(hashlib.sha256(secret.encode()).digest()))
-    todo = plans(read_catalogue(twin.ROOT / "analysis/effects"), limits, rng)
-    bases = [int(s) for s in rng.integers(5000, 10**6, BASES)]
-    with ThreadPoolExecutor(JOBS) as pool:  # those of one base once, before the others
-        list(pool.map(lambda k: run_of(Plan("control", base=k), work, bases, program), range(BASES)))
-        runs = list(pool.map(lambda p: run_of(p, work, bases, program), todo))
+    bases = rng_of(secret, "bases").integers(5000, 10**6, BASES)
+    todo = plans(read_catalogue(twin.ROOT / "analysis/effects"), limits, bases, rng_of(secret, "plans"))
+    asked = {(p.plain or f"{i}", s): (p, s) for i, p in enumerate(todo) for s in p.seeds}  # a base's run once
+    with ThreadPoolExecutor(JOBS) as pool:
+        list(pool.map(lambda ps: run_of(*ps, work, program), asked.values()))
     if len(words) == 5:
         return 0
-    for number, (plan, run) in enumerate(zip(todo, runs), 1):
-        case = f"c{number:02d}"
-        noise = np.random.default_rng([number, *hashlib.sha256(secret.encode()).digest()])
-        write_measured(log(run, plan, noise, program), folder / "measured" / case)
+    for number, plan in enumerate(todo, 1):
+        case, rng = f"c{number:02d}", rng_of(secret, f"noise {number}")
+        runs = [run_of(plan, s, work, program) for s in plan.seeds]
+        write_measured(as_mine([log(r, plan, rng, program) for r in runs], rng), folder / "measured" / case)
         truth = {"kind": plan.kind, "effects": plan.effects, "implementation": plan.done,
-                 "times_limit": round(plan.times, 3), "twin": twin.provenance(run),
+                 "times_limit": round(plan.times, 3), "twin": [twin.provenance(r) for r in runs],
                  "salt": hashlib.sha256(f"{secret} {number}".encode()).hexdigest()}
         (folder / "truth").mkdir(parents=True, exist_ok=True)
         (folder / "truth" / f"{case}.yaml").write_text(yaml.safe_dump(truth, sort_keys=False))

@@ -185,15 +185,15 @@ def slippery_steel(case, folder, s):
     return changed(case, contact={"friction_dipper": float(case["contact"]["friction_dipper"] * (1 - s))})
 
 
-def drifting_cell(signals, tonnes, s, rng):
-    """The hoist's load cell drifts upwards through the truck, by the part s at its end."""
-    t = signals["time_s"]
-    return {**signals, "hoist_force_kN": signals["hoist_force_kN"] * (1 + s * t / t[-1])}, tonnes
+def clipped_cell(signals, tonnes, s, rng):
+    """The hoist's load cell shows nothing above s kN: its amplifier is at its end."""
+    return {**signals, "hoist_force_kN": np.minimum(signals["hoist_force_kN"], s)}, tonnes
 
 
-def crowd_cell_gain(signals, tonnes, s, rng):
-    """The crowd's load cell reads 1 + s of the force."""
-    return {**signals, "crowd_force_kN": signals["crowd_force_kN"] * (1 + s)}, tonnes
+def cable_drag(signals, tonnes, s, rng):
+    """A cable pulls the handle back, by s kN when the shovel is turned by one radian from where it digs."""
+    turned = np.abs(signals["swing_rad"] - signals["swing_rad"][np.argmax(signals["crowd_m"])])
+    return {**signals, "crowd_force_kN": signals["crowd_force_kN"] + s * turned}, tonnes
 
 
 # --- decoys -----------------------------------------------------------------------------------------
