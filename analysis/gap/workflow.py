@@ -3,7 +3,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .baseline import SEEDS, make_baseline, scatter
+from .baseline import make_baseline, scatter, seeds_for
 from .closure import best_fit, closure
 from .curves import curves, masses
 from .decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
@@ -91,7 +91,7 @@ class Workflow:
 
     def requests(self):
         """Baseline runs, and {effect: its signature runs}; effects with the same overlay share them."""
-        seeds = [self.first_seed + k for k in range(SEEDS)]
+        seeds = [self.first_seed + k for k in range(seeds_for(len(self.measured.trucks())))]
         base = [request({}, s, self.catalogue) for s in seeds]
         made, shared = {}, {}
         for e in sorted(self.catalogue.values(), key=lambda e: e.nuisance):

@@ -8,7 +8,7 @@ import pytest
 
 import fake_mine
 import synthetic
-from gap.baseline import SEEDS
+from gap.baseline import LEAST_SEEDS
 from gap.gap_json import as_json, write_json
 from gap.measured import write_measured
 from gap.report import page
@@ -63,8 +63,8 @@ def test_the_json_is_the_contract(fines, tmp_path):
 def test_observation_effects_cost_no_run_and_the_count_is_told_before(fines):
     _, a, simulator, said = fines
     # Baseline runs; three each of fines, crowd friction, cohesion and density; five to confirm.
-    assert len(simulator.made) == SEEDS + 4 * 3 + 5 == a["runs"]
-    assert re.search(rf"\b{SEEDS + 12} runs, 0 of them kept", said[0])
+    assert len(simulator.made) == LEAST_SEEDS + 4 * 3 + 5 == a["runs"]
+    assert re.search(rf"\b{LEAST_SEEDS + 12} runs, 0 of them kept", said[0])
 
 
 def test_the_page_says_it_and_needs_nothing_else(fines):
@@ -79,7 +79,7 @@ def test_the_page_says_it_and_needs_nothing_else(fines):
 def test_nothing_hidden_is_no_gap():
     _, a, simulator, _ = analyse({}, 3)
     assert a["verdict"] == "no-gap" and a["patch"] == {} and a["effect"] is None
-    assert len(simulator.made) == SEEDS + 12  # nothing to confirm
+    assert len(simulator.made) == LEAST_SEEDS + 12  # nothing to confirm
 
 
 def test_an_effect_outside_the_catalogue_is_unknown_with_an_experiment():

@@ -24,7 +24,7 @@ from gap.localise import localise  # noqa: E402
 from gap.match import match  # noqa: E402
 from gap.null import find_tails, make_runs, phase_labels, root  # noqa: E402
 from gap.simulator import DipperSimulator, request  # noqa: E402
-from gap.workflow import FRESH_FROM, FRESH_SEEDS, Workflow  # noqa: E402
+from gap.workflow import FRESH_FROM, Workflow  # noqa: E402
 from make import TRUCKS, as_mine  # noqa: E402
 
 CASE = ROOT / "cases/screening"
