@@ -46,8 +46,12 @@ def mean_square(residual, sd):
 
 
 def closure(y, baseline, after, rivals, expected, seed=0):
-    """y (n,) measured; `after` (R1, n) runs of the patched case; `rivals` {what: its mean (n,)};
-    `expected` (n,) the shift the effect's signature says."""
+    """y (n,) measured; `after` (R1, n) runs of the patched case; `rivals` {what: its mean (n,)}, each the mean
+    of the baseline's runs moved; `expected` (n,) the shift the effect's signature says.
+
+    Each T^2 weighs with the covariance of its own difference: few runs of the patched case err more than the
+    baseline's.
+    """
     rng = np.random.default_rng(seed)
     sd, runs, covariance = baseline.sd, len(after), baseline.prediction
     patched = after.mean(axis=0)
@@ -55,35 +59,42 @@ def closure(y, baseline, after, rivals, expected, seed=0):
     floor = float(np.mean(np.diag(baseline.noise + baseline.seed * baseline.share(runs)) / sd**2))
     noise = rng.standard_normal((DRAWS, len(y))) @ root(covariance).T
     inverse = np.linalg.inv(covariance)
+    inverse_after = np.linalg.inv(baseline.noise + baseline.seed * baseline.share(runs))
 
-    def t2(residual):
-        return ((residual @ inverse) * residual).sum(axis=-1)
+    def t2(residual, weight=inverse):
+        return ((residual @ weight) * residual).sum(axis=-1)
 
     # By chance: a mine like the unchanged model, judged by the same patched runs.
-    lucky = t2(noise) - t2(baseline.mean + noise - patched)
-    p = (1 + (lucky >= t2(y - baseline.mean) - t2(y - patched)).sum()) / (1.0 + DRAWS)
+    lucky = t2(noise) - t2(baseline.mean + noise - patched, inverse_after)
+    fell = t2(y - baseline.mean) - t2(y - patched, inverse_after)
+    p = (1 + (lucky >= fell).sum()) / (1.0 + DRAWS)
     # Bootstrap: runs drawn again with replacement, the mine's own errors drawn anew.
     again = after[rng.integers(runs, size=(DRAWS, runs))].mean(axis=1)
     first = baseline.values[rng.integers(baseline.seeds, size=(DRAWS, baseline.seeds))].mean(axis=1)
     drawn = y + noise
+    # What the drawing itself adds to a cell's mean square: the new errors, and the spread of a mean of runs.
+    spread = np.diag(baseline.seed) / sd**2
+    added = 1 + spread / baseline.seeds, 1 + spread / runs
     share = interval = None
     if g0 > np.quantile(mean_square(noise, sd), 1 - SIGNIFICANT):
-        b0, b1 = mean_square(drawn - first, sd) - 1, mean_square(drawn - again, sd) - 1  # less the new errors
+        b0, b1 = (mean_square(drawn - r, sd) - a.mean() for r, a in zip((first, again), added))
         interval = tuple(float(q) for q in np.quantile((b0 - b1) / np.maximum(b0 - floor, 0.1 * (g0 - floor)),
                                                        [0.05, 0.95]))
         share = float((g0 - g1) / (g0 - floor))
     return Closure(float(g0), float(g1), floor, share, interval, float(p),
-                   bool(np.sqrt(t2(expected)) > REACH), float(t2(y - patched)),
-                   {k: float(t2(y - v)) for k, v in rivals.items()}, _worse(baseline, drawn, first, again),
+                   bool(np.sqrt(t2(expected)) > REACH), float(t2(y - patched, inverse_after)),
+                   {k: float(t2(y - v)) for k, v in rivals.items()}, _worse(baseline, drawn, first, again, added),
                    tuple(zip(((y - baseline.mean) / sd).tolist(), ((y - patched) / sd).tolist())))
 
 
-def _worse(baseline, drawn, first, again):
+def _worse(baseline, drawn, first, again, added):
+    """Channels whose mean square grew, beyond what the few runs of the patched case add (twice: they and their
+    bootstrap)."""
     out = []
     for channel in dict.fromkeys(c.channel for c in baseline.cells):
         at = [i for i, c in enumerate(baseline.cells) if c.channel == channel]
         change = (mean_square((drawn - again)[:, at], baseline.sd[at])
-                  - mean_square((drawn - first)[:, at], baseline.sd[at]))
+                  - mean_square((drawn - first)[:, at], baseline.sd[at])) - 2 * (added[1] - added[0])[at].mean()
         if np.quantile(change, SIGNIFICANT) > 0:
             out.append(channel)
     return tuple(out)

@@ -14,7 +14,7 @@ class Curve:
     time_s: np.ndarray     # since the pass began
     measured: np.ndarray   # mean over trucks, at the first one's readings
     before: np.ndarray     # mean over runs
-    spread: np.ndarray     # sd over runs
+    spread: np.ndarray     # sd, by the seeds, of measured less before
     after: np.ndarray      # None when nothing was added
 
 
@@ -28,8 +28,11 @@ class Mass:
     after: float           # None when nothing was added
 
 
-def curves(measured, before, after, numbers, held):
-    """Curves of the response signals; simulated ones are read at the measured times within the pass."""
+def curves(measured, before, after, numbers, held, share):
+    """Curves of the response signals; simulated ones are read at the measured times within the pass.
+
+    `share`: variance of the mine's mean less the model's, in variances of a run.
+    """
     out = []
     trucks = measured.trucks()
     for number in numbers:
@@ -40,11 +43,12 @@ def curves(measured, before, after, numbers, held):
             seen = np.mean([_read(m, number, channel, t) for m in trucks], axis=0)
             runs = np.array([_read(m, number, channel, t) for m in before])
             new = np.mean([_read(m, number, channel, t) for m in after], axis=0) if after else None
-            out.append(Curve(number, number in held, channel, t, seen, runs.mean(axis=0), runs.std(axis=0, ddof=1), new))
+            out.append(Curve(number, number in held, channel, t, seen, runs.mean(axis=0),
+                             runs.std(axis=0, ddof=1) * np.sqrt(share), new))
     return out
 
 
-def masses(measured, before, after, numbers, held):
+def masses(measured, before, after, numbers, held, share):
     if MASS not in measured.channels:
         return []
     out = []
@@ -53,7 +57,7 @@ def masses(measured, before, after, numbers, held):
         runs = np.array([_pass(m, number).truck_mass_t for m in before])
         new = float(np.mean([_pass(m, number).truck_mass_t for m in after])) if after else None
         out.append(Mass(number, number in held, mine, float(runs.mean()),
-                        float(runs.std(ddof=1)), new))
+                        float(runs.std(ddof=1) * np.sqrt(share)), new))
     return out
 
 

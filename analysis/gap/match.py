@@ -6,7 +6,6 @@ import numpy as np
 from scipy.special import logsumexp
 
 from . import evidence
-from .measured import MASS
 
 # Prior shares: how often, before looking, one expects so many effects. Equal among sets of one size.
 PRIOR = {"none": 0.45, "unknown": 0.10, 1: 0.35, 2: 0.08, 3: 0.02}
@@ -85,18 +84,18 @@ def unknown_evidence(residual, covariance, baseline):
 def gains(baseline):
     """(n, 2 x forces): what a force's load cell shows that reads twice too much, in all passes or more and more."""
     late = np.array([c.pass_number for c in baseline.cells], float)
-    late = (late - late.min()) / max(np.ptp(late), 1.0)
+    late -= late.min()
     out = []
-    for channel in dict.fromkeys(c.channel for c in baseline.cells if c.channel != MASS):
+    for channel in dict.fromkeys(c.channel for c in baseline.cells if c.channel.endswith("_force_kN")):
         reading = baseline.mean * [c.channel == channel for c in baseline.cells]
-        out += [reading, reading * late]
+        out += [reading, reading * late / late.max()] if late.any() else [reading]
     return np.array(out).reshape(-1, len(baseline.mean)).T
 
 
-def strength(m, name, signatures, seed=0):
-    """(low, median, high) of one effect's strength if it is there, over all sets that hold it."""
+def strength(m, name, signatures, only=None, seed=0):
+    """(low, median, high) of one effect's strength if it is there, over all sets that hold it (or one set `only`)."""
     by_name = {s.name: s for s in signatures}
-    keys = [k for k in m.fits if name in k and m.probability[k] > 1e-4 * m.presence(name)]
+    keys = [only] if only else [k for k in m.fits if name in k and m.probability[k] > 1e-4 * m.presence(name)]
     weight = np.array([m.probability[k] for k in keys])
     if not weight.sum() > 0:  # beaten beyond what a float holds: by itself, then
         keys, weight = [(name,)], np.ones(1)
@@ -111,9 +110,9 @@ def strength(m, name, signatures, seed=0):
     return tuple(float(x) for x in np.quantile(draws, [tail, 0.5, 1 - tail]))
 
 
-def interval(m, name, signatures, seed=0):
+def interval(m, name, signatures, only=None, seed=0):
     """Central 90 % of the strength if the effect is there."""
-    low, _, high = strength(m, name, signatures, seed)
+    low, _, high = strength(m, name, signatures, only, seed)
     return [low, high]
 
 

@@ -229,10 +229,13 @@ def _passes(file, channels, need_passes, found):
                                                      table["t_end_s"], masses):
         if truck != last_truck:
             last_number = 0
+        if not (math.isfinite(number) and math.isfinite(truck)):
+            continue  # the table has told it
         if not (truck == int(truck) and truck >= max(1, last_truck)):
-            found.add(file, line, TRUCK, f"is {truck:g}", "whole numbers from 1, the passes of a truck together")
+            found.add(file, line, TRUCK, f"is {truck:g}", "rising whole numbers from 1, a new one for each load")
         if number != int(number) or number <= last_number:
-            found.add(file, line, "pass", f"is {number:g}", "whole numbers that rise, from 1")
+            found.add(file, line, "pass", f"is {number:g}", "whole numbers that rise, from 1"
+                      + ("" if TRUCK in table else f"; a column {TRUCK} tells loads apart"))
         if not end > start:
             found.add(file, line, "t_end_s", f"is {end:g}", f"after t_start_s, {start:g}")
         if start < last_end:
@@ -240,9 +243,8 @@ def _passes(file, channels, need_passes, found):
                       f"{last_end:g} or later: passes must not overlap")
         if mass < 0:
             found.add(file, line, MASS, f"is {mass:g}", "0 or more")
-        if math.isfinite(number) and math.isfinite(truck):
-            passes.append(Pass(int(number), float(start), float(end), float(mass), int(truck)))
-            last_end, last_number, last_truck = end, number, truck
+        passes.append(Pass(int(number), float(start), float(end), float(mass), int(truck)))
+        last_end, last_number, last_truck = end, number, truck
     first = [p.number for p in passes if p.truck == passes[0].truck]
     for truck in dict.fromkeys(p.truck for p in passes):
         numbers = [p.number for p in passes if p.truck == truck]
@@ -255,7 +257,7 @@ def _passes(file, channels, need_passes, found):
 
 
 def _list(numbers):
-    return ", ".join(map(str, numbers)) or "none"
+    return ", ".join(map(str, numbers))
 
 
 def _signals(file, channels, passes, found):

@@ -172,13 +172,13 @@ def _alike(out):
                     f"<td class=n>{limit}</td><td>{said}</td></tr>")
     return ("<h2>What these data can tell apart</h2><p class='note'>Known before the measured numbers are looked "
             "at. d: how far the effect stands out from instruments, seeds and nuisances. Found from: the strength "
-            f"at which nine in ten are found. Bold: below {CONFUSABLE}, the two form one class.</p>"
+            f"from which it is found, about. Bold: below {CONFUSABLE}, the two form one class.</p>"
             f"<div class='scroll'><table><tr>{head}</tr>{''.join(rows)}</table></div>")
 
 
 def _before_after(out):
     key = ("<p class='key note'>" + "".join(f"<span style='background:{c}'></span>{n}" for c, n in (
-        (svg.MEASURED, "measured"), (svg.BEFORE, "model, ± 2 sd of its seeds"), (svg.AFTER, "with the effect")))
+        (svg.MEASURED, "measured"), (svg.BEFORE, "model, ± 2 sd by its seeds"), (svg.AFTER, "with the effect")))
         + "</p>")
     bars = []
     for name, c in out.confirmed.items():

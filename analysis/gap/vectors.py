@@ -8,8 +8,8 @@ from .noise import measured_features, noise_covariance, noisy_features
 class Vectors:
     """How folders with these `channels` and pass `numbers` become vectors over `cells`.
 
-    `base` are runs of the unchanged case: their noise is everyone's, and they tell the balance. The mine's
-    vector is the mean over its `trucks`.
+    `base` are runs of the unchanged case: their noise is everyone's, and they tell the balance. `noise` is
+    that of a mean over `trucks`.
     """
 
     def __init__(self, channels, numbers, base, trucks=1):

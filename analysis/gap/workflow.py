@@ -204,7 +204,7 @@ class Workflow:
         whole = replace(whole, scatter=scatter(rows, whole, common_error))
         if whole.scatter > SCATTERS:
             self.out.warnings.append(f"the trucks' passes vary {np.sqrt(whole.scatter):.1f} times as much as the "
-                                     "model's from seed to seed: more trucks help less than they would")
+                                     "model's from seed to seed: was each dug at a face like the case's?")
         runs = {n: SignatureRuns(tuple(s for s, _, _ in made_rows), tuple(k for _, k, _ in made_rows),
                                  np.array([rows_of[r][keep] for _, _, r in made_rows]))
                 for n, made_rows in made.items()}
@@ -234,8 +234,9 @@ class Workflow:
     def _draw(self, after_folders):
         held = self.out.holdout.passes
         numbers = sorted(self.out.training.passes + held)
-        self.out.curves = curves(self.measured, self.base_folders, after_folders, numbers, held)
-        self.out.masses = masses(self.measured, self.base_folders, after_folders, numbers, held)
+        share = self.whole.share(self.whole.seeds)
+        self.out.curves = curves(self.measured, self.base_folders, after_folders, numbers, held, share)
+        self.out.masses = masses(self.measured, self.base_folders, after_folders, numbers, held, share)
 
     def _features_of(self, folders):
         """(runs, n) over all passes' cells."""
@@ -248,7 +249,8 @@ class Workflow:
     def _check_motion(self, trucks, simulated, passes):
         """Says where a truck's phase takes another time than the model's; the worst truck of each."""
         for k, (number, durations) in enumerate(zip(passes, simulated)):
-            for phase, model in durations.items():
+            for phase in dict.fromkeys([*durations, *(p for t in trucks for p in t[k])]):
+                model = durations.get(phase, 0.0)
                 mine = max((t[k].get(phase, 0.0) for t in trucks), key=lambda s: abs(s - model))
                 if abs(mine - model) > MOTION_TOLERANCE_S:
                     self.out.warnings.append(
@@ -261,7 +263,7 @@ class Workflow:
         fit = m.fits[sure(m, lead)]
         names = [lead] + [n for n in fit.names if n != lead]
         strengths = {n: float(fit.best[fit.names.index(n)]) for n in names}
-        out.intervals = {n: interval(m, n, out.training.signatures) for n in names}
+        out.intervals = {n: interval(m, n, out.training.signatures, fit.names) for n in names}
         out.stability = stability(m, lead, out.training.covariance, out.training.signatures)
         after = self._confirm(strengths)
         held = out.confirmed["holdout"]

@@ -107,9 +107,10 @@ def test_passes_of_several_trucks(folder):
 
 @pytest.mark.parametrize("rows, what", [
     (["1,0,20,30,1", "2,20,40,30,1", "1,60,80,31,2"], "truck 2: has passes 1; 1, 2, as truck 1"),
-    (["1,0,20,30,2", "2,20,40,30,2", "1,60,80,31,1", "2,80,100,31,1"], "passes.csv:4: truck: is 1; whole numbers"),
-    (["1,0,20,30,1", "1,20,40,30,2", "2,60,80,31,1.5"], "passes.csv:4: truck: is 1.5; whole numbers"),
+    (["1,0,20,30,2", "2,20,40,30,2", "1,60,80,31,1", "2,80,100,31,1"], "passes.csv:4: truck: is 1; rising whole numbers"),
+    (["1,0,20,30,1", "1,20,40,30,2", "2,60,80,31,1.5"], "passes.csv:4: truck: is 1.5; rising whole numbers"),
     (["1,0,20,30,1", "1,20,40,30,2"], "1 found; 2 or more are needed"),
+    (["1,0,20,30,T12", "2,20,40,30,T12"], "passes.csv:2: truck: is 'T12'; a finite number"),
 ])
 def test_faults_of_trucks(folder, rows, what):
     (folder / "passes.csv").write_text("\n".join(["pass,t_start_s,t_end_s,truck_mass_t,truck"] + rows))

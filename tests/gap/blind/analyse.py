@@ -60,7 +60,10 @@ def simulated_mines(flow, count, rng):
 
 
 def limits(names):
-    """{effect: strength from which NAMED_IN of MINES simulated mines are named; None where none within bounds is}."""
+    """{effect: strength from which NAMED_IN of MINES simulated mines are named; None where none within bounds is}.
+
+    The mines are the model's own, on the side of the upper bound; naming is without the confirmation on the hold-out.
+    """
     flow = prepared(range(1, TRUCKS + 1))
     part, null = flow.out.training, flow.null
     mines = simulated_mines(flow, MINES, np.random.default_rng(1))
@@ -108,7 +111,7 @@ def run(folder, out, cases):
 def nulls(count, file):
     """Fresh runs of the model itself, TRUCKS of NULL_SEEDS at a time, each through its own instruments' noise."""
     seeds = [1 + FRESH_FROM + k for k in range(NULL_SEEDS)]
-    flow = prepared(range(1, TRUCKS + 1))
+    flow = prepared(seeds[:TRUCKS])
     runs = flow.simulator.run([request({}, s, flow.catalogue) for s in seeds])
     rng, ready = np.random.default_rng(20), flow.out
     with open(file, "w") as f:
