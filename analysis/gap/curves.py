@@ -37,8 +37,8 @@ def curves(measured, before, after, numbers, held, share):
     trucks = measured.trucks()
     for number in numbers:
         mine = _pass(trucks[0], number)
-        inside = (measured.time_s >= mine.t_start_s) & (measured.time_s <= mine.t_end_s)
-        t = measured.time_s[inside] - mine.t_start_s
+        time = trucks[0].time_s
+        t = time[(time >= mine.t_start_s) & (time <= mine.t_end_s)] - mine.t_start_s
         for channel in measured.responses():
             seen = np.mean([_read(m, number, channel, t) for m in trucks], axis=0)
             runs = np.array([_read(m, number, channel, t) for m in before])

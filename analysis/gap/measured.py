@@ -80,9 +80,15 @@ class Measured:
                        time_s=self.time_s if signals else np.zeros(0))
 
     def trucks(self):
-        """The passes of each truck as a folder of their own, in order."""
+        """The passes of each truck, and the readings about them, as a folder of their own, in order."""
         numbers = dict.fromkeys(p.truck for p in self.passes)
-        return [replace(self, passes=tuple(p for p in self.passes if p.truck == n)) for n in numbers]
+        return [self._of(tuple(p for p in self.passes if p.truck == n)) for n in numbers]
+
+    def _of(self, passes):
+        first = max(0, np.searchsorted(self.time_s, passes[0].t_start_s) - 1)  # one reading before and after
+        span = slice(first, np.searchsorted(self.time_s, passes[-1].t_end_s, side="right") + 1)
+        signals = {n: v[span] for n, v in self.signals.items()}
+        return replace(self, passes=passes, time_s=self.time_s[span], signals=signals)
 
     def responses(self):
         """Names of the signals that answer to the rock, in a fixed order."""

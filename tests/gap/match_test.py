@@ -7,10 +7,10 @@ from scipy.stats import binom, multivariate_normal, truncnorm
 
 import fake_mine
 from gap import evidence
-from gap.decide import decide
+from gap.decide import decide, sure
 from gap.isolability import isolability
 from gap.localise import localise
-from gap.match import interval, match
+from gap.match import Match, gains, interval, match
 from gap.signatures import Signature
 
 
@@ -92,6 +92,26 @@ def test_nothing_hidden_nothing_named(case):
 @pytest.mark.parametrize("size", [1.0, 2.0, 4.0])
 def test_an_effect_outside_the_catalogue_has_no_name(case, size):
     assert case.decide(case.w.residual({"outside": size}, 80)).verdict in ("unknown", "no-gap")
+
+
+@pytest.mark.parametrize("growing", [0, 1])
+def test_a_load_cell_that_reads_too_much_has_no_name(case, growing):
+    """By a tenth in all passes, or by a quarter in the last: no effect of the catalogue."""
+    v = case.decide(case.w.residual({}, 85) + (0.1, 0.25)[growing] * gains(case.w.baseline)[:, growing])
+    assert v.verdict == "unknown"
+
+
+def test_one_training_pass_has_no_growing_gain(case):
+    one, _ = case.w.baseline.part((1,))
+    assert gains(one).shape[1] == 2 and np.abs(gains(one)).sum(axis=0).min() > 0
+
+
+def test_companions_are_sure_or_left_out():
+    def matched(both, alone):
+        sets = {("a",): alone, ("b",): 0.01, ("a", "b"): both, "none": 0.0, "unknown": 1 - both - alone - 0.01}
+        return Match({k: None for k in sets if isinstance(k, tuple)}, sets, {})
+    assert sure(matched(0.93, 0.05), "a") == ("a", "b")
+    assert sure(matched(0.60, 0.38), "a") == ("a",)
 
 
 def test_effects_that_look_alike_are_a_class(case):
