@@ -39,7 +39,11 @@ class Baseline:
 
     @property
     def prediction(self):
-        return self.noise + self.seed * self.share(self.seeds)
+        return self.against(self.seeds)
+
+    def against(self, runs):
+        """Covariance of the mine's mean less that of so many runs."""
+        return self.noise + self.seed * self.share(runs)
 
     def share(self, runs):
         """Variance of the mine's mean less that of so many runs, in variances of a run."""

@@ -56,10 +56,10 @@ def closure(y, baseline, after, rivals, expected, seed=0):
     sd, runs, covariance = baseline.sd, len(after), baseline.prediction
     patched = after.mean(axis=0)
     g0, g1 = mean_square(y - baseline.mean, sd), mean_square(y - patched, sd)
-    floor = float(np.mean(np.diag(baseline.noise + baseline.seed * baseline.share(runs)) / sd**2))
+    covariance_after = baseline.against(runs)
+    floor = float(np.mean(np.diag(covariance_after) / sd**2))
     noise = rng.standard_normal((DRAWS, len(y))) @ root(covariance).T
-    inverse = np.linalg.inv(covariance)
-    inverse_after = np.linalg.inv(baseline.noise + baseline.seed * baseline.share(runs))
+    inverse, inverse_after = np.linalg.inv(covariance), np.linalg.inv(covariance_after)
 
     def t2(residual, weight=inverse):
         return ((residual @ weight) * residual).sum(axis=-1)

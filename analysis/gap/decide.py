@@ -60,7 +60,8 @@ def decide(omnibus_p, m, signatures, covariance, plain, residual, baseline, null
 
 def sure(m, lead):
     """The set of `lead` and its companions that are as probable as a name must be: what would be added."""
-    beside = {n for key in m.fits for n in key if n != lead and m.presence(n) >= PROBABILITY}
+    names = {n for key in m.fits for n in key}
+    beside = {n for n in names - {lead} if m.presence(n) >= PROBABILITY}
     return next((key for key in m.fits if set(key) == beside | {lead}), (lead,))
 
 

@@ -333,7 +333,7 @@ class Workflow:
         left = train.y - after[:, train.at].mean(axis=0)
         low, high = out.intervals[first]
         unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(better.g, better.g)
-        covariance = train.baseline.noise + train.baseline.seed * train.baseline.share(len(after)) + unsure
+        covariance = train.baseline.against(len(after)) + unsure
         if self.null.plain().omnibus_p(statistics(left, covariance, train.baseline.grid)) >= OMNIBUS_P:
             return
         m = match(residual, train.covariance, signatures, train.baseline)

@@ -3,7 +3,6 @@ import json
 import re
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
 import fake_mine
@@ -13,6 +12,7 @@ from gap.gap_json import as_json, write_json
 from gap.measured import write_measured
 from gap.report import page
 from gap.workflow import Workflow, split
+from trucks import in_a_row
 
 # Fewer effects than the whole catalogue: a test needs seconds, not a minute.
 SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_gain", "cohesion", "density")}
@@ -127,17 +127,6 @@ def test_several_trucks_show_what_one_does_not():
 
 def analyse_mine(mine, simulator):
     return as_json(Workflow(mine, simulator, SMALL, 1, lambda text: None).run(), SMALL, {"case": "0" * 64})
-
-
-def in_a_row(runs):
-    """Runs one after the other, a truck each."""
-    passes, times, start = [], [], 0.0
-    for truck, m in enumerate(runs, 1):
-        passes += [replace(p, t_start_s=p.t_start_s + start, t_end_s=p.t_end_s + start, truck=truck) for p in m.passes]
-        times.append(m.time_s + start)
-        start += m.time_s[-1] + 60.0
-    signals = {n: np.concatenate([m.signals[n] for m in runs]) for n in runs[0].signals}
-    return replace(runs[0], passes=tuple(passes), time_s=np.concatenate(times), signals=signals)
 
 
 class MassOnly(fake_mine.FakeSimulator):

@@ -13,7 +13,7 @@ import json
 import os
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -26,6 +26,7 @@ import score  # noqa: E402
 import twin  # noqa: E402
 from gap.effects import read_catalogue  # noqa: E402
 from gap.measured import Channel, Measured, Pass, write_measured  # noqa: E402
+from trucks import in_a_row  # noqa: E402
 
 # A mine's instruments: load cells good to 2 % of their typical reading, a truck's scale to some per cent.
 CHANNELS = {c.name: c for c in (
@@ -37,7 +38,6 @@ CHANNELS = {c.name: c for c in (
     Channel("crowd_force_kN", "kN", "response", 25.0, 15.0))}
 TRUCKS = 4         # of each case, loaded by the same three passes
 BASES = 16         # twin runs without an effect; instruments' effects are laid over them
-CHANGE_S = 60.0    # from one truck to the next, nothing logged
 MADE = 8           # of the effects that need runs of their own, chosen by lot
 OWN_CASES = 8      # cases with runs of their own there is time for: the first by lot, of these and the others
 TIMES = (0.5, 1.0, 2.0)  # of the detection limit
@@ -143,17 +143,14 @@ def log(run_folder, plan, rng, program):
 def as_mine(runs, rng):
     """Runs as one folder, a truck each, through the instruments of CHANNELS."""
     shared = {n: rng.normal(0, c.common_sigma) for n, c in CHANNELS.items()}
-    mass, start = CHANNELS["truck_mass_t"], 0.0
-    times, passes, signals = [], [], {n: [] for n in CHANNELS if n != mass.name}
-    for truck, m in enumerate(runs, 1):
-        times.append(m.time_s + start)
-        for n, v in signals.items():
-            v.append(m.signals[n] + shared[n] + rng.normal(0, CHANNELS[n].sigma, len(m.time_s)))
-        for p in m.passes:
-            tonnes = max(0.0, p.truck_mass_t + shared[mass.name] + rng.normal(0, mass.sigma))
-            passes.append(Pass(p.number, p.t_start_s + start, p.t_end_s + start, tonnes, truck))
-        start += m.time_s[-1] + CHANGE_S
-    return Measured(CHANNELS, tuple(passes), np.concatenate(times), {n: np.concatenate(v) for n, v in signals.items()})
+    mass, seen = CHANNELS["truck_mass_t"], []
+    for m in runs:
+        signals = {n: m.signals[n] + shared[n] + rng.normal(0, c.sigma, len(m.time_s))
+                   for n, c in CHANNELS.items() if n != mass.name}
+        passes = tuple(replace(p, truck_mass_t=max(0.0, p.truck_mass_t + shared[mass.name] + rng.normal(0, mass.sigma)))
+                       for p in m.passes)
+        seen.append(replace(m, channels=CHANNELS, signals=signals, passes=passes))
+    return in_a_row(seen)
 
 
 def main(words):
