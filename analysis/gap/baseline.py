@@ -19,7 +19,8 @@ class Baseline:
     cells: list
     mean: np.ndarray        # (n,)
     values: np.ndarray      # (R, n)
-    noise: np.ndarray       # (n, n) of the mean over the trucks
+    own: np.ndarray         # (n, n) of one truck's instruments
+    common: np.ndarray      # (channels, n): shifts by one common_sigma, alike in all trucks
     seed: np.ndarray        # (n, n) of one run
     grid: np.ndarray        # (P, F) index into cells, -1 where there is none
     trucks: int = 1         # T
@@ -30,12 +31,17 @@ class Baseline:
         at = [i for i, c in enumerate(self.cells) if c.pass_number in pass_numbers]
         block = np.ix_(at, at)
         cells = [self.cells[i] for i in at]
-        return replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], noise=self.noise[block],
-                       seed=self.seed[block], grid=make_grid(cells, pass_numbers)), at
+        return replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], own=self.own[block],
+                       common=self.common[:, at], seed=self.seed[block], grid=make_grid(cells, pass_numbers)), at
 
     @property
     def seeds(self):
         return len(self.values)
+
+    @property
+    def noise(self):
+        """Covariance of the instruments' errors in the mean over the trucks."""
+        return self.own / self.trucks + self.common.T @ self.common
 
     @property
     def prediction(self):
@@ -107,37 +113,37 @@ def make_grid(cells, pass_numbers):
     return np.array([[place.get((p, *k), -1) for k in keys] for p in pass_numbers])
 
 
-def scatter(rows, baseline, common):
+def scatter(rows, own, seed):
     """Variance of the mine's passes from truck to truck, (T, n), in variances of the model's runs; 1 at least.
 
-    `common` (channels, n): the errors all trucks share, which do not scatter. The median over cells, as a
-    single rock under the lip makes some of them large.
+    `own`, `seed` (n,): variances of one truck's instruments and of one run. The median over cells, as a single
+    rock under the lip makes some of them large.
     """
     if len(rows) < 2:
         return 1.0
-    own = len(rows) * (np.diag(baseline.noise) - (common**2).sum(axis=0))
-    seed = np.diag(baseline.seed)
     usual = chi2.median(len(rows) - 1) / (len(rows) - 1)  # of a variance, in what it estimates
     moves = seed > own
     ratio = (rows.var(axis=0, ddof=1) / usual - own)[moves] / seed[moves]
     return max(1.0, float(np.median(ratio))) if moves.any() else 1.0
 
 
-def telling_cells(cells, values, noise):
-    """Indices of the cells that vary at all and do not merely repeat another, pass by pass alike."""
-    spread = values.std(axis=0, ddof=1)
-    total = np.sqrt(spread**2 + np.diag(noise))
+def telling_cells(cells, values, share, noise):
+    """Indices of the cells that vary at all and do not merely repeat another, pass by pass alike.
+
+    A prediction errs by `share` times the covariance of the runs (R, n), and by `noise` (n, n).
+    """
+    total = np.sqrt(share * values.var(axis=0, ddof=1) + np.diag(noise))
     alive = total > 1e-9 * (1.0 + np.abs(values).mean(axis=0))
     keys = list(dict.fromkeys(c.key for c, a in zip(cells, alive) if a))
     keys.sort(key=lambda k: PREFERRED.index(k[2]) if k[2] in PREFERRED else len(PREFERRED))
     kept = []
     for key in keys:
-        if not any(_follows(cells, values, noise, key, other) for other in kept if other[1] == key[1]):
+        if not any(_follows(cells, values, share, noise, key, other) for other in kept if other[1] == key[1]):
             kept.append(key)
     return [i for i, c in enumerate(cells) if alive[i] and c.key in set(kept)]
 
 
-def _follows(cells, values, noise, key, other):
+def _follows(cells, values, share, noise, key, other):
     """Do two features move together in all passes, in the seeds and in the noise?"""
     rho = []
     place = {(c.pass_number, *c.key): i for i, c in enumerate(cells)}
@@ -145,19 +151,19 @@ def _follows(cells, values, noise, key, other):
         i, j = place.get((number, *key)), place.get((number, *other))
         if i is None or j is None:
             continue
-        cov = np.cov(values[:, [i, j]].T) + noise[np.ix_([i, j], [i, j])]
+        cov = share * np.cov(values[:, [i, j]].T) + noise[np.ix_([i, j], [i, j])]
         if cov[0, 0] > 0 and cov[1, 1] > 0:
             rho.append(cov[0, 1] / np.sqrt(cov[0, 0] * cov[1, 1]))
     return bool(rho) and min(abs(r) for r in rho) > COLLINEAR
 
 
-def make_baseline(cells, values, noise, pass_numbers, trucks=1):
+def make_baseline(cells, values, own, common, pass_numbers, trucks=1):
     """Baseline of R runs, (R, n), over the cells worth keeping; the kept indices beside it."""
     if len(values) < 2:
         raise ValueError("a baseline needs two runs or more")
-    keep = telling_cells(cells, values, noise)
+    keep = telling_cells(cells, values, 1 / trucks + 1 / len(values), own / trucks + common.T @ common)
     kept = [cells[i] for i in keep]
     grid = make_grid(kept, pass_numbers)
-    values, noise = values[:, keep], noise[np.ix_(keep, keep)]
-    return Baseline(kept, values.mean(axis=0), values, noise, seed_covariance(values, grid), grid,
-                    trucks), keep
+    values = values[:, keep]
+    return Baseline(kept, values.mean(axis=0), values, own[np.ix_(keep, keep)], common[:, keep],
+                    seed_covariance(values, grid), grid, trucks), keep

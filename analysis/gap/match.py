@@ -1,11 +1,12 @@
 """Which effects, up to three at once, explain the residual; against `nothing` and `something unknown`."""
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
 from scipy.special import logsumexp
 
 from . import evidence
+from .balance import BALANCE, HOIST
 
 # Prior shares: how often, before looking, one expects so many effects. Equal among sets of one size.
 PRIOR = {"none": 0.45, "unknown": 0.10, 1: 0.35, 2: 0.08, 3: 0.02}
@@ -81,13 +82,20 @@ def unknown_evidence(residual, covariance, baseline):
     return float(logsumexp(logs) - np.log(len(logs)))
 
 
+def _reading(cell, channel, mean):
+    """What of a cell's mean {cell: number} a force's channel shows; a balance is the mass less what the hoist carried."""
+    if cell.feature == BALANCE and channel == HOIST:
+        return mean[cell] - mean[replace(cell, feature="mass")]
+    return mean[cell] if cell.channel == channel else 0.0
+
+
 def gains(baseline):
     """(n, 2 x forces): what a force's load cell shows that reads twice too much, in all passes or more and more."""
     late = np.array([c.pass_number for c in baseline.cells], float)
     late -= late.min()
-    out = []
+    mean, out = dict(zip(baseline.cells, baseline.mean)), []
     for channel in dict.fromkeys(c.channel for c in baseline.cells if c.channel.endswith("_force_kN")):
-        reading = baseline.mean * [c.channel == channel for c in baseline.cells]
+        reading = np.array([_reading(c, channel, mean) for c in baseline.cells])
         out += [reading, reading * late / late.max()] if late.any() else [reading]
     return np.array(out).reshape(-1, len(baseline.mean)).T
 

@@ -50,9 +50,9 @@ def measured_features(measured, pass_numbers):
     return fmap.cells, fmap(signals, fmap.masses()[None])[0], fmap.durations
 
 
-def noise_covariance(runs, channels, trucks=1):
-    """Covariance of the instruments' errors in the mean over `trucks`: own parts, learnt from `runs` of the
-    same case, and those that all readings share.
+def noise_covariance(runs, channels):
+    """Covariance (n, n) of the instruments' own errors in one truck's features, learnt from `runs` of the same
+    case; and the shifts (channels, n) by one common_sigma, which all readings share.
 
     Own errors of different passes, phases and channels are independent: those entries are exactly 0.
     """
@@ -64,5 +64,4 @@ def noise_covariance(runs, channels, trucks=1):
     for i, c in enumerate(cells):
         if c.channel == MASS:
             cov[i, i] += channels[MASS].sigma ** 2
-    common = np.mean([r.common for r in runs], axis=0)
-    return cov / trucks + common.T @ common
+    return cov, np.mean([r.common for r in runs], axis=0)

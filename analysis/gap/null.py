@@ -4,12 +4,12 @@ Each draw makes R baseline runs and one more a truck as the mine would see it, f
 and as heavy-tailed as its runs are, then estimates everything from those R runs anew. So the null knows
 how little R runs tell.
 """
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import solve_triangular
 
-from .baseline import seed_covariance, to_grid
+from .baseline import scatter, seed_covariance, to_grid
 
 DRAWS = 1000
 # Degrees of freedom of Student's t that runs, or a phase of a pass, may have instead of a Gaussian: a rock
@@ -39,14 +39,15 @@ class Null:
         """The same without that statistic."""
         return Null(self.stats[:, :-1], self.z) if self.fits is not None else self
 
-    def inflation(self):
-        """Factor on the seeds' covariance with which a fit along the catalogue's effects varies as promised.
+    def inflation(self, effects):
+        """Factor on the seeds' covariance with which a fit along the first so many directions, the catalogue's
+        effects, varies as promised.
 
         Whitening by a covariance known from a few runs promises too much; a squared score should be 1.
         """
         if self.fits is None:
             return 1.0
-        size = self.fits.mean(axis=(0, 2))  # falls as the factor grows
+        size = self.fits[:, :, :effects].mean(axis=(0, 2))  # falls as the factor grows
         return float(np.exp(np.interp(0.0, -np.log(size), np.log(FACTORS))))
 
     def single_p(self, stats):
@@ -155,25 +156,26 @@ def find_tails(baseline, seed=0):
 
 
 def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None, tails=None):
-    """Null of the statistics over `passes` (default: all); covariances are estimated from all of them.
+    """Null of the statistics over `passes` (default: all); the seeds' covariance is estimated from all of them.
 
     `tails` are find_tails(baseline), when at hand.
     """
     part, at = baseline.part(passes) if passes else (baseline, list(range(len(baseline.mean))))
     block = np.ix_(at, at)
     rng = np.random.default_rng(seed)
-    n, runs = len(baseline.mean), baseline.seeds
-    seed_root, noise_root = root(baseline.seed), root(baseline.noise)
+    runs, trucks, own = baseline.seeds, baseline.trucks, np.diag(part.own)
+    seed_root, own_root, size = root(baseline.seed), root(baseline.own), np.sqrt(baseline.scatter)
     tails, labels = tails or find_tails(baseline), phase_labels(baseline.cells)
     stats, fits, z = [], [], np.empty((draws, len(at)))
     asked = directions is not None and directions.size > 0
     for d in range(draws):
-        made = make_runs(seed_root, runs + baseline.trucks, tails, labels, rng)
-        seeds = seed_covariance(made[:runs], baseline.grid) * baseline.share(runs)
-        covariance = baseline.noise + seeds
-        mine = np.sqrt(baseline.scatter) * made[runs:].mean(axis=0) + noise_root @ rng.standard_normal(n)
-        residual = mine - made[:runs].mean(axis=0)
-        residual, covariance, seeds = residual[at], covariance[block], seeds[block]
+        made = make_runs(seed_root, runs + trucks, tails, labels, rng)
+        mine = size * made[runs:] + rng.standard_normal((trucks, len(own_root))) @ own_root.T
+        shared = rng.standard_normal(len(baseline.common)) @ baseline.common
+        residual = (mine.mean(axis=0) + shared - made[:runs].mean(axis=0))[at]
+        one = seed_covariance(made[:runs], baseline.grid)[block]
+        seeds = one * replace(part, scatter=scatter(mine[:, at], own, np.diag(one))).share(runs)
+        covariance = part.noise + seeds
         stats.append(statistics(residual, covariance, part.grid))
         if asked:
             fits.append([scores(residual, covariance + (f - 1) * seeds, directions) for f in FACTORS])

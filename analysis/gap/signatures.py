@@ -1,17 +1,17 @@
 """What one unit of an effect does to the features, and how well a few runs tell it.
 
-Runs at two strengths use seeds of the baseline, so each is paired with the run without the effect, or where
-the rock has forgotten its seed, compared with the mean of them. The differences are fitted by a line through
-zero. A handful of chaotic runs leaves more noise than
-signal in 150 cells; the fit is therefore shrunk (empirical Bayes), block by block, with its remaining
-variance kept and used wherever the signature is.
+Runs at two strengths use seeds of the baseline. The rock forgets its seed from pass to pass: how much of the
+plain run's deviation the run with the effect keeps is found pass by pass, and so much of it is taken off (a
+control variate). A line through zero is fitted to the rest. A handful of chaotic runs leaves more noise than
+signal in 150 cells; the line is therefore shrunk, with its remaining covariance kept and used wherever the
+signature is.
 """
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.stats import chi2
 
-from .baseline import to_grid
+from .shrink import shrink
 
 # Assumed: an effect in the mine differs from the catalogue's model of it by so much in a whole block (one
 # phase and channel, all passes alike), and by so much in a single cell.
@@ -24,7 +24,6 @@ class Signature:
     effect: object
     g: np.ndarray        # (n,) per unit strength
     spread: np.ndarray   # (n, n) covariance of g, per unit strength squared
-    chaos: float         # variance of a difference about the line, in variances of a run; 0: nothing random
 
     @property
     def name(self):
@@ -32,37 +31,57 @@ class Signature:
 
     def part(self, at):
         """The same over some of the cells."""
-        return Signature(self.effect, self.g[at], self.spread[np.ix_(at, at)], self.chaos)
+        return Signature(self.effect, self.g[at], self.spread[np.ix_(at, at)])
 
 
-def fit_signature(effect, baseline, strengths, seed_index, values):
-    """From runs (J, n) at `strengths` (J,), each paired with baseline run seed_index (J,); None: with none
-    of them, so with their mean."""
+def fit_signature(effect, baseline, strengths, seed_index, values, same_rock=False):
+    """From runs (J, n) at `strengths` (J,), each paired with baseline run seed_index (J,); None: with none.
+
+    `same_rock`: the rock's motion is the plain run's own (an effect observed or replayed).
+    """
     s = np.asarray(strengths, float)
-    variance = np.diag(baseline.seed)
-    moves = variance > CHAOTIC * baseline.sd**2
     pairs = np.array([baseline.mean if k is None else baseline.values[k] for k in seed_index])
-    g, chaos = _line(s, values - pairs, variance, moves)
-    error = chaos * variance / (s @ s)
-    if chaos > 1:  # nothing is left of the common seed: the mean of all seeds is the better partner
-        g, chaos = _line(s, values - baseline.mean, variance, moves)
-        chaos = max(chaos, 1.0)
-        error = variance * (chaos / (s @ s) + (s.sum() / (s @ s)) ** 2 / baseline.seeds)
-    g, error = _shrink(g, error, baseline, effect.reference())
-    scale = np.sqrt(np.divide(error, variance, out=np.zeros_like(error), where=variance > 0))
-    spread = baseline.seed * np.outer(scale, scale)
+    g, error = (_exact if same_rock else _chaotic)(s, values, pairs, baseline)
+    scale = np.sqrt(error)
+    g, spread = shrink(g, baseline.seed * np.outer(scale, scale), baseline, abs(effect.reference()))
     if effect.kind != "observation":
         spread = spread + _shape_error(g, baseline)
-    return Signature(effect, g, spread, chaos)
+    return Signature(effect, g, spread)
 
 
-def _line(s, difference, variance, moves):
-    """Slope through zero, and the variance of what it leaves in variances of a run (median over cells)."""
+def _exact(s, values, pairs, baseline):
+    """Slope (n,) through zero of runs on the same rock, and its variance in variances of a run: what the
+    median cell is off the line."""
+    moves, seed = _moves(baseline), np.diag(baseline.seed)
+    difference = values - pairs
     g = s @ difference / (s @ s)
-    if not moves.any() or len(s) < 2:
-        return g, 0.0
-    ratio = ((difference - np.outer(s, g))[:, moves] ** 2).sum(axis=0) / variance[moves]
-    return g, float(np.median(ratio) / chi2.median(len(s) - 1))
+    off = 0.0
+    if moves.any() and len(s) > 1:
+        ratio = ((difference - np.outer(s, g))[:, moves] ** 2).sum(axis=0) / seed[moves]
+        off = float(np.median(ratio) / chi2.median(len(s) - 1))
+    return g, np.full(len(g), off / (s @ s))
+
+
+def _chaotic(s, values, pairs, baseline):
+    """The same of runs whose rock went its own way; part of it, the same in a pass, is the plain run's still."""
+    moves, sd = _moves(baseline), np.sqrt(np.diag(baseline.seed))
+    v, b = values - baseline.mean, pairs - baseline.mean
+    off_line = np.eye(len(s)) - np.outer(s, s) / (s @ s)
+    g, error = np.zeros(len(sd)), np.zeros(len(sd))
+    for number in dict.fromkeys(c.pass_number for c in baseline.cells):
+        at = np.array([c.pass_number == number for c in baseline.cells])
+        told = at & moves
+        v_left, b_left = (off_line @ x[:, told] / sd[told] for x in (v, b))
+        kept = float(np.clip((v_left * b_left).sum() / max((b_left**2).sum(), 1e-300), 0.0, 1.0))
+        # Never less than what the memory leaves open: two or three runs may lie on a line by chance.
+        seen = ((v_left - kept * b_left) ** 2).mean() * len(s) / (len(s) - 1) if told.any() else 0.0
+        g[at] = s @ (v - kept * b)[:, at] / (s @ s)
+        error[at] = max(seen, 1 - kept**2) / (s @ s) + ((1 - kept) * s.sum() / (s @ s)) ** 2 / baseline.seeds
+    return g, error
+
+
+def _moves(baseline):
+    return np.diag(baseline.seed) > CHAOTIC * baseline.sd**2
 
 
 def _shape_error(g, baseline):
@@ -77,41 +96,3 @@ def _shape_error(g, baseline):
     weight = weight / max(weight.sum(), 1e-300)
     factor = (member - weight) * g[:, None] * BLOCK_ERROR
     return factor @ factor.T + np.diag((CELL_ERROR * g) ** 2)
-
-
-def _shrink(g, error, baseline, reference):
-    """Empirical Bayes in units of the prediction's sd: what all passes share, block by block of phase and
-    channel, and what differs between passes, channel by channel. Returns estimate and variance left."""
-    unit = baseline.sd / abs(reference)
-    x, v = to_grid(g / unit, baseline.grid), to_grid(error / unit**2, baseline.grid)
-    there = np.isfinite(x)
-    count = there.sum(axis=0)
-    shared = np.nansum(x, axis=0) / count
-    shared_v = np.nansum(v, axis=0) / count**2
-    differs, differs_v = x - shared, np.where(there, v * (1 - 1 / count), 0.0)
-    keys = [None] * baseline.grid.shape[1]
-    for i, c in enumerate(baseline.cells):
-        keys[np.argwhere(baseline.grid == i)[0][1]] = c.key
-    blocks = [(k[0], k[1]) for k in keys]
-    channels = [k[1] for k in keys]
-    shared, shared_left = _towards_zero(shared, shared_v, blocks, range(1))
-    differs, differs_left = _towards_zero(differs, differs_v, channels, range(len(x)))
-    left = np.where(there, shared_left + differs_left, np.nan)
-    flat, at = baseline.grid.ravel(), baseline.grid.ravel() >= 0
-    out, out_v = np.empty(len(g)), np.empty(len(g))
-    out[flat[at]] = (shared + differs).ravel()[at]
-    out_v[flat[at]] = left.ravel()[at]
-    return out * unit, out_v * unit**2
-
-
-def _towards_zero(x, v, labels, rows):
-    """Normal means with a normal prior about 0 for each label, its variance by moments."""
-    x, v = np.atleast_2d(x), np.atleast_2d(v)
-    out, left = np.zeros_like(x), np.zeros_like(x)
-    for label in dict.fromkeys(labels):
-        cols = [j for j, other in enumerate(labels) if other == label]
-        part, var = x[:, cols], v[:, cols]
-        prior = max(0.0, float(np.nanmean(part**2 - var)))
-        weight = prior / np.maximum(prior + var, 1e-300)
-        out[:, cols], left[:, cols] = weight * part, weight * var
-    return (out, left) if len(rows) > 1 else (out[0], left[0])

@@ -8,21 +8,20 @@ from .noise import measured_features, noise_covariance, noisy_features
 class Vectors:
     """How folders with these `channels` and pass `numbers` become vectors over `cells`.
 
-    `base` are runs of the unchanged case: their noise is everyone's, and they tell the balance. `noise` is
-    that of a mean over `trucks`.
+    `base` are runs of the unchanged case: their noise is everyone's, and they tell the balance.
     """
 
-    def __init__(self, channels, numbers, base, trucks=1):
+    def __init__(self, channels, numbers, base):
         self.channels, self.numbers = channels, list(numbers)
         views = [noisy_features(m.seen_by(channels), channels, numbers) for m in base]
         self.plain, self.durations = views[0].cells, views[0].durations
         self.slope = tonnes_a_kN(self.plain, np.array([v.mean for v in views if v.cells == self.plain]))
         self.cells, _ = balanced(self.plain, views[0].mean, self.slope)
-        noise = noise_covariance(views, channels, trucks)
+        own, common = noise_covariance(views, channels)
         for _ in range(2):  # rows, then columns
-            noise = balanced(self.plain, noise, self.slope)[1].T
-        self.noise = noise                                                   # (n, n)
-        self.common = balanced(self.plain, views[0].common, self.slope)[1]  # (channels, n): one common_sigma each
+            own = balanced(self.plain, own, self.slope)[1].T
+        self.own = own                                                 # (n, n) of one truck
+        self.common = balanced(self.plain, common, self.slope)[1]  # (channels, n): one common_sigma each
 
     def of_run(self, measured):
         """Cells and vector of a noise-free folder, as the mine's instruments would see it on average."""

@@ -18,7 +18,7 @@ from .simulator import request
 from .vectors import Vectors, places
 
 NEED_PASSES = 2
-SIGNATURE_RUNS = ((0, 0), (1, 0), (1, 1))  # (which of the two strengths, which of the baseline's seeds)
+SIGNATURE_RUNS = ((0, 0), (1, 1), (1, 2))  # (which of the two strengths, which of the baseline's seeds)
 FRESH_SEEDS = 5
 SHARPENED = 2           # times an effect's strength is found anew, each with its signature at the last
 FRESH_FROM = 1000       # seeds of the confirming runs start so far above the baseline's
@@ -47,6 +47,7 @@ class SignatureRuns:
     strengths: tuple
     seed_index: tuple
     values: np.ndarray       # (J, n)
+    same_rock: bool          # observed or replayed, not run
 
 
 @dataclass
@@ -160,7 +161,8 @@ class Workflow:
             asked = [request({name: strength}, self.first_seed + k, self.catalogue) for k in seeds]
             if asked[0].how == "observe":
                 values = self._features_of(self.simulator.run(asked, self.say))
-                better[name] = fit_signature(self.catalogue[name], self.whole, [strength] * len(asked), seeds, values)
+                better[name] = fit_signature(self.catalogue[name], self.whole, [strength] * len(asked), seeds, values,
+                                             same_rock=True)
         if not better:
             return
         for which in ("training", "holdout"):
@@ -184,7 +186,7 @@ class Workflow:
             raise ValueError(f"{len(numbers)} passes are both measured and simulated; {NEED_PASSES} or more "
                              "are needed, one to train on and one to hold out")
         trucks = self.out.trucks = len(self.measured.trucks())
-        self.vectors = Vectors(self.measured.channels, numbers, [folders[r] for r in base], trucks)
+        self.vectors = Vectors(self.measured.channels, numbers, [folders[r] for r in base])
         cells, rows, durations = self.vectors.of_mine(self.measured)
         self._check_motion(durations, self.vectors.durations, numbers)
         rows_of = {r: self.vectors.of_run(m) for r, m in folders.items()}
@@ -192,35 +194,36 @@ class Workflow:
         common = [c for c in cells if c in everywhere]
         rows_of = {r: v[places(c, common)] for r, (c, v) in rows_of.items()}
         at = places(self.vectors.cells, common)
-        noise = self.vectors.noise[np.ix_(at, at)]
-        whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), noise, numbers, trucks)
+        whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), self.vectors.own[np.ix_(at, at)],
+                                    self.vectors.common[:, at], numbers, trucks)
         tails = find_tails(whole)  # of any size: the same when inflated
         one = replace(whole, trucks=1)
         self.out.inflation = left_out_inflation(one, simulate_null(one, draws=200, tails=tails))
         self.common = [common[i] for i in keep]
-        common_error = self.vectors.common[:, at][:, keep]
         rows = rows[:, places(cells, self.common)]
         whole = whole.inflated(self.out.inflation)
-        whole = replace(whole, scatter=scatter(rows, whole, common_error))
+        training, held = split(numbers)
+        seen, learnt = whole.part(training)
+        whole = replace(whole, scatter=scatter(rows[:, learnt], np.diag(seen.own), np.diag(seen.seed)))
         if whole.scatter > SCATTERS:
             self.out.warnings.append(f"the trucks' passes vary {np.sqrt(whole.scatter):.1f} times as much as the "
                                      "model's from seed to seed: was each dug at a face like the case's?")
         runs = {n: SignatureRuns(tuple(s for s, _, _ in made_rows), tuple(k for _, k, _ in made_rows),
-                                 np.array([rows_of[r][keep] for _, _, r in made_rows]))
+                                 np.array([rows_of[r][keep] for _, _, r in made_rows]),
+                                 made_rows[0][2].how != "run")
                 for n, made_rows in made.items()}
-        signatures = [fit_signature(self.catalogue[n], whole, r.strengths, r.seed_index, r.values)
+        signatures = [fit_signature(self.catalogue[n], whole, r.strengths, r.seed_index, r.values, r.same_rock)
                       for n, r in runs.items()]
         size = np.array([self.measured.channels[n].common_sigma for n in self._response_names()])
-        bias = common_error / np.where(size > 0, size, 1.0)[:, None]
+        bias = whole.common / np.where(size > 0, size, 1.0)[:, None]
         self.base_folders = [folders[r] for r in base]
         self.whole, self.runs = whole, runs
         y = rows.mean(axis=0)
-        training, held = split(numbers)
         self.out.holdout = self._part(held, y, signatures, bias)
         part = self._part(training, y, signatures, bias)
         self.directions = np.column_stack([s.g for s in part.signatures] + [gains(part.baseline)])
         self.null = simulate_null(self.whole, self.directions, passes=training, tails=tails)
-        wary = part.baseline.inflated(self.null.inflation()).prediction
+        wary = part.baseline.inflated(self.null.inflation(len(part.signatures))).prediction
         self.out.training = replace(part, covariance=with_nuisances(wary, part.nuisances))
 
     def _part(self, passes, y, signatures, bias):

@@ -16,7 +16,8 @@ def confirm(trucks, number, true=True):
     """A mine with an effect that shifts every cell, against `FRESH` runs with it (or with its opposite)."""
     rng, n = np.random.default_rng([trucks, number]), len(CELLS)
     shift = SIZE * np.where(np.arange(n) % 2, 1.0, -1.0)
-    b, _ = make_baseline(CELLS, rng.standard_normal((RUNS, n)), 0.05 * np.eye(n), (2,), trucks)
+    b, _ = make_baseline(CELLS, rng.standard_normal((RUNS, n)), 0.05 * trucks * np.eye(n), np.zeros((0, n)), (2,),
+                         trucks)
     y = shift + rng.standard_normal((trucks, n)).mean(axis=0) + np.sqrt(0.05) * rng.standard_normal(n)
     after = (shift if true else -shift) + rng.standard_normal((FRESH, n))
     nearly = {"a rival that does half of it": b.mean + 0.5 * shift}

@@ -73,15 +73,15 @@ class World:
     def __init__(self, number=0, spread=1.0, catalogue=CATALOGUE):
         self.spread, self.first = spread, 10_000 * (number + 1)
         runs = [self._features({}, self.first + k) for k in range(SEEDS)]
-        noise = noise_covariance(runs, synthetic.CHANNELS)
-        self.baseline, self.keep = make_baseline(runs[0].cells, np.array([r.mean for r in runs]), noise, PASSES)
+        self.baseline, self.keep = make_baseline(runs[0].cells, np.array([r.mean for r in runs]),
+                                                 *noise_covariance(runs, synthetic.CHANNELS), PASSES)
         made = [self._signature(e) for e in catalogue.values()]
         self.signatures = [s for s in made if not s.effect.nuisance]
         self.nuisances = [s for s in made if s.effect.nuisance]
         self.directions = np.array([s.g for s in self.signatures]).T
         self.null = simulate_null(self.baseline, self.directions, draws=300, seed=number)
         self.plain = with_nuisances(self.baseline.prediction, self.nuisances)
-        self.covariance = with_nuisances(self.baseline.inflated(self.null.inflation()).prediction, self.nuisances)
+        self.covariance = with_nuisances(self.baseline.inflated(self.null.inflation(len(self.signatures))).prediction, self.nuisances)
 
     def _features(self, effects, seed):
         return noisy_features(synthetic.run(effects, seed, spread=self.spread), synthetic.CHANNELS, PASSES)
@@ -95,7 +95,8 @@ class World:
                 strengths.append(s)
                 index.append(k)
                 rows.append(self._features({e.name: s}, seed + (0 if e.kind == "observation" else len(rows))).mean)
-        return fit_signature(e, self.baseline, strengths, index, np.array(rows)[:, self.keep])
+        return fit_signature(e, self.baseline, strengths, index, np.array(rows)[:, self.keep],
+                             e.kind == "observation")
 
     def residual(self, effects, seed):
         """A mine with a hidden effect, seen through its instruments."""
