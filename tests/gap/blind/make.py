@@ -38,7 +38,7 @@ CHANNELS = {c.name: c for c in (
     Channel("crowd_force_kN", "kN", "response", 25.0, 15.0))}
 TRUCKS = 4         # of each case, loaded by the same three passes
 BASES = 16         # twin runs without an effect; instruments' effects are laid over them
-MADE = 8           # of the effects that need runs of their own, chosen by lot
+MADE = 8           # of the effects that need runs of their own, chosen by lot, those that have a limit first
 OWN_CASES = 8      # cases with runs of their own there is time for: the first by lot, of these and the others
 TIMES = (0.5, 1.0, 2.0)  # of the detection limit
 JITTER = 0.1       # of a strength, so that it is no round multiple
@@ -83,7 +83,8 @@ def plans(catalogue, limits, bases, rng):
         strength = {n: s for n, (s, _) in chosen.items()}
         out.append(Plan(kind, strength if scored else {}, strength, real))
 
-    for k, name in enumerate(rng.permutation(sorted(otherwise.MADE))[:MADE]):
+    lot = sorted(rng.permutation(sorted(otherwise.MADE)), key=lambda n: limits[n] is None)
+    for k, name in enumerate(lot[:MADE]):
         add("effect", [str(name)], TIMES[1:][k % 2])
     for name in otherwise.SEEN:
         for times in TIMES if limits[name] is not None else TIMES[-1:]:
