@@ -21,6 +21,7 @@ class Baseline:
     values: np.ndarray      # (R, n)
     own: np.ndarray         # (n, n) of one truck's instruments
     common: np.ndarray      # (channels, n): shifts by one common_sigma, alike in all trucks
+    more: np.ndarray        # (M, n) deviations of a run's size, of runs with an effect from what it does
     seed: np.ndarray        # (n, n) of one run
     grid: np.ndarray        # (P, F) index into cells, -1 where there is none
     trucks: int = 1         # T
@@ -32,7 +33,7 @@ class Baseline:
         block = np.ix_(at, at)
         cells = [self.cells[i] for i in at]
         return replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], own=self.own[block],
-                       common=self.common[:, at], seed=self.seed[block], grid=make_grid(cells, pass_numbers)), at
+                       common=self.common[:, at], more=self.more[:, at], seed=self.seed[block], grid=make_grid(cells, pass_numbers)), at
 
     @property
     def seeds(self):
@@ -55,6 +56,10 @@ class Baseline:
         """Variance of the mine's mean less that of so many runs, in variances of a run."""
         return self.scatter / self.trucks + 1.0 / runs
 
+    def knowing(self, more):
+        """The same with the seeds' covariance known from (M, n) further deviations too."""
+        return replace(self, more=more, seed=seed_covariance(self.values, self.grid, more))
+
     def inflated(self, factor):
         """The same with the seeds' covariance times `factor`."""
         return replace(self, seed=self.seed * factor)
@@ -75,26 +80,28 @@ def to_grid(values, grid):
     return padded[..., grid]
 
 
-def seed_covariance(values, grid):
-    """Covariance over cells of one run, from R runs, (R, n).
+def seed_covariance(values, grid, more):
+    """Covariance over cells of one run, from R runs, (R, n), and `more` deviations of a run's size, (M, n).
 
     Few runs, many cells: the covariance is taken as (between passes) x (between features), each shrunk
     after Ledoit and Wolf (2004), about variances of each pass shrunk to those pooled over passes
-    (Smyth 2004). Pooling the passes gives R x P samples for the features' correlations.
+    (Smyth 2004). Pooling the passes gives (R + M) x P samples for the features' correlations; the variances
+    are those of the R runs.
     """
     runs = len(values)
     deviation = to_grid(values - values.mean(axis=0), grid) * np.sqrt(runs / (runs - 1.0))
     own = (deviation**2).mean(axis=0)  # nan where a pass has no such cell: the same in every run
     pooled = np.nanmean(deviation**2, axis=(0, 1))
     sd = np.sqrt((PRIOR_DOF * pooled + (runs - 1.0) * own) / (PRIOR_DOF + runs - 1.0))
+    deviation = np.concatenate([deviation, to_grid(more, grid)])
     unit = np.where(np.isfinite(deviation) & (sd > 0), deviation / np.where(sd > 0, sd, 1.0), 0.0)
     n_passes, n_keys = grid.shape
-    between_keys, _ = ledoit_wolf(unit.reshape(runs * n_passes, n_keys), assume_centered=True)
+    between_keys, _ = ledoit_wolf(unit.reshape(-1, n_keys), assume_centered=True)
     if n_passes > 1:
         values_, vectors = np.linalg.eigh(between_keys)
         root = vectors / np.sqrt(np.maximum(values_, 1e-9))
         white = unit @ root
-        between_passes, _ = ledoit_wolf(white.transpose(0, 2, 1).reshape(runs * n_keys, n_passes),
+        between_passes, _ = ledoit_wolf(white.transpose(0, 2, 1).reshape(-1, n_passes),
                                         assume_centered=True)
         scale = np.sqrt(np.diag(between_passes))
         between_passes = between_passes / np.outer(scale, scale)
@@ -166,4 +173,5 @@ def make_baseline(cells, values, own, common, pass_numbers, trucks=1):
     grid = make_grid(kept, pass_numbers)
     values = values[:, keep]
     return Baseline(kept, values.mean(axis=0), values, own[np.ix_(keep, keep)], common[:, keep],
-                    seed_covariance(values, grid), grid, trucks), keep
+                    np.zeros((0, len(kept))), seed_covariance(values, grid, np.zeros((0, len(kept)))), grid,
+                    trucks), keep

@@ -163,17 +163,17 @@ def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None, t
     part, at = baseline.part(passes) if passes else (baseline, list(range(len(baseline.mean))))
     block = np.ix_(at, at)
     rng = np.random.default_rng(seed)
-    runs, trucks, own = baseline.seeds, baseline.trucks, np.diag(part.own)
+    runs, trucks, more, own = baseline.seeds, baseline.trucks, len(baseline.more), np.diag(part.own)
     seed_root, own_root, size = root(baseline.seed), root(baseline.own), np.sqrt(baseline.scatter)
     tails, labels = tails or find_tails(baseline), phase_labels(baseline.cells)
     stats, fits, z = [], [], np.empty((draws, len(at)))
     asked = directions is not None and directions.size > 0
     for d in range(draws):
-        made = make_runs(seed_root, runs + trucks, tails, labels, rng)
-        mine = size * made[runs:] + rng.standard_normal((trucks, len(own_root))) @ own_root.T
+        made = make_runs(seed_root, runs + trucks + more, tails, labels, rng)
+        mine = size * made[runs:runs + trucks] + rng.standard_normal((trucks, len(own_root))) @ own_root.T
         shared = rng.standard_normal(len(baseline.common)) @ baseline.common
         residual = (mine.mean(axis=0) + shared - made[:runs].mean(axis=0))[at]
-        one = seed_covariance(made[:runs], baseline.grid)[block]
+        one = seed_covariance(made[:runs], baseline.grid, made[runs + trucks:])[block]
         seeds = one * replace(part, scatter=scatter(mine[:, at], own, np.diag(one))).share(runs)
         covariance = part.noise + seeds
         stats.append(statistics(residual, covariance, part.grid))
@@ -197,7 +197,7 @@ def left_out_inflation(baseline, null, seed=1, copies=20):
     seen = []
     for k in range(baseline.seeds):
         others = np.delete(baseline.values, k, axis=0)
-        covariance = baseline.noise + seed_covariance(others, baseline.grid) * (1 + 1 / len(others))
+        covariance = baseline.noise + seed_covariance(others, baseline.grid, baseline.more) * (1 + 1 / len(others))
         noise = rng.standard_normal((copies, len(baseline.mean))) @ noise_root.T
         residual = baseline.values[k] - others.mean(axis=0) + noise
         seen += list((residual * np.linalg.solve(covariance, residual.T).T).sum(axis=1))

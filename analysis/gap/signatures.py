@@ -64,20 +64,42 @@ def _exact(s, values, pairs, baseline):
 
 def _chaotic(s, values, pairs, baseline):
     """The same of runs whose rock went its own way; part of it, the same in a pass, is the plain run's still."""
-    moves, sd = _moves(baseline), np.sqrt(np.diag(baseline.seed))
     v, b = values - baseline.mean, pairs - baseline.mean
-    off_line = np.eye(len(s)) - np.outer(s, s) / (s @ s)
-    g, error = np.zeros(len(sd)), np.zeros(len(sd))
+    g, error = np.zeros(len(baseline.mean)), np.zeros(len(baseline.mean))
+    for at, kept, left in _memory(s, v, b, baseline):
+        g[at] = s @ (v - kept * b)[:, at] / (s @ s)
+        error[at] = left / (s @ s) + ((1 - kept) * s.sum() / (s @ s)) ** 2 / baseline.seeds
+    return g, error
+
+
+def _memory(s, v, b, baseline):
+    """Of each pass: its cells, how much of the plain run's deviation b (J, n) is kept in v (J, n), and the
+    variance of the rest about the line, in variances of a run."""
+    moves, sd, off = _moves(baseline), np.sqrt(np.diag(baseline.seed)), _off_line(s)
     for number in dict.fromkeys(c.pass_number for c in baseline.cells):
         at = np.array([c.pass_number == number for c in baseline.cells])
         told = at & moves
-        v_left, b_left = (off_line @ x[:, told] / sd[told] for x in (v, b))
+        v_left, b_left = (off @ x[:, told] / sd[told] for x in (v, b))
         kept = float(np.clip((v_left * b_left).sum() / max((b_left**2).sum(), 1e-300), 0.0, 1.0))
+        seen = ((v_left - kept * b_left) ** 2).mean() if told.any() else 0.0
         # Never less than what the memory leaves open: two or three runs may lie on a line by chance.
-        seen = ((v_left - kept * b_left) ** 2).mean() * len(s) / (len(s) - 1) if told.any() else 0.0
-        g[at] = s @ (v - kept * b)[:, at] / (s @ s)
-        error[at] = max(seen, 1 - kept**2) / (s @ s) + ((1 - kept) * s.sum() / (s @ s)) ** 2 / baseline.seeds
-    return g, error
+        yield at, kept, max(seen, 1 - kept**2)
+
+
+def _off_line(s):
+    """(J - 1, J) orthonormal rows that see nothing of a line through zero."""
+    return np.linalg.svd(s[None])[2][1:]
+
+
+def deviations(strengths, seed_index, values, baseline):
+    """(J - 1, n) what runs with an effect differ by from a line, scaled to a plain run's size: as the rock
+    moves by chance, so more is known of that than the plain runs tell."""
+    s = np.asarray(strengths, float)
+    v, b = values - baseline.mean, baseline.values[list(seed_index)] - baseline.mean
+    out = np.zeros((len(s) - 1, len(baseline.mean)))
+    for at, kept, left in _memory(s, v, b, baseline):
+        out[:, at] = _off_line(s) @ (v - kept * b)[:, at] / np.sqrt(left)
+    return out
 
 
 def _moves(baseline):

@@ -13,7 +13,7 @@ from .match import gains, interval, match, stability
 from .measured import MASS
 from .next_experiment import propose
 from .null import find_tails, left_out_inflation, simulate_null, statistics
-from .signatures import fit_signature
+from .signatures import deviations, fit_signature
 from .simulator import request
 from .vectors import Vectors, places
 
@@ -196,6 +196,13 @@ class Workflow:
         at = places(self.vectors.cells, common)
         whole, keep = make_baseline(common, np.array([rows_of[r] for r in base]), self.vectors.own[np.ix_(at, at)],
                                     self.vectors.common[:, at], numbers, trucks)
+        runs = {n: SignatureRuns(tuple(s for s, _, _ in made_rows), tuple(k for _, k, _ in made_rows),
+                                 np.array([rows_of[r][keep] for _, _, r in made_rows]),
+                                 made_rows[0][2].how != "run")
+                for n, made_rows in made.items()}
+        ran = {made[n][0][2]: r for n, r in runs.items() if not r.same_rock}  # each run once
+        whole = whole.knowing(np.concatenate([whole.more] + [deviations(r.strengths, r.seed_index, r.values, whole)
+                                                             for r in ran.values()]))
         tails = find_tails(whole)  # of any size: the same when inflated
         one = replace(whole, trucks=1)
         self.out.inflation = left_out_inflation(one, simulate_null(one, draws=200, tails=tails))
@@ -208,10 +215,6 @@ class Workflow:
         if whole.scatter > SCATTERS:
             self.out.warnings.append(f"the trucks' passes vary {np.sqrt(whole.scatter):.1f} times as much as the "
                                      "model's from seed to seed: was each dug at a face like the case's?")
-        runs = {n: SignatureRuns(tuple(s for s, _, _ in made_rows), tuple(k for _, k, _ in made_rows),
-                                 np.array([rows_of[r][keep] for _, _, r in made_rows]),
-                                 made_rows[0][2].how != "run")
-                for n, made_rows in made.items()}
         signatures = [fit_signature(self.catalogue[n], whole, r.strengths, r.seed_index, r.values, r.same_rock)
                       for n, r in runs.items()]
         size = np.array([self.measured.channels[n].common_sigma for n in self._response_names()])

@@ -179,8 +179,8 @@ def test_closure_of_a_known_gap():
     n, runs = 40, 8
     cells = [Cell(1, "fill", "hoist_force_kN", str(k)) for k in range(n)]
     values = 0.1 * rng.standard_normal((runs, n))
-    base = Baseline(cells, values.mean(axis=0), values, np.eye(n), np.zeros((0, n)), 0.01 * np.eye(n),
-                    np.arange(n)[None])
+    base = Baseline(cells, values.mean(axis=0), values, np.eye(n), np.zeros((0, n)), np.zeros((0, n)),
+                    0.01 * np.eye(n), np.arange(n)[None])
     shift = np.full(n, 4.0)
     y = shift + rng.standard_normal(n)
     near = closure(y, base, 0.9 * shift + 0.1 * rng.standard_normal((5, n)), {"half": 0.5 * shift}, shift)
