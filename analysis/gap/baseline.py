@@ -96,15 +96,13 @@ def seed_covariance(values, grid, more):
     deviation = np.concatenate([deviation, to_grid(more, grid)])
     unit = np.where(np.isfinite(deviation) & (sd > 0), deviation / np.where(sd > 0, sd, 1.0), 0.0)
     n_passes, n_keys = grid.shape
-    between_keys, _ = ledoit_wolf(unit.reshape(-1, n_keys), assume_centered=True)
+    between_keys = _correlation(ledoit_wolf(unit.reshape(-1, n_keys), assume_centered=True)[0])
     if n_passes > 1:
         values_, vectors = np.linalg.eigh(between_keys)
         root = vectors / np.sqrt(np.maximum(values_, 1e-9))
         white = unit @ root
-        between_passes, _ = ledoit_wolf(white.transpose(0, 2, 1).reshape(-1, n_passes),
-                                        assume_centered=True)
-        scale = np.sqrt(np.diag(between_passes))
-        between_passes = between_passes / np.outer(scale, scale)
+        between_passes = _correlation(ledoit_wolf(white.transpose(0, 2, 1).reshape(-1, n_passes),
+                                                  assume_centered=True)[0])
     else:
         between_passes = np.ones((1, 1))
     there = grid.ravel() >= 0
@@ -112,6 +110,11 @@ def seed_covariance(values, grid, more):
     scale = np.nan_to_num(sd).ravel()[there][order]
     full = np.kron(between_passes, between_keys)[np.ix_(there, there)][np.ix_(order, order)]
     return full * np.outer(scale, scale)
+
+
+def _correlation(covariance):
+    scale = np.sqrt(np.maximum(np.diag(covariance), 1e-300))
+    return covariance / np.outer(scale, scale)
 
 
 def make_grid(cells, pass_numbers):

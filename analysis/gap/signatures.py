@@ -44,9 +44,7 @@ def fit_signature(effect, baseline, strengths, seed_index, values, same_rock=Fal
     g, error = (_exact if same_rock else _chaotic)(s, values, pairs, baseline)
     scale = np.sqrt(error)
     g, spread = shrink(g, baseline.seed * np.outer(scale, scale), baseline, abs(effect.reference()))
-    if effect.kind != "observation":
-        spread = spread + _shape_error(g, baseline)
-    return Signature(effect, g, spread)
+    return Signature(effect, g, spread + _shape_error(g, baseline))
 
 
 def _exact(s, values, pairs, baseline):
@@ -66,7 +64,8 @@ def _chaotic(s, values, pairs, baseline):
     """The same of runs whose rock went its own way; part of it, the same in a pass, is the plain run's still."""
     v, b = values - baseline.mean, pairs - baseline.mean
     g, error = np.zeros(len(baseline.mean)), np.zeros(len(baseline.mean))
-    for at, kept, left in _memory(s, v, b, baseline):
+    for at, kept, seen in _memory(s, v, b, baseline):
+        left = max(seen, 1 - kept**2)  # two or three runs may lie on a line by chance
         g[at] = s @ (v - kept * b)[:, at] / (s @ s)
         error[at] = left / (s @ s) + ((1 - kept) * s.sum() / (s @ s)) ** 2 / baseline.seeds
     return g, error
@@ -81,9 +80,7 @@ def _memory(s, v, b, baseline):
         told = at & moves
         v_left, b_left = (off @ x[:, told] / sd[told] for x in (v, b))
         kept = float(np.clip((v_left * b_left).sum() / max((b_left**2).sum(), 1e-300), 0.0, 1.0))
-        seen = ((v_left - kept * b_left) ** 2).mean() if told.any() else 0.0
-        # Never less than what the memory leaves open: two or three runs may lie on a line by chance.
-        yield at, kept, max(seen, 1 - kept**2)
+        yield at, kept, float(((v_left - kept * b_left) ** 2).mean()) if told.any() else 0.0
 
 
 def _off_line(s):
@@ -97,8 +94,8 @@ def deviations(strengths, seed_index, values, baseline):
     s = np.asarray(strengths, float)
     v, b = values - baseline.mean, baseline.values[list(seed_index)] - baseline.mean
     out = np.zeros((len(s) - 1, len(baseline.mean)))
-    for at, kept, left in _memory(s, v, b, baseline):
-        out[:, at] = _off_line(s) @ (v - kept * b)[:, at] / np.sqrt(left)
+    for at, kept, seen in _memory(s, v, b, baseline):
+        out[:, at] = _off_line(s) @ (v - kept * b)[:, at] / np.sqrt(max(seen, 1e-300))
     return out
 
 

@@ -1,4 +1,5 @@
 """Runs of a case, as the workflow asks for them: by `dipper run`, two at a time, each kept and found again."""
+import fcntl
 import hashlib
 import json
 import os
@@ -9,6 +10,7 @@ import subprocess
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,6 +18,7 @@ from .measured import read_measured
 from .patch import referenced_files
 
 JOBS = 2
+WAIT_S = 0.5  # between looks at a run that another process makes
 ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
 # What a replay of the machine against the recorded rock answers exactly: the dipper's motion is prescribed.
 REPLAYED = {"machine.crowd_friction_N", "machine.hoist_loss"}
@@ -135,12 +138,27 @@ class DipperSimulator(Simulator):
     def _done(self, r):
         return (self.folder(r) / "done.json").is_file()
 
+    @contextmanager
+    def _alone(self, folder):
+        """While another process makes the same, waits for it."""
+        folder.mkdir(parents=True, exist_ok=True)
+        with open(folder / "lock", "w") as lock:
+            while not self._stopped:
+                try:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    break
+                except BlockingIOError:
+                    time.sleep(WAIT_S)
+            yield
+
     def _make(self, r):
-        if self._stopped:
-            return
+        with self._alone(self.folder(r)):
+            if not (self._stopped or self._done(r)):
+                self._make_alone(r)
+
+    def _make_alone(self, r):
         folder = self.folder(r)
         run = folder / "run"
-        folder.mkdir(parents=True, exist_ok=True)
         words = [self.program, "run", str(self.case), "--out", str(run), "--ranks", "1", "--seed", str(r.seed)]
         words += [w for setting in QUIET for w in ("--set", setting)] + _settings(r.effects)
         began = time.monotonic()
@@ -191,12 +209,12 @@ class DipperSimulator(Simulator):
         if r.how == "run":
             return read_measured(self.folder(r) / "run" / "observed", simulated=True)
         out = self.folder(r) / "observed"
-        if not (out / "passes.csv").is_file():
-            out.parent.mkdir(parents=True, exist_ok=True)
-            words = self._again(r) + ["--out", str(out)]
-            made = subprocess.run(words, capture_output=True, text=True)
-            if made.returncode != 0:
-                raise RunFailed(f"dipper {r.how} failed ({r}): {made.stderr.strip()}")
+        with self._alone(out.parent):
+            if not (out / "passes.csv").is_file():
+                words = self._again(r) + ["--out", str(out)]
+                made = subprocess.run(words, capture_output=True, text=True)
+                if made.returncode != 0:
+                    raise RunFailed(f"dipper {r.how} failed ({r}): {made.stderr.strip()}")
         return read_measured(out, simulated=True)
 
 

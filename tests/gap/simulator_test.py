@@ -1,6 +1,7 @@
 """Runs by a program that stands in for `dipper`: kept, found again, gone on with; patched cases; catalogues."""
 import os
 import stat
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import yaml
@@ -97,6 +98,15 @@ def test_runs_are_made_once_and_observations_reuse_them(world):
     assert len(calls(folder)) == before
     todo, kept, each = simulator().plan(asked)
     assert (todo, kept) == (0, 3) and each > 0
+
+
+def test_two_analyses_at_once_make_a_run_once(world):
+    simulator, catalogue, _, folder = world
+    asked = [request({}, s, catalogue) for s in (1, 2, 3)] + [request({"scale_gain": 0.1}, 1, catalogue)]
+    with ThreadPoolExecutor(3) as pool:
+        results = list(pool.map(lambda s: s.run(asked, lambda text: None), [simulator() for _ in range(3)]))
+    assert [masses(r) for r in results] == [[81, 82, 83, 90]] * 3
+    assert sorted(c.split()[0] for c in calls(folder)) == ["observe", "run", "run", "run"]
 
 
 def test_how_long_is_guessed_from_the_size_before_the_first_run(world):
