@@ -38,12 +38,12 @@ CHANNELS = {c.name: c for c in (
     Channel("crowd_force_kN", "kN", "response", 25.0, 15.0))}
 TRUCKS = 4         # of each case, loaded by the same three passes
 BASES = 16         # twin runs without an effect; instruments' effects are laid over them
-MADE = 8           # of the effects that need runs of their own, chosen by lot, those that have a limit first
-OWN_CASES = 8      # cases with runs of their own there is time for: the first by lot, of these and the others
+MADE = 4           # of the effects that need runs of their own, chosen by lot, those that have a limit first
+OWN_CASES = 6      # cases with runs of their own there is time for: the first by lot, of these and the others
 TIMES = (0.5, 1.0, 2.0)  # of the detection limit
 JITTER = 0.1       # of a strength, so that it is no round multiple
 JOBS = int(os.environ.get("JOBS", "2"))
-OUTSIDE = {"slippery_steel": 0.8, "clipped_cell": 1100.0, "cable_drag": 90.0}
+OUTSIDE = {"slippery_steel": 0.8, "clipped_cell": 1100.0, "cable_drag": 90.0, "scale_tare": 4.0}
 PAIRS = (("crowd_friction", "truck_spillage"), ("hoist_drive_loss", "logger_offset"))
 DECOYS = {"nuisances_shift": 1.5, "operator": 0.4}
 

@@ -196,6 +196,11 @@ def cable_drag(signals, tonnes, s, rng):
     return {**signals, "crowd_force_kN": signals["crowd_force_kN"] + s * turned}, tonnes
 
 
+def scale_tare(signals, tonnes, s, rng):
+    """The scale weighs the pass before the truck has come to rest on it: s tonnes too little in each."""
+    return signals, tonnes - s
+
+
 # --- decoys -----------------------------------------------------------------------------------------
 
 def nuisances_shift(case, folder, s):
