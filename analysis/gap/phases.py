@@ -19,6 +19,7 @@ jump with the logger's clock. A phase that does not occur, or takes no time, is 
 import numpy as np
 
 PHASES = ("approach", "penetrate", "fill", "breakout", "swing", "dump", "return")
+DIG = PHASES[:3]
 APPROACH, PENETRATE, FILL = 0.10, 0.45, 0.97
 SWING_BEGUN, SWING_OVER = 0.05, 0.97
 LEAST_SWING_RAD = 0.1

@@ -1,8 +1,8 @@
 """What one unit of an effect does to the features, and how well a few runs tell it.
 
-Runs at two strengths use seeds of the baseline. The rock forgets its seed from pass to pass: how much of the
-plain run's deviation the run with the effect keeps is found pass by pass, and so much of it is taken off (a
-control variate). A line through zero is fitted to the rest. A handful of chaotic runs leaves more noise than
+Runs at two strengths use seeds of the baseline. The rock forgets its seed from pass to pass, and a load that is
+once in the dipper shows hardly anything of it: how much of the plain run's deviation the run with the effect keeps
+is found for each dig and what follows it, and so much of it is taken off (a control variate). A line through zero is fitted to the rest. A handful of chaotic runs leaves more noise than
 signal in 150 cells; the line is therefore shrunk, with its remaining covariance kept and used wherever the
 signature is.
 """
@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import chi2
 
+from .phases import DIG
 from .shrink import shrink
 
 # Assumed: an effect in the mine differs from the catalogue's model of it by so much in a whole block (one
@@ -41,17 +42,19 @@ def fit_signature(effect, baseline, strengths, seed_index, values, same_rock=Fal
     """
     s = np.asarray(strengths, float)
     pairs = np.array([baseline.mean if k is None else baseline.values[k] for k in seed_index])
-    g, error = (_exact if same_rock else _chaotic)(s, values, pairs, baseline)
+    if same_rock:
+        g, error = _exact(s, values - pairs, baseline)
+    else:
+        g, error = _chaotic(s, values - baseline.mean, pairs - baseline.mean, baseline)
     scale = np.sqrt(error)
     g, spread = shrink(g, baseline.seed * np.outer(scale, scale), baseline, abs(effect.reference()))
     return Signature(effect, g, spread + _shape_error(g, baseline))
 
 
-def _exact(s, values, pairs, baseline):
-    """Slope (n,) through zero of runs on the same rock, and its variance in variances of a run: what the
-    median cell is off the line."""
-    moves, seed = _moves(baseline), np.diag(baseline.seed)
-    difference = values - pairs
+def _exact(s, difference, baseline):
+    """Slope (n,) through zero of runs on the same rock less the plain ones, and its variance in variances of a
+    run: what the median cell it touches is off the line."""
+    moves, seed = _moves(baseline) & (difference != 0).any(axis=0), np.diag(baseline.seed)
     g = s @ difference / (s @ s)
     off = 0.0
     if moves.any() and len(s) > 1:
@@ -60,23 +63,25 @@ def _exact(s, values, pairs, baseline):
     return g, np.full(len(g), off / (s @ s))
 
 
-def _chaotic(s, values, pairs, baseline):
-    """The same of runs whose rock went its own way; part of it, the same in a pass, is the plain run's still."""
-    v, b = values - baseline.mean, pairs - baseline.mean
+def _chaotic(s, v, b, baseline):
+    """The same of runs whose rock went its own way; v, b (J, n) are deviations from the baseline's mean, theirs
+    and the plain run's, 0 where there is none."""
+    paired = b.any(axis=1)
     g, error = np.zeros(len(baseline.mean)), np.zeros(len(baseline.mean))
     for at, kept, seen in _memory(s, v, b, baseline):
         left = max(seen, 1 - kept**2)  # two or three runs may lie on a line by chance
         g[at] = s @ (v - kept * b)[:, at] / (s @ s)
-        error[at] = left / (s @ s) + ((1 - kept) * s.sum() / (s @ s)) ** 2 / baseline.seeds
+        error[at] = left / (s @ s) + (s @ (1 - kept * paired) / (s @ s)) ** 2 / baseline.seeds
     return g, error
 
 
 def _memory(s, v, b, baseline):
-    """Of each pass: its cells, how much of the plain run's deviation b (J, n) is kept in v (J, n), and the
+    """Of each dig and what follows it: its cells, how much of the plain run's deviation b (J, n) is kept in v (J, n), and the
     variance of the rest about the line, in variances of a run."""
     moves, sd, off = _moves(baseline), np.sqrt(np.diag(baseline.seed)), _off_line(s)
-    for number in dict.fromkeys(c.pass_number for c in baseline.cells):
-        at = np.array([c.pass_number == number for c in baseline.cells])
+    spans = [(c.pass_number, c.phase in DIG) for c in baseline.cells]
+    for span in dict.fromkeys(spans):
+        at = np.array([other == span for other in spans])
         told = at & moves
         v_left, b_left = (off @ x[:, told] / sd[told] for x in (v, b))
         kept = float(np.clip((v_left * b_left).sum() / max((b_left**2).sum(), 1e-300), 0.0, 1.0))
@@ -95,7 +100,8 @@ def deviations(strengths, seed_index, values, baseline):
     v, b = values - baseline.mean, baseline.values[list(seed_index)] - baseline.mean
     out = np.zeros((len(s) - 1, len(baseline.mean)))
     for at, kept, seen in _memory(s, v, b, baseline):
-        out[:, at] = _off_line(s) @ (v - kept * b)[:, at] / np.sqrt(max(seen, 1e-300))
+        if seen > 0:
+            out[:, at] = _off_line(s) @ (v - kept * b)[:, at] / np.sqrt(seen)
     return out
 
 

@@ -140,7 +140,8 @@ class DipperSimulator(Simulator):
 
     @contextmanager
     def _alone(self, folder):
-        """While another process makes the same, waits for it."""
+        """While another process makes the same, waits for it, or until stopped. Yields the lock, which a run under
+        way shares: it holds as long as either lives."""
         folder.mkdir(parents=True, exist_ok=True)
         with open(folder / "lock", "w") as lock:
             while not self._stopped:
@@ -149,24 +150,24 @@ class DipperSimulator(Simulator):
                     break
                 except BlockingIOError:
                     time.sleep(WAIT_S)
-            yield
+            yield lock
 
     def _make(self, r):
-        with self._alone(self.folder(r)):
+        with self._alone(self.folder(r)) as lock:
             if not (self._stopped or self._done(r)):
-                self._make_alone(r)
+                self._make_alone(r, lock)
 
-    def _make_alone(self, r):
+    def _make_alone(self, r, lock):
         folder = self.folder(r)
         run = folder / "run"
         words = [self.program, "run", str(self.case), "--out", str(run), "--ranks", "1", "--seed", str(r.seed)]
         words += [w for setting in QUIET for w in ("--set", setting)] + _settings(r.effects)
         began = time.monotonic()
         resumed = (run / "record.h5").exists() and any((run / "checkpoints").glob("*"))
-        status = self._call(words + ["--resume"], folder) if resumed else None
+        status = self._call(words + ["--resume"], folder, lock) if resumed else None
         if status != 0 and not self._stopped:
             shutil.rmtree(run, ignore_errors=True)
-            status = self._call(words, folder)
+            status = self._call(words, folder, lock)
         if self._stopped:
             return
         if status != 0:
@@ -178,12 +179,13 @@ class DipperSimulator(Simulator):
         (folder / "done.tmp").write_text(text)
         os.replace(folder / "done.tmp", folder / "done.json")
 
-    def _call(self, words, folder):
+    def _call(self, words, folder, lock):
         with open(folder / "run.log", "w") as log:
             with self._lock:
                 if self._stopped:
                     return 4
-                child = subprocess.Popen(words, stdout=log, stderr=subprocess.STDOUT, start_new_session=True)
+                child = subprocess.Popen(words, stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
+                                         pass_fds=(lock.fileno(),))
                 self._children[child.pid] = child
             status = child.wait()
             with self._lock:

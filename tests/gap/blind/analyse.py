@@ -9,7 +9,6 @@ import json
 import shutil
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -113,13 +112,12 @@ def nulls(count, file):
     seeds = [1 + FRESH_FROM + k for k in range(NULL_SEEDS)]
     flow = prepared(seeds[:TRUCKS])
     runs = flow.simulator.run([request({}, s, flow.catalogue) for s in seeds])
-    rng, ready = np.random.default_rng(20), flow.out
+    rng = np.random.default_rng(20)
     with open(file, "w") as f:
         f.write("case,verdict,omnibus_p\n")
         for _ in range(count):
             chosen = sorted(rng.choice(NULL_SEEDS, TRUCKS, replace=False))
-            y = flow.features(as_mine([runs[k] for k in chosen], rng)).mean(axis=0)
-            flow.out = replace(ready, training=replace(ready.training, y=y[ready.training.at]))
+            flow.take(as_mine([runs[k] for k in chosen], rng))
             flow.look()
             f.write(f"seeds {' '.join(str(seeds[k]) for k in chosen)},{flow.out.verdict.verdict},"
                     f"{flow.out.disagreement.omnibus_p:.4f}\n")

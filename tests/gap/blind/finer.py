@@ -57,7 +57,7 @@ def main(words):
         fine_cells, fine = shift([finer(b, None, 0) for b in bases], [finer(b, name, s) for b in bases])
         cells = [c for c in coarse_cells if c in set(fine_cells) and c.channel != TIME]
         x, y = coarse[places(coarse_cells, cells)], fine[places(fine_cells, cells)]
-        sd = np.sqrt(np.diag(vectors.noise))[places(vectors.cells, cells)]
+        sd = np.sqrt(np.diag(vectors.own) + (vectors.common**2).sum(axis=0))[places(vectors.cells, cells)]
         moves = np.abs(x) > 0.5 * sd
         print(f"| {name} | {s:g} {catalogue[name].unit} | {len(cells)} | {spearmanr(x / sd, y / sd)[0]:.2f} | "
               f"{spearmanr((x / sd)[moves], (y / sd)[moves])[0]:.2f} of {moves.sum()} |", flush=True)
