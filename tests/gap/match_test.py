@@ -67,15 +67,19 @@ def case():
 
 
 @pytest.mark.parametrize("multiple, least_right", [(1, 0.75), (2, 0.90)])
-def test_effects_are_named_at_their_limit_and_twice_it(case, multiple, least_right):
-    verdicts = {n: case.decide(case.w.residual({n: multiple * x}, 40 + multiple))
-                for n, x in case.limits.items()
-                if multiple * x <= fake_mine.CATALOGUE[n].reference() * 1.5}
-    right = sum(v.verdict == "named" and v.effect == n for n, v in verdicts.items())
-    wrong = {n: v.effect for n, v in verdicts.items() if v.verdict == "named" and v.effect != n}
+def test_effects_are_named_at_their_limit_and_twice_it(multiple, least_right):
+    """In three worlds, each mine with seeds and noise of its own."""
+    verdicts = []
+    for number in range(3):
+        case = Case(number)
+        for k, (n, x) in enumerate(case.limits.items()):
+            if multiple * x <= fake_mine.CATALOGUE[n].reference() * 1.5:
+                verdicts.append((n, case.decide(case.w.residual({n: multiple * x}, 100 * multiple + k))))
+    right = sum(v.verdict == "named" and v.effect == n for n, v in verdicts)
+    wrong = [(n, v.effect) for n, v in verdicts if v.verdict == "named" and v.effect != n]
     print(f"at {multiple} x limit: {right} of {len(verdicts)} right, wrong {wrong}")
-    assert len(verdicts) >= 9
-    assert not wrong
+    assert len(verdicts) >= 27
+    assert len(wrong) <= 0.05 * len(verdicts)
     assert right >= least_right * len(verdicts) - 1
 
 

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Makes the blind cases: runs the twin with each hidden effect, logs it as a mine would, seals the truths.
 
-usage: make.py WORK FOLDER SECRET LIMITS      (DIPPER names the program)
-       make.py WORK FOLDER SECRET LIMITS --runs-only
+usage: make.py WORK FOLDER SECRET DRAWN LIMITS      (DIPPER names the program)
+       make.py WORK FOLDER SECRET DRAWN LIMITS --runs-only
 
 WORK keeps the twin's runs. SECRET is a text that decides every draw: which case is which, how strong, which
-seeds, which noise. LIMITS is a JSON file {effect: detection limit or null}, from the model alone (analyse.py limits).
-FOLDER gets measured/CASE, truth/CASE.yaml and sealed.csv.
+seeds, which noise. DRAWN and LIMITS are JSON files {effect: detection limit or null}, from the model alone
+(analyse.py limits): strengths are drawn from the first, and told as multiples of the second; the same file, unless
+the workflow got better while the twin ran. FOLDER gets measured/CASE, truth/CASE.yaml and sealed.csv.
 """
 import hashlib
 import json
@@ -39,7 +40,7 @@ CHANNELS = {c.name: c for c in (
 TRUCKS = 4         # of each case, loaded by the same three passes
 BASES = 16         # twin runs without an effect; instruments' effects are laid over them
 MADE = 4           # of the effects that need runs of their own, chosen by lot, those that have a limit first
-OWN_CASES = 6      # cases with runs of their own there is time for: the first by lot, of these and the others
+OWN_CASES = 4      # cases with runs of their own there is time for: the first by lot, of these and the others
 TIMES = (0.5, 1.0, 2.0)  # of the detection limit
 JITTER = 0.1       # of a strength, so that it is no round multiple
 JOBS = int(os.environ.get("JOBS", "2"))
@@ -53,7 +54,6 @@ class Plan:
     kind: str
     effects: dict = field(default_factory=dict)   # of the catalogue: what is scored
     done: dict = field(default_factory=dict)      # implementation: strength
-    times: float = 0.0
     seeds: tuple = ()                             # a truck each
     plain: bool = False                           # those are runs without an effect: of the bases
 
@@ -62,26 +62,28 @@ def rng_of(secret, what):
     return np.random.default_rng(list(hashlib.sha256(f"{secret} {what}".encode()).digest()))
 
 
-def strengths(catalogue, limits, name, times, rng):
-    """A strength of about `times` the limit, within bounds; the multiple it really is, 0 where there is no limit."""
+def draw(catalogue, limits, name, times, rng):
+    """A strength of about `times` the limit, within bounds; a strong one where there is no limit."""
     e = catalogue[name]
     sign = rng.choice([-1, 1]) if e.low < 0 < e.high else 1
     most = 0.9 * (e.high if sign > 0 else -e.low)
     if limits[name] is None:
-        return float(sign * most), 0.0
-    size = min(times * limits[name] * (1 + JITTER * rng.uniform(-1, 1)), most)
-    return float(sign * size), float(size / limits[name])
+        return float(sign * most)
+    return float(sign * min(times * limits[name] * (1 + JITTER * rng.uniform(-1, 1)), most))
+
+
+def times_limit(effects, limits):
+    """Of the weakest of these effects {name: strength}; 0 where one has no limit."""
+    return min((abs(s) / limits[n] if limits[n] else 0.0 for n, s in effects.items()), default=0.0)
 
 
 def plans(catalogue, limits, bases, rng):
     """Every case, in an order of chance."""
     out = []
 
-    def add(kind, names, times, scored=True):
-        chosen = {n: strengths(catalogue, limits, n, times, rng) for n in names}
-        real = min(t for _, t in chosen.values())
-        strength = {n: s for n, (s, _) in chosen.items()}
-        out.append(Plan(kind, strength if scored else {}, strength, real))
+    def add(kind, names, times):
+        chosen = {n: draw(catalogue, limits, n, times, rng) for n in names}
+        out.append(Plan(kind, chosen, chosen))
 
     lot = sorted(rng.permutation(sorted(otherwise.MADE)), key=lambda n: limits[n] is None)
     for k, name in enumerate(lot[:MADE]):
@@ -155,25 +157,25 @@ def as_mine(runs, rng):
 
 
 def main(words):
-    if len(words) not in (4, 5):
+    if len(words) not in (5, 6):
         print(__doc__, file=sys.stderr)
         return 2
     work, folder, secret = Path(words[0]).resolve(), Path(words[1]), words[2]
-    limits = json.loads(Path(words[3]).read_text())
+    drawn, limits = (json.loads(Path(w).read_text()) for w in words[3:5])
     program = os.environ.get("DIPPER", str(twin.ROOT / "build/release/bin/dipper"))
     bases = rng_of(secret, "bases").integers(5000, 10**6, BASES)
-    todo = plans(read_catalogue(twin.ROOT / "analysis/effects"), limits, bases, rng_of(secret, "plans"))
+    todo = plans(read_catalogue(twin.ROOT / "analysis/effects"), drawn, bases, rng_of(secret, "plans"))
     asked = {(p.plain or f"{i}", s): (p, s) for i, p in enumerate(todo) for s in p.seeds}  # a base's run once
     with ThreadPoolExecutor(JOBS) as pool:
         list(pool.map(lambda ps: run_of(*ps, work, program), asked.values()))
-    if len(words) == 5:
+    if len(words) == 6:
         return 0
     for number, plan in enumerate(todo, 1):
         case, rng = f"c{number:02d}", rng_of(secret, f"noise {number}")
         runs = [run_of(plan, s, work, program) for s in plan.seeds]
         write_measured(as_mine([log(r, plan, rng, program) for r in runs], rng), folder / "measured" / case)
         truth = {"kind": plan.kind, "effects": plan.effects, "implementation": plan.done,
-                 "times_limit": round(plan.times, 3), "twin": [twin.provenance(r) for r in runs],
+                 "times_limit": round(times_limit(plan.effects, limits), 3), "twin": [twin.provenance(r) for r in runs],
                  "salt": hashlib.sha256(f"{secret} {number}".encode()).hexdigest()}
         (folder / "truth").mkdir(parents=True, exist_ok=True)
         (folder / "truth" / f"{case}.yaml").write_text(yaml.safe_dump(truth, sort_keys=False))
