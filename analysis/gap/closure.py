@@ -36,6 +36,8 @@ class Closure:
         if not self.reaches:
             return []
         out = [] if self.p < SIGNIFICANT else [f"the gap shrinks no more than by chance: p {self.p:.2g}"]
+        if self.closure is not None and self.closure <= 0:  # T^2 may fall where the mean square grows
+            out.append(f"the gap grows: G {self.before:.2f} to {self.after:.2f}")
         out += [f"{name} does better (T2 {t2:.0f} against {self.t2:.0f})"
                 for name, t2 in self.rivals.items() if t2 < self.t2 - 2 * np.log(BETTER)]
         return out + [f"{c} got worse" for c in self.worse]

@@ -36,5 +36,18 @@ def test_its_closure_is_whole():
     assert np.median(found) == pytest.approx(1.0, abs=0.1)
 
 
+def test_an_effect_with_which_the_gap_grows_is_refused():
+    """Cells that move together: the effect takes their difference away, which T^2 sees, and moves them all off."""
+    rng, n = np.random.default_rng(4), len(CELLS)
+    values = rng.standard_normal((RUNS, 1)) + 0.5 * rng.standard_normal((RUNS, n))
+    b, _ = make_baseline(CELLS, values, 1e-3 * np.eye(n), np.zeros((0, n)), (2,), 4)
+    sides = np.where(np.arange(n) % 2, 1.0, -1.0)
+    y = b.mean + 3.0 * sides
+    after = b.mean + 3.0 * sides + 4.0 + 0.01 * rng.standard_normal((FRESH, n))
+    found = closure(y, b, after, {}, sides)
+    assert found.p < 0.05 and found.closure < 0
+    assert any("the gap grows" in o for o in found.objections())
+
+
 def test_a_wrong_effect_is_refused():
     assert all(confirm(4, k, true=False).objections() for k in range(20))
