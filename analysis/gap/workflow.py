@@ -170,13 +170,13 @@ class Workflow:
                                holdout=replace(held, y=y[held.at]))
 
     def _sharpen(self, residual):
-        """Matches again, with instruments' effects known at the strength they seem to have: not all are linear."""
+        """Matches again, with the effects that need no run known at the strength they seem to have: not all are linear."""
         out, seeds = self.out, range(self.whole.seeds)
         lead = max((s.name for s in out.training.signatures), key=out.matched.presence)
         fit, better = out.matched.fits[out.matched.best_with(lead)], {}
         for name, strength in zip(fit.names, fit.best):
             asked = [request({name: strength}, self.first_seed + k, self.catalogue) for k in seeds]
-            if asked[0].how == "observe":
+            if asked[0].how != "run":
                 values = self._features_of(self.simulator.run(asked, self.say))
                 better[name] = fit_signature(self.catalogue[name], self.whole, [strength] * len(asked), seeds, values,
                                              same_rock=True)

@@ -198,4 +198,4 @@ def test_closure_of_a_known_gap():
     assert near.interval90[0] < near.closure < near.interval90[1]
     assert near.p < 0.001 and near.objections() == []
     wrong = closure(y, base, -0.5 * shift + 0.1 * rng.standard_normal((5, n)), {"half": 0.5 * shift}, shift)
-    assert wrong.closure < 0 and len(wrong.objections()) == 3
+    assert wrong.closure < 0 and len(wrong.objections()) == 4
