@@ -40,8 +40,8 @@ class Process {
   double cpu_s_ = 0;
 };
 
-/// "mpirun -np N ..." for a program, with what one machine needs: more ranks than cores allowed,
-/// and idle ranks that yield.
+/// "mpirun -np N ..." for a program, with what one machine needs: more ranks than cores allowed, and
+/// then idle ranks that yield.
 std::vector<std::string> mpirun(int ranks, std::vector<std::string> program);
 
 }  // namespace dipper

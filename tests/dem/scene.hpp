@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mpi.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -18,18 +19,14 @@ inline int rank() {
   return r;
 }
 
-inline int ranks() {
-  int n = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &n);
-  return n;
-}
-
 /// A fresh folder that all ranks share and that goes when the scene goes. Collective.
 class Scene {
  public:
-  explicit Scene(const std::string& name)
-      : folder_(std::filesystem::temp_directory_path() /
-                ("dipper_dem_" + name + "_" + std::to_string(ranks()))) {
+  explicit Scene(const std::string& name) {
+    int pid = getpid();  // rank 0's: tests that run at once may share a name
+    MPI_Bcast(&pid, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    folder_ =
+        std::filesystem::temp_directory_path() / ("dipper_dem_" + name + "_" + std::to_string(pid));
     if (rank() == 0) {
       std::filesystem::remove_all(folder_);
       std::filesystem::create_directories(folder_);

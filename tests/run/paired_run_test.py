@@ -1,8 +1,10 @@
 """A short paired run through real LCM, LIGGGHTS and Simbody."""
 
 import json
+import os
 import pathlib
 import subprocess
+import time
 import unittest
 
 import h5py
@@ -79,6 +81,23 @@ class PairedRun(RunTest):
         done = subprocess.run([plot, self.folder / "p"], text=True, capture_output=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertGreater((self.folder / "p" / "run.png").stat().st_size, 20000)
+
+    @unittest.skipIf(os.cpu_count() < 2, "two ranks need two cores")
+    def test_other_work_on_a_core_takes_its_share_and_no_more(self):
+        self.run_case(self.folder / "first", "--ranks", "2")  # with it, the pile
+        took = []
+        for name in ("alone", "beside"):
+            busy = None if name == "alone" else subprocess.Popen(["sh", "-c", "while :; do :; done"])
+            begin = time.monotonic()
+            try:
+                self.run_case(self.folder / name, "--ranks", "2")
+            finally:
+                took.append(time.monotonic() - begin)
+                if busy:
+                    busy.kill()
+                    busy.wait()
+        # Three tasks on two cores; a rank that yielded to the other work took fifty times as long.
+        self.assertLess(took[1], 8 * took[0])
 
     def test_serial_scheme_can_be_chosen(self):
         self.run_case(self.folder / "s", "--set", "coupling.scheme=serial", "--ranks", "1")
