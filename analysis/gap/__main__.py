@@ -59,7 +59,7 @@ def read_case(folder):
 def usable(catalogue, simulator):
     """The effects this case can take at the strengths to be run, and a line for each that it cannot."""
     def fault(effect):
-        return next(filter(None, (simulator.check([(effect.name, s)]) for s in effect.strengths())), "")
+        return next(filter(None, (simulator.check([(effect.name, s)]) for s in effect.strengths(False))), "")
 
     kept, left_out = {}, []
     with ThreadPoolExecutor(JOBS) as pool:

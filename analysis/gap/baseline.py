@@ -32,8 +32,10 @@ class Baseline:
         at = [i for i, c in enumerate(self.cells) if c.pass_number in pass_numbers]
         block = np.ix_(at, at)
         cells = [self.cells[i] for i in at]
-        return replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], own=self.own[block],
-                       common=self.common[:, at], more=self.more[:, at], seed=self.seed[block], grid=make_grid(cells, pass_numbers)), at
+        part = replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], own=self.own[block],
+                       common=self.common[:, at], more=self.more[:, at], seed=self.seed[block],
+                       grid=make_grid(cells, pass_numbers))
+        return part, at
 
     @property
     def seeds(self):

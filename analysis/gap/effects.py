@@ -13,7 +13,9 @@ from .findings import Findings
 KINDS = ("rock", "machine", "observation")
 TOP = ("title", "kind", "parameter", "overlay", "signature")
 PARAMETER = ("name", "unit", "low", "high", "scale", "source")
-STRONG = 1.5  # signatures are measured up to so many prior scales: strong, but not absurd
+# Signatures are measured up to so many prior scales: strong, but not absurd, where the rock goes its own way; where it
+# does not, and chance hides nothing, near to how little is found, as not all effects are linear.
+STRONG, EXACT = 1.5, 0.5
 
 
 @dataclass(frozen=True)
@@ -39,15 +41,18 @@ class Effect:
     def prior_scale(self):
         return self.scale
 
-    def reference(self):
-        """A strength that is strong but within bounds, on the side the effect can take."""
-        up = min(STRONG * self.scale, self.high)
-        return up if up > 0 else max(-STRONG * self.scale, self.low)
+    def reference(self, scales=STRONG):
+        """A strength of so many prior scales but within bounds, on the side the effect can take."""
+        up = min(scales * self.scale, self.high)
+        return up if up > 0 else max(-scales * self.scale, self.low)
 
-    def strengths(self):
-        """The two strengths whose runs make the signature: to both sides, or half and full."""
-        full = self.reference()
-        return (-full, full) if self.low <= -full < 0 else (0.5 * full, full)
+    def strengths(self, same_rock):
+        """The two strengths whose runs make the signature: to both sides, or half and full.
+
+        `same_rock`: the effect is observed or replayed, so that no rock goes its own way.
+        """
+        full = self.reference(EXACT if same_rock else STRONG)
+        return (max(-full, self.low), full) if self.low < 0 < full else (0.5 * full, full)
 
 
 def read_catalogue(*folders):

@@ -83,7 +83,7 @@ def unknown_evidence(residual, covariance, baseline):
 
 
 def _reading(cell, channel, mean):
-    """What of a cell's mean {cell: number} a force's channel shows; a balance is the mass less what the hoist carried."""
+    """What of a cell's mean {cell: number} a force's channel shows; a balance is the mass less the hoist's load."""
     if cell.feature == BALANCE and channel == HOIST:
         return mean[cell] - mean.get(replace(cell, feature="mass"), mean[cell])
     return mean[cell] if cell.channel == channel else 0.0

@@ -61,8 +61,8 @@ def _between_features(baseline, key):
     for row in baseline.grid:
         at = row[row >= 0]
         pair = np.ix_(key[at], key[at])
-        correlation[pair] = np.where(correlation[pair] == 0, baseline.seed[np.ix_(at, at)] / np.outer(safe[at], safe[at]),
-                                     correlation[pair])
+        seen = baseline.seed[np.ix_(at, at)] / np.outer(safe[at], safe[at])
+        correlation[pair] = np.where(correlation[pair] == 0, seen, correlation[pair])
     return correlation[np.ix_(key, key)] * np.outer(sd, sd)
 
 

@@ -1,12 +1,12 @@
 """What one unit of an effect does to the features, and how well a few runs tell it.
 
 Runs at two strengths use seeds of the baseline. The rock forgets its seed from pass to pass, and a load that is
-once in the dipper shows hardly anything of it: how much of the plain run's deviation the run with the effect keeps
-is found for each dig and what follows it, and so much of it is taken off (a control variate). A line through zero is fitted to the rest. A handful of chaotic runs leaves more noise than
-signal in 150 cells; the line is therefore shrunk, with its remaining covariance kept and used wherever the
-signature is.
+once in the dipper shows hardly anything of it: how much of the plain run's deviation the run with the effect
+keeps is found for each dig and what follows it, and so much of it is taken off (a control variate). A line through
+zero is fitted to the rest. A handful of chaotic runs leaves more noise than signal in 150 cells; the line is
+therefore shrunk, with its remaining covariance kept and used wherever the signature is.
 """
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.stats import chi2
@@ -24,15 +24,26 @@ CHAOTIC = 0.01  # of the prediction's variance: cells whose seeds' share is smal
 class Signature:
     effect: object
     g: np.ndarray        # (n,) per unit strength
-    spread: np.ndarray   # (n, n) covariance of g, per unit strength squared
+    noise: np.ndarray    # (n, n) covariance of what few runs leave unknown of g, per unit strength squared
+    wrong: np.ndarray    # (n, n) the same of what the catalogue's model of the effect gets wrong
 
     @property
     def name(self):
         return self.effect.name
 
+    @property
+    def spread(self):
+        """(n, n) covariance of g, per unit strength squared."""
+        return self.noise + self.wrong
+
     def part(self, at):
         """The same over some of the cells."""
-        return Signature(self.effect, self.g[at], self.spread[np.ix_(at, at)])
+        block = np.ix_(at, at)
+        return replace(self, g=self.g[at], noise=self.noise[block], wrong=self.wrong[block])
+
+    def wary(self, factor):
+        """The same where the seeds' covariance, known from few runs, promises too much by `factor`."""
+        return replace(self, noise=self.noise * factor)
 
 
 def fit_signature(effect, baseline, strengths, seed_index, values, same_rock=False):
@@ -47,8 +58,8 @@ def fit_signature(effect, baseline, strengths, seed_index, values, same_rock=Fal
     else:
         g, error = _chaotic(s, values - baseline.mean, pairs - baseline.mean, baseline)
     scale = np.sqrt(error)
-    g, spread = shrink(g, baseline.seed * np.outer(scale, scale), baseline, abs(effect.reference()))
-    return Signature(effect, g, spread + _shape_error(g, baseline))
+    g, noise = shrink(g, baseline.seed * np.outer(scale, scale), baseline, abs(effect.reference()))
+    return Signature(effect, g, noise, _shape_error(g, baseline))
 
 
 def _exact(s, difference, baseline):
@@ -76,8 +87,8 @@ def _chaotic(s, v, b, baseline):
 
 
 def _memory(s, v, b, baseline):
-    """Of each dig and what follows it: its cells, how much of the plain run's deviation b (J, n) is kept in v (J, n), and the
-    variance of the rest about the line, in variances of a run."""
+    """Of each dig and what follows it: its cells, how much of the plain run's deviation b (J, n) is kept in v (J, n),
+    and the variance of the rest about the line, in variances of a run."""
     moves, sd, off = _moves(baseline), np.sqrt(np.diag(baseline.seed)), _off_line(s)
     spans = [(c.pass_number, c.phase in DIG) for c in baseline.cells]
     for span in dict.fromkeys(spans):

@@ -97,8 +97,9 @@ class Workflow:
         made, shared = {}, {}
         for e in sorted(self.catalogue.values(), key=lambda e: e.nuisance):
             first = shared.setdefault(e.overlay or e.name, e)
-            made[e.name] = [(first.strengths()[i], k, request({first.name: first.strengths()[i]}, seeds[k],
-                                                              self.catalogue)) for i, k in SIGNATURE_RUNS]
+            strengths = first.strengths(request({first.name: 1.0}, 0, self.catalogue).how != "run")
+            made[e.name] = [(strengths[i], k, request({first.name: strengths[i]}, seeds[k], self.catalogue))
+                            for i, k in SIGNATURE_RUNS]
         return base, made
 
     def statement(self):
@@ -152,34 +153,17 @@ class Workflow:
         cells, y, _ = self.vectors.of_mine(measured)
         return y[:, places(cells, self.common)]
 
-    @staticmethod
-    def _scatter(rows, whole, training):
-        """Of the training passes' rows (trucks, n)."""
-        seen, at = whole.part(training)
-        return scatter(rows[:, at], np.diag(seen.own), np.diag(seen.seed))
-
-    def take(self, measured):
-        """Another mine's folder, of as many trucks, with what is prepared; all anew where its trucks scatter otherwise."""
-        rows, training, held = self.features(measured), self.ready.training, self.ready.holdout
-        if self._scatter(rows, self.whole, training.passes) != self.whole.scatter:
-            self.measured, self.out = measured, Outcome()
-            self.prepare()
-        else:
-            y = rows.mean(axis=0)
-            self.out = replace(self.ready, training=replace(training, y=y[training.at]),
-                               holdout=replace(held, y=y[held.at]))
-
     def _sharpen(self, residual):
-        """Matches again, with the effects that need no run known at the strength they seem to have: not all are linear."""
-        out, seeds = self.out, range(self.whole.seeds)
+        """Matches again, with the effects that need no run known at the strength they seem to have: not all are
+        linear."""
+        out, seeds, better = self.out, range(self.whole.seeds), {}
         lead = max((s.name for s in out.training.signatures), key=out.matched.presence)
-        fit, better = out.matched.fits[out.matched.best_with(lead)], {}
+        fit = out.matched.fits[out.matched.best_with(lead)]
         for name, strength in zip(fit.names, fit.best):
-            asked = [request({name: strength}, self.first_seed + k, self.catalogue) for k in seeds]
-            if asked[0].how != "run":
+            if self.runs[name].same_rock:
+                asked = [request({name: strength}, self.first_seed + k, self.catalogue) for k in seeds]
                 values = self._features_of(self.simulator.run(asked, self.say))
-                better[name] = fit_signature(self.catalogue[name], self.whole, [strength] * len(asked), seeds, values,
-                                             same_rock=True)
+                better[name] = self._signature(name, SignatureRuns((strength,) * len(asked), tuple(seeds), values, True))
         if not better:
             return
         for which in ("training", "holdout"):
@@ -187,6 +171,12 @@ class Workflow:
             made = [better[s.name].part(part.at) if s.name in better else s for s in part.signatures]
             setattr(out, which, replace(part, signatures=made))
         out.matched = match(residual, out.training.covariance, out.training.signatures, out.training.baseline)
+
+    def _signature(self, name, runs):
+        """Over all passes' cells; as wary as the null asks."""
+        made = fit_signature(self.catalogue[name], self.whole, runs.strengths, runs.seed_index, runs.values,
+                             runs.same_rock)
+        return made.wary(self.wary)
 
     def prepare(self):
         """Runs what is needed; from it the baseline, the signatures and the null of both parts."""
@@ -227,24 +217,25 @@ class Workflow:
         rows = rows[:, places(cells, self.common)]
         whole = whole.inflated(self.out.inflation)
         training, held = split(numbers)
-        whole = replace(whole, scatter=self._scatter(rows, whole, training))
+        whole = replace(whole, scatter=scatter_of(rows, whole, training))
         if whole.scatter > SCATTERS:
             self.out.warnings.append(f"the trucks' passes vary {np.sqrt(whole.scatter):.1f} times as much as the "
                                      "model's from seed to seed: was each dug at a face like the case's?")
-        signatures = [fit_signature(self.catalogue[n], whole, r.strengths, r.seed_index, r.values, r.same_rock)
-                      for n, r in runs.items()]
+        self.base_folders = [folders[r] for r in base]
+        self.whole, self.runs, self.wary = whole, runs, 1.0
+        signatures = [self._signature(n, r) for n, r in runs.items()]
         size = np.array([self.measured.channels[n].common_sigma for n in self._response_names()])
         bias = whole.common / np.where(size > 0, size, 1.0)[:, None]
-        self.base_folders = [folders[r] for r in base]
-        self.whole, self.runs = whole, runs
         y = rows.mean(axis=0)
-        self.out.holdout = self._part(held, y, signatures, bias)
         part = self._part(training, y, signatures, bias)
         self.directions = np.column_stack([s.g for s in part.signatures] + [gains(part.baseline)])
         self.null = simulate_null(self.whole, self.directions, passes=training, tails=tails)
-        wary = part.baseline.inflated(self.null.inflation(len(part.signatures))).prediction
+        self.wary = self.null.inflation(len(part.signatures))
+        signatures = [s.wary(self.wary) for s in signatures]
+        self.out.holdout = self._part(held, y, signatures, bias)
+        part = self._part(training, y, signatures, bias)
+        wary = part.baseline.inflated(self.wary).prediction
         self.out.training = replace(part, covariance=with_nuisances(wary, part.nuisances))
-        self.ready = replace(self.out)
 
     def _part(self, passes, y, signatures, bias):
         baseline, at = self.whole.part(passes)
@@ -349,9 +340,9 @@ class Workflow:
         index = {s.name: k for k, s in enumerate(train.signatures)}
         runs, signatures = self.runs[first], list(train.signatures)
         if not runs.same_rock:
-            better = fit_signature(self.catalogue[first], self.whole, list(runs.strengths) + [strength] * len(after),
-                                   list(runs.seed_index) + [None] * len(after), np.vstack([runs.values, after]))
-            signatures[index[first]] = better.part(train.at)
+            more = replace(runs, strengths=runs.strengths + (strength,) * len(after),
+                           seed_index=runs.seed_index + (None,) * len(after), values=np.vstack([runs.values, after]))
+            signatures[index[first]] = self._signature(first, more).part(train.at)
         g = signatures[index[first]].g
         left = train.y - after[:, train.at].mean(axis=0)
         low, high = out.intervals[first]
@@ -385,6 +376,12 @@ class Workflow:
         if out.verdict.verdict != "class":  # hardly anything is known: the catalogue as it stands
             weights = {n: w + 1.0 / len(names) for n, w in weights.items()}
         out.proposals = propose(weights)
+
+
+def scatter_of(rows, whole, training):
+    """How much a mine's trucks (T, n) vary in the training passes, in variances of the model's runs."""
+    seen, at = whole.part(training)
+    return scatter(rows[:, at], np.diag(seen.own), np.diag(seen.seed))
 
 
 def as_text(strengths):

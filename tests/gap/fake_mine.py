@@ -80,15 +80,18 @@ class World:
         self.nuisances = [s for s in made if s.effect.nuisance]
         self.directions = np.array([s.g for s in self.signatures]).T
         self.null = simulate_null(self.baseline, self.directions, draws=300, seed=number)
+        factor = self.null.inflation(len(self.signatures))
+        self.signatures = [s.wary(factor) for s in self.signatures]
+        self.nuisances = [s.wary(factor) for s in self.nuisances]
         self.plain = with_nuisances(self.baseline.prediction, self.nuisances)
-        self.covariance = with_nuisances(self.baseline.inflated(self.null.inflation(len(self.signatures))).prediction, self.nuisances)
+        self.covariance = with_nuisances(self.baseline.inflated(factor).prediction, self.nuisances)
 
     def _features(self, effects, seed):
         return noisy_features(synthetic.run(effects, seed, spread=self.spread), synthetic.CHANNELS, PASSES)
 
     def _signature(self, e):
         strengths, index, rows = [], [], []
-        for s in e.strengths():
+        for s in e.strengths(e.kind == "observation"):
             for k in (0, 1):
                 # Not the baseline's seed itself: in a chaotic run nothing is left of the common start.
                 seed = self.first + k if e.kind == "observation" else self.first + 100 + 7 * k + zlib.crc32(e.name.encode()) % 5

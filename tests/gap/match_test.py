@@ -21,7 +21,7 @@ def test_evidence_of_one_effect_is_the_integral():
     covariance = np.cov(rng.standard_normal((n, 40)))
     g, r = rng.standard_normal(n) * 4, rng.standard_normal(n)
     for residual in (r, r + 0.3 * g, r - 0.3 * g):
-        f = evidence.fit(residual, covariance, [Signature(e, g, np.zeros((n, n)))])
+        f = evidence.fit(residual, covariance, [Signature(e, g, np.zeros((n, n)), np.zeros((n, n)))])
         a = np.linspace(e.low, e.high, 4001)
         prior = truncnorm.pdf(a, e.low / e.scale, e.high / e.scale, 0, e.scale)
         like = multivariate_normal.pdf(residual - a[:, None] * g, cov=covariance)
@@ -36,7 +36,7 @@ def test_evidence_of_two_effects_is_the_integral():
     covariance = np.cov(rng.standard_normal((n, 30)))
     g = rng.standard_normal((2, n)) * 3
     residual = 0.2 * g[0] + 0.1 * g[1] + 0.5 * rng.standard_normal(n)
-    f = evidence.fit(residual, covariance, [Signature(e, x, np.zeros((n, n))) for e, x in zip(effects, g)])
+    f = evidence.fit(residual, covariance, [Signature(e, x, np.zeros((n, n)), np.zeros((n, n))) for e, x in zip(effects, g)])
     a = np.linspace(0, 0.8, 401)
     prior = truncnorm.pdf(a, 0, 0.8 / 0.3, 0, 0.3)
     left = residual - a[:, None, None] * g[0] - a[None, :, None] * g[1]
@@ -124,7 +124,7 @@ def test_effects_that_look_alike_are_a_class(case):
     one = next(s for s in w.signatures if s.name == "fines")
     rng = np.random.default_rng(3)
     twin = Signature(replace(one.effect, name="twin"), one.g * (1 + 0.03 * rng.standard_normal(len(one.g))),
-                     one.spread)
+                     one.noise, one.wrong)
     signatures = w.signatures + [twin]
     residual = w.residual({"fines": 1.5 * case.limits["fines"]}, 90)
     p = localise(residual, w.baseline, case.null, case.directions).omnibus_p

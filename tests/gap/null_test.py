@@ -29,7 +29,7 @@ def truth(rng):
 
 
 def world(number, tails=None, trucks=1, more=0):
-    """A baseline of RUNS runs and so many further deviations, and MINES mines of so many trucks (MINES, trucks, n) without any gap."""
+    """A baseline of RUNS runs and `more` deviations, and mines without any gap, (MINES, trucks, n)."""
     rng = np.random.default_rng(number)
     cov = truth(rng)
     n = len(cov)
@@ -48,11 +48,11 @@ def p_values(count, trucks=1, more=0):
     omnibus, cell = [], []
     for number in range(count):
         baseline, mines = world(number, None, trucks, more)
-        null = simulate_null(baseline, draws=DRAWS, seed=number)
-        found = []
+        null, found = None, []
         for rows in mines:
             if trucks > 1:  # each mine's own scatter, as the workflow takes it
                 baseline = replace(baseline, scatter=scatter(rows, np.diag(baseline.own), np.diag(baseline.seed)))
+            if trucks > 1 or null is None:
                 null = simulate_null(baseline, draws=DRAWS, seed=number)
             found.append(localise(rows.mean(axis=0) - baseline.mean, baseline, null))
         omnibus.append([f.omnibus_p for f in found])

@@ -9,6 +9,7 @@ import json
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +24,7 @@ from gap.localise import localise  # noqa: E402
 from gap.match import match  # noqa: E402
 from gap.null import find_tails, make_runs, phase_labels, root  # noqa: E402
 from gap.simulator import DipperSimulator, request  # noqa: E402
-from gap.workflow import FRESH_FROM, Workflow  # noqa: E402
+from gap.workflow import FRESH_FROM, Workflow, scatter_of  # noqa: E402
 from make import TRUCKS, as_mine  # noqa: E402
 
 CASE = ROOT / "cases/screening"
@@ -107,20 +108,33 @@ def run(folder, out, cases):
     return 0
 
 
+def take(flow, ready, mine):
+    """The workflow for another mine; made ready anew only where its trucks scatter otherwise."""
+    rows, training = flow.features(mine), ready.training
+    if scatter_of(rows, flow.whole, training.passes) != flow.whole.scatter:
+        other = Workflow(mine, flow.simulator, flow.catalogue, 1, flow.say)
+        other.prepare()
+        return other
+    y = rows.mean(axis=0)
+    flow.out = replace(ready, training=replace(training, y=y[training.at]),
+                       holdout=replace(ready.holdout, y=y[ready.holdout.at]))
+    return flow
+
+
 def nulls(count, file):
     """Fresh runs of the model itself, TRUCKS of NULL_SEEDS at a time, each through its own instruments' noise."""
     seeds = [1 + FRESH_FROM + k for k in range(NULL_SEEDS)]
     flow = prepared(seeds[:TRUCKS])
     runs = flow.simulator.run([request({}, s, flow.catalogue) for s in seeds])
-    rng = np.random.default_rng(20)
+    rng, ready = np.random.default_rng(20), flow.out
     with open(file, "w") as f:
         f.write("case,verdict,omnibus_p\n")
         for _ in range(count):
             chosen = sorted(rng.choice(NULL_SEEDS, TRUCKS, replace=False))
-            flow.take(as_mine([runs[k] for k in chosen], rng))
-            flow.look()
-            f.write(f"seeds {' '.join(str(seeds[k]) for k in chosen)},{flow.out.verdict.verdict},"
-                    f"{flow.out.disagreement.omnibus_p:.4f}\n")
+            seen = take(flow, ready, as_mine([runs[k] for k in chosen], rng))
+            seen.look()
+            f.write(f"seeds {' '.join(str(seeds[k]) for k in chosen)},{seen.out.verdict.verdict},"
+                    f"{seen.out.disagreement.omnibus_p:.4f}\n")
 
 
 def main(words):

@@ -42,6 +42,7 @@ BASES = 16         # twin runs without an effect; instruments' effects are laid 
 MADE = 4           # of the effects that need runs of their own, chosen by lot, those that have a limit first
 OWN_CASES = 4      # cases with runs of their own there is time for: the first by lot, of these and the others
 TIMES = (0.5, 1.0, 2.0)  # of the detection limit
+BELIEVED = 2.5     # of the prior's sd: a strong effect, where there is no limit
 JITTER = 0.1       # of a strength, so that it is no round multiple
 JOBS = int(os.environ.get("JOBS", "2"))
 OUTSIDE = {"slippery_steel": 0.8, "clipped_cell": 1100.0, "cable_drag": 90.0, "scale_tare": 4.0}
@@ -63,12 +64,12 @@ def rng_of(secret, what):
 
 
 def draw(catalogue, limits, name, times, rng):
-    """A strength of about `times` the limit, within bounds; a strong one where there is no limit."""
+    """A strength of about `times` the limit, within bounds; as strong as its prior believes where there is no limit."""
     e = catalogue[name]
     sign = rng.choice([-1, 1]) if e.low < 0 < e.high else 1
     most = 0.9 * (e.high if sign > 0 else -e.low)
     if limits[name] is None:
-        return float(sign * most)
+        return float(sign * min(most, BELIEVED * e.scale))
     return float(sign * min(times * limits[name] * (1 + JITTER * rng.uniform(-1, 1)), most))
 
 
