@@ -35,7 +35,7 @@ class Request:
     """One run: the case, these effects {name: strength} as sorted pairs, this seed.
 
     how: `run`; or, of the plain run of the same seed, `observe` (the effects change only what the
-    instruments show) or `replay` (they change the machine's forces but not its motion, so the rock's
+    instruments show) or `replay` (some change the machine's forces but not its motion, so the rock's
     recorded force on it stays what it was).
     """
 
@@ -54,10 +54,11 @@ class Request:
 
 def request(effects, seed, catalogue):
     pairs = tuple(sorted((n, float(s)) for n, s in effects.items() if s))
+    acting = [n for n, _ in pairs if catalogue[n].kind != "observation"]
     how = "run"
-    if pairs and all(catalogue[n].kind == "observation" for n, _ in pairs):
+    if pairs and not acting:
         how = "observe"
-    elif pairs and all(key in REPLAYED for n, _ in pairs for key, _, _ in catalogue[n].overlay):
+    elif pairs and all(key in REPLAYED for n in acting for key, _, _ in catalogue[n].overlay):
         how = "replay"
     return Request(pairs, int(seed), how)
 

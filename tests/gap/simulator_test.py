@@ -100,6 +100,15 @@ def test_runs_are_made_once_and_observations_reuse_them(world):
     assert (todo, kept) == (0, 3) and each > 0
 
 
+def test_instruments_and_forces_together_need_no_run(world):
+    simulator, catalogue, _, folder = world
+    both = request({"scale_gain": 0.1, "crowd_friction": 0.25}, 1, catalogue)
+    assert both.how == "replay" and request({"scale_gain": 0.1, "fines": 0.2}, 1, catalogue).how == "run"
+    simulator().run([both], lambda text: None)
+    again = [c for c in calls(folder) if c.startswith("replay ")]
+    assert len(again) == 1 and "effects.scale_gain=0.1" in again[0] and "effects.crowd_friction=0.25" in again[0]
+
+
 def test_two_analyses_at_once_make_a_run_once(world):
     simulator, catalogue, _, folder = world
     asked = [request({}, s, catalogue) for s in (1, 2, 3)] + [request({"scale_gain": 0.1}, 1, catalogue)]
