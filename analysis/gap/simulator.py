@@ -204,7 +204,8 @@ class DipperSimulator(Simulator):
         """Words that look at the plain run once more, with other instruments or another machine."""
         plain = str(self.folder(r.plain) / "run")
         if r.how == "replay":
-            return [self.program, "replay", plain, "--side", "mbs"] + _settings(r.effects)
+            # The run may be of a like case elsewhere that is gone.
+            return [self.program, "replay", plain, "--side", "mbs", "--case", str(self.case)] + _settings(r.effects)
         settings = [v for n, s in r.effects for v in _values(self.catalogue[n], s)]
         return [self.program, "observe", plain] + [w for v in settings for w in ("--set", v)]
 

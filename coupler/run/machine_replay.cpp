@@ -78,8 +78,8 @@ class LoneMachine {
 
 }  // namespace
 
-Case case_of_run(const fs::path& run, const std::vector<Override>& changes,
-                 std::vector<Finding>& findings) {
+Case case_of_run(const fs::path& run, const std::string& case_folder,
+                 const std::vector<Override>& changes, std::vector<Finding>& findings) {
   // The text has the values that effects of the case have changed: the effects are in it.
   std::vector<Override> all = {{"effects", "{}"}};
   std::ifstream text(run / "case.txt");
@@ -89,9 +89,11 @@ Case case_of_run(const fs::path& run, const std::vector<Override>& changes,
     all.push_back({line.substr(0, equals), line.substr(equals + 1)});
   }
   const fs::path record = run / "record.h5";
-  const std::string folder = findings.empty() ? read_attribute(record, "case_folder") : "";
+  std::string folder = case_folder;
+  if (folder.empty() && findings.empty()) folder = read_attribute(record, "case_folder");
   if (folder.empty())
-    findings.push_back({record, 0, "case_folder", "does not name the run's case"});
+    findings.push_back(
+        {record, 0, "case_folder", "does not name the run's case; name it with --case"});
   all.insert(all.end(), changes.begin(), changes.end());
   if (!findings.empty()) return {};
   return load_case(folder, all, findings);

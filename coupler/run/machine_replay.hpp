@@ -8,10 +8,11 @@
 
 namespace dipper {
 
-/// The case of a run as it ran, with further changes. The files it names must still be there.
-/// Errors are appended to `findings`.
-Case case_of_run(const std::filesystem::path& run, const std::vector<Override>& changes,
-                 std::vector<Finding>& findings);
+/// The case of a run as it ran, with further changes. The files it names must still be there, or in
+/// `case_folder`, the same case at another place ("": where it was). Errors are appended to
+/// `findings`.
+Case case_of_run(const std::filesystem::path& run, const std::string& case_folder,
+                 const std::vector<Override>& changes, std::vector<Finding>& findings);
 
 /// Steps the machine of `changed` with the wrenches in the run's record.h5 and writes what the
 /// mine's instruments would have shown into `out` (observed.hpp). Exact where the dipper's motion

@@ -26,6 +26,7 @@ struct Words {
   std::string folder;
   std::string out;
   std::string side = "dem";
+  std::string case_folder;
   std::vector<std::string> set;
   int ranks = 0;
   std::optional<long> seed;
@@ -93,7 +94,7 @@ int changed_machine_command(const Words& words) {
     throw CLI::ValidationError("--set", "replays another machine: it needs --side mbs and --out");
   }
   std::vector<Finding> findings;
-  const Case changed = case_of_run(words.folder, overrides(words), findings);
+  const Case changed = case_of_run(words.folder, words.case_folder, overrides(words), findings);
   if (findings.empty()) findings = check_case(changed);
   for (const Finding& f : findings) fmt::print(stderr, "{}\n", to_string(f));
   if (!findings.empty()) return 2;
@@ -104,6 +105,7 @@ int changed_machine_command(const Words& words) {
 
 int replay_command(const Words& words) {
   if (!words.set.empty()) return changed_machine_command(words);
+  if (!words.case_folder.empty()) throw CLI::ValidationError("--case", "goes with --set");
   enter_private_network();
   const ReplayResult r = replay(words.folder, words.side);
   fmt::print(
@@ -154,6 +156,10 @@ int command_line(int argc, char** argv) {
   again->add_option("--set", words.set,
                     "KEY=VALUE of another machine, which is observed into --out (with --side mbs)");
   again->add_option("--out", words.out, "the folder to observe another machine into");
+  again
+      ->add_option("--case", words.case_folder,
+                   "the run's case, where it is no longer at its place")
+      ->check(CLI::ExistingDirectory);
   again->add_option("--side", words.side, "the side to run: dem or mbs")
       ->check(CLI::IsMember({"dem", "mbs"}))
       ->capture_default_str();

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import time
 import unittest
@@ -157,6 +158,22 @@ class PairedRun(RunTest):
         self.assertEqual([line[line.index("domain.min_m:"):] for line in done.stderr.splitlines()],
                          said)
         self.assertFalse((self.folder / "no").exists())
+
+    def test_a_case_that_is_elsewhere_now_is_named(self):
+        gone = self.folder / "tests" / "run" / "gone"
+        shutil.copytree(TINY, gone)
+        for beside in ("meshes", "mbs", "cases"):  # the case names files there
+            (self.folder / beside).symlink_to(TINY.parent.parent.parent / beside)
+        self.run_case(self.folder / "run", "--ranks", "1", "--set", "end_s=0.3", case=gone)
+        shutil.rmtree(gone)
+        again = [DIPPER, "replay", self.folder / "run", "--side", "mbs", "--out", self.folder / "seen", "--set",
+                 "effects.crowd_friction=100"]
+        lost = subprocess.run(again, text=True, capture_output=True, timeout=120)
+        self.assertEqual(lost.returncode, 2)
+        self.assertIn(str(gone), lost.stderr)
+        found = subprocess.run([*again, "--case", TINY], text=True, capture_output=True, timeout=120)
+        self.assertEqual(found.returncode, 0, found.stderr)
+        self.assertTrue((self.folder / "seen" / "signals.csv").is_file())
 
     def test_a_run_that_holds_rock_replays_and_resumes(self):
         hold = ("--ranks", "1", "--set", "dem.hold_below_m_s=0.3")

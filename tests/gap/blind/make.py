@@ -39,8 +39,8 @@ CHANNELS = {c.name: c for c in (
     Channel("crowd_force_kN", "kN", "response", 25.0, 15.0))}
 TRUCKS = 4         # of each case, loaded by the same three passes
 BASES = 16         # twin runs without an effect; instruments' effects are laid over them
-MADE = 4           # of the effects that need runs of their own, chosen by lot, those that have a limit first
-OWN_CASES = 4      # cases with runs of their own there is time for: the first by lot, of these and the others
+MADE = 6           # of the effects that need runs of their own, chosen by lot, those that have a limit first
+OWN_CASES = 8      # cases with runs of their own there is time for: the first by lot, of these and the others
 TIMES = (0.5, 1.0, 2.0)  # of the detection limit
 BELIEVED = 2.5     # of the prior's sd: a strong effect, where there is no limit
 JITTER = 0.1       # of a strength, so that it is no round multiple
