@@ -9,7 +9,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, TINY, RunTest
+from runs import DIPPER, PATIENCE_S, TINY, RunTest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -122,7 +122,7 @@ class OneOfYourOwn(RunTest):
         done = subprocess.run([DIPPER, "check", case, *words], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout)
         done = subprocess.run([DIPPER, "run", case, *words, "--ranks", "1", "--set", "end_s=0.1", "--out",
-                               self.folder / "run"], capture_output=True, text=True, timeout=120)
+                               self.folder / "run"], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         text = (self.folder / "run/case.txt").read_text()
         value = float(re.search(rf"^\S*{told[1]}=(\S+)$", text, re.M)[1])

@@ -11,7 +11,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, TINY, RunTest
+from runs import DIPPER, PATIENCE_S, TINY, RunTest
 
 
 class PairedRun(RunTest):
@@ -62,7 +62,7 @@ class PairedRun(RunTest):
         self.run_case(self.folder / "r")
         for side, requests in (("dem", 700), ("mbs", 1400)):
             done = subprocess.run([DIPPER, "replay", self.folder / "r", "--side", side], text=True,
-                                  capture_output=True, timeout=120)
+                                  capture_output=True, timeout=PATIENCE_S)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("to the bit", done.stdout)
             self.assertGreater(int(done.stdout.split()[1]), requests)
@@ -71,7 +71,7 @@ class PairedRun(RunTest):
         self.run_case(self.folder / "d")
         reader = pathlib.Path(__file__).parent.parent / "scripts" / "dumps_open"
         done = subprocess.run([reader, self.folder / "d"], text=True, capture_output=True,
-                              timeout=120)
+                              timeout=PATIENCE_S)
         if done.returncode == 77:
             self.skipTest("python3-vtk9 is not installed")
         self.assertEqual(done.returncode, 0, done.stdout)
@@ -79,7 +79,7 @@ class PairedRun(RunTest):
     def test_a_run_can_be_drawn(self):
         self.run_case(self.folder / "p")
         plot = pathlib.Path(__file__).parent.parent.parent / "scripts" / "plot_run"
-        done = subprocess.run([plot, self.folder / "p"], text=True, capture_output=True, timeout=120)
+        done = subprocess.run([plot, self.folder / "p"], text=True, capture_output=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertGreater((self.folder / "p" / "run.png").stat().st_size, 20000)
 
@@ -126,7 +126,7 @@ class PairedRun(RunTest):
         """hoist and crowd force of signals.csv that a command writes, kN."""
         out = self.folder / "observed"
         done = subprocess.run([DIPPER, *command, "--out", out, "--set", "observation.rate_Hz=5"],
-                              text=True, capture_output=True, timeout=120)
+                              text=True, capture_output=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stderr)
         return np.loadtxt(out / "signals.csv", delimiter=",", skiprows=1)
 
@@ -152,7 +152,7 @@ class PairedRun(RunTest):
         sunk = ("--set", "machine.base_position_m=[0, 0, -5]")
         errors = subprocess.run([DIPPER, "check", TINY, *sunk], text=True, capture_output=True)
         done = subprocess.run([DIPPER, "replay", run, "--side", "mbs", "--out", self.folder / "no",
-                               *sunk], text=True, capture_output=True, timeout=120)
+                               *sunk], text=True, capture_output=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 2, done.stderr)
         said = [line[line.index("domain.min_m:"):] for line in errors.stdout.splitlines()[:-1]]
         self.assertEqual([line[line.index("domain.min_m:"):] for line in done.stderr.splitlines()],
@@ -168,10 +168,10 @@ class PairedRun(RunTest):
         shutil.rmtree(gone)
         again = [DIPPER, "replay", self.folder / "run", "--side", "mbs", "--out", self.folder / "seen", "--set",
                  "effects.crowd_friction=100"]
-        lost = subprocess.run(again, text=True, capture_output=True, timeout=120)
+        lost = subprocess.run(again, text=True, capture_output=True, timeout=PATIENCE_S)
         self.assertEqual(lost.returncode, 2)
         self.assertIn(str(gone), lost.stderr)
-        found = subprocess.run([*again, "--case", TINY], text=True, capture_output=True, timeout=120)
+        found = subprocess.run([*again, "--case", TINY], text=True, capture_output=True, timeout=PATIENCE_S)
         self.assertEqual(found.returncode, 0, found.stderr)
         self.assertTrue((self.folder / "seen" / "signals.csv").is_file())
 
@@ -181,7 +181,7 @@ class PairedRun(RunTest):
         self.run_case(self.folder / "parts", "--set", "end_s=1.8", *hold)
         self.run_case(self.folder / "parts", "--resume", *hold)
         done = subprocess.run([DIPPER, "replay", self.folder / "whole", "--side", "dem"], text=True,
-                              capture_output=True, timeout=120)
+                              capture_output=True, timeout=PATIENCE_S)
         self.assertIn("to the bit", done.stdout)
         with h5py.File(self.folder / "whole" / "record.h5") as a, \
                 h5py.File(self.folder / "parts" / "record.h5") as b:

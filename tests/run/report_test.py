@@ -13,12 +13,12 @@ import h5py
 import numpy as np
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from runs import DIPPER, RunTest
+from runs import DIPPER, PATIENCE_S, RunTest
 
 
 class Report(RunTest):
     def report(self, folder, status=0):
-        done = subprocess.run([DIPPER, "report", folder], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([DIPPER, "report", folder], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, status, done.stdout + done.stderr)
         return done.stdout + done.stderr
 

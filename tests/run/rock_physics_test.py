@@ -8,7 +8,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, RunTest
+from runs import DIPPER, PATIENCE_S, RunTest
 
 
 def option(**keys):
@@ -80,7 +80,7 @@ class RockPhysics(RunTest):
         self.assertGreater(cell_arrays(first[-1])["normal_stress_average"].max(), 0)
 
         done = subprocess.run([DIPPER, "replay", whole, "--side", "dem"], text=True,
-                              capture_output=True, timeout=120)
+                              capture_output=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("to the bit", done.stdout)
 

@@ -12,6 +12,7 @@ import unittest
 
 DIPPER = os.environ["DIPPER"]
 TINY = pathlib.Path(__file__).parent / "tiny"
+PATIENCE_S = 300  # with a command that takes 2 s on a quiet machine
 
 
 def processes(folder):
@@ -43,7 +44,7 @@ class RunTest(unittest.TestCase):
         """Runs to the end; returns (stdout, stderr)."""
         process = self.start(out, *arguments, case=case)
         try:
-            text = process.communicate(timeout=120)
+            text = process.communicate(timeout=PATIENCE_S)
         finally:
             process.kill()
         self.assertEqual(process.returncode, status, text[0] + text[1])
@@ -52,7 +53,7 @@ class RunTest(unittest.TestCase):
     def wait_until_digging(self, process, out, time_s=0.5):
         """Until the record shows that much simulated time."""
         import h5py
-        deadline = time.time() + 90
+        deadline = time.time() + PATIENCE_S
         while time.time() < deadline and process.poll() is None:
             try:
                 with h5py.File(out / "record.h5", "r") as f:
