@@ -179,8 +179,9 @@ def test_every_effect_of_the_catalogue_is_read():
     import synthetic
     catalogue = read_catalogue(synthetic.ROOT / "analysis/effects")
     for e in catalogue.values():
-        low, high = sorted(e.strengths(False))
-        assert e.low <= low < high <= e.high and 0 not in (low, high)
+        for same_rock in (False, True):
+            low, high = sorted(e.strengths(same_rock))
+            assert e.low <= low < high <= e.high and 0 not in (low, high)
 
 
 def test_experiments_split_a_class():
