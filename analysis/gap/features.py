@@ -123,7 +123,9 @@ class FeatureMap:
 
     def __call__(self, signals, masses):
         """Features of copies of this folder: signals {name: (B, T)}, masses (B, P) -> (B, n)."""
-        columns = [np.asarray(v) for _, v in self._columns(signals, masses)]
-        return np.stack(np.broadcast_arrays(*columns), axis=-1).astype(float)
+        out = np.empty((len(masses), len(self.cells)))
+        for i, (_, v) in enumerate(self._columns(signals, masses)):
+            out[:, i] = v
+        return out
 
 

@@ -16,7 +16,6 @@ class NoisyFeatures:
     cells: list
     mean: np.ndarray      # (n,)
     own: np.ndarray       # (B, n)
-    common: np.ndarray    # (channels, n): shift by one common_sigma
     durations: list
 
 
@@ -32,15 +31,24 @@ def noisy_features(measured, channels, pass_numbers, seed=0, replicas=REPLICAS):
     copies = {n: v + channels[n].sigma * rng.standard_normal((replicas, len(v))) for n, v in clean.items()}
     rows = fmap(copies, np.tile(masses, (replicas, 1)))
     mean = rows.mean(axis=0)
-    common = []
-    zero = fmap({n: v[None] for n, v in clean.items()}, masses[None])[0]
-    for name in fmap.responses:
-        moved = {n: (v + (channels[n].common_sigma if n == name else 0.0))[None] for n, v in clean.items()}
-        common.append(fmap(moved, masses[None])[0] - zero)
-    if MASS in measured.channels:
-        common.append(fmap({n: v[None] for n, v in clean.items()},
-                           masses[None] + channels[MASS].common_sigma)[0] - zero)
-    return NoisyFeatures(fmap.cells, mean, rows - mean, np.array(common), fmap.durations)
+    return NoisyFeatures(fmap.cells, mean, rows - mean, fmap.durations)
+
+
+def common_errors(folders, channels, pass_numbers):
+    """(channels, n): how one common_sigma of each response, then of the scale, shifts the features, on the mean over
+    noise-free `folders` of the same case.
+    """
+    shifts = []
+    for measured in folders:
+        fmap = FeatureMap(measured, pass_numbers)
+        clean = {n: measured.signals[n][None] for n in fmap.responses}
+        masses = fmap.masses()[None]
+        moved = [({**clean, n: v + channels[n].common_sigma}, masses) for n, v in clean.items()]
+        if MASS in measured.channels:
+            moved.append((clean, masses + channels[MASS].common_sigma))
+        zero = fmap(clean, masses)[0]
+        shifts.append([fmap(*m)[0] - zero for m in moved])
+    return np.mean(shifts, axis=0)
 
 
 def measured_features(measured, pass_numbers):
@@ -52,7 +60,7 @@ def measured_features(measured, pass_numbers):
 
 def noise_covariance(runs, channels):
     """Covariance (n, n) of the instruments' own errors in one truck's features, learnt from `runs` of the same
-    case; and the shifts (channels, n) by one common_sigma, which all readings share.
+    case.
 
     Own errors of different passes, phases and channels are independent: those entries are exactly 0.
     """
@@ -64,4 +72,4 @@ def noise_covariance(runs, channels):
     for i, c in enumerate(cells):
         if c.channel == MASS:
             cov[i, i] += channels[MASS].sigma ** 2
-    return cov, np.mean([r.common for r in runs], axis=0)
+    return cov

@@ -2,7 +2,7 @@
 import numpy as np
 
 from .balance import balanced, tonnes_a_kN
-from .noise import measured_features, noise_covariance, noisy_features
+from .noise import common_errors, measured_features, noise_covariance, noisy_features
 
 
 class Vectors:
@@ -13,14 +13,16 @@ class Vectors:
 
     def __init__(self, channels, numbers, base):
         self.channels, self.numbers = channels, list(numbers)
-        views = [noisy_features(m.seen_by(channels), channels, numbers) for m in base]
+        seen = [m.seen_by(channels) for m in base]
+        views = [noisy_features(m, channels, numbers) for m in seen]
         self.plain, self.durations = views[0].cells, views[0].durations
         self.slope = tonnes_a_kN(self.plain, np.array([v.mean for v in views if v.cells == self.plain]))
         self.cells, _ = balanced(self.plain, views[0].mean, self.slope)
-        own, common = noise_covariance(views, channels)
+        own = noise_covariance(views, channels)
         for _ in range(2):  # rows, then columns
             own = balanced(self.plain, own, self.slope)[1].T
         self.own = own                                                 # (n, n) of one truck
+        common = common_errors(seen, channels, numbers)
         self.common = balanced(self.plain, common, self.slope)[1]  # (channels, n): one common_sigma each
 
     def of_run(self, measured):

@@ -8,7 +8,7 @@ import synthetic
 from gap.baseline import make_baseline
 from gap.effects import Effect
 from gap.isolability import with_nuisances
-from gap.noise import measured_features, noise_covariance, noisy_features
+from gap.noise import common_errors, measured_features, noise_covariance, noisy_features
 from gap.null import simulate_null
 from gap.signatures import fit_signature
 from gap.simulator import Simulator
@@ -72,9 +72,11 @@ class World:
 
     def __init__(self, number=0, spread=1.0, catalogue=CATALOGUE):
         self.spread, self.first = spread, 10_000 * (number + 1)
-        runs = [self._features({}, self.first + k) for k in range(SEEDS)]
+        folders = [synthetic.run({}, self.first + k, spread=spread) for k in range(SEEDS)]
+        runs = [noisy_features(m, synthetic.CHANNELS, PASSES) for m in folders]
         self.baseline, self.keep = make_baseline(runs[0].cells, np.array([r.mean for r in runs]),
-                                                 *noise_covariance(runs, synthetic.CHANNELS), PASSES)
+                                                 noise_covariance(runs, synthetic.CHANNELS),
+                                                 common_errors(folders, synthetic.CHANNELS, PASSES), PASSES)
         made = [self._signature(e) for e in catalogue.values()]
         self.signatures = [s for s in made if not s.effect.nuisance]
         self.nuisances = [s for s in made if s.effect.nuisance]
