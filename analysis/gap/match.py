@@ -44,16 +44,18 @@ class Match:
         return float(sides[0] - sides[1])
 
 
-def match(residual, covariance, signatures, baseline, largest=3):
-    """All sets of up to `largest` effects. `covariance` holds the nuisances."""
+def match(residual, covariance, signatures, baseline, largest=3, known=None):
+    """All sets of up to `largest` effects. `covariance` holds the nuisances; `known` {(names): Fit} are not fitted
+    again."""
+    known = known or {}
     factor = evidence.prepare(covariance)
     fits, log_weight = {}, {}
     for size in range(1, min(largest, len(signatures)) + 1):
         sets = list(combinations(signatures, size))
         for chosen in sets:
-            f = evidence.fit(residual, covariance, chosen, factor)
-            fits[f.names] = f
-            log_weight[f.names] = f.log_evidence + np.log(PRIOR[size] / len(sets))
+            names = tuple(s.name for s in chosen)
+            fits[names] = known.get(names) or evidence.fit(residual, covariance, chosen, factor)
+            log_weight[names] = fits[names].log_evidence + np.log(PRIOR[size] / len(sets))
     log_weight["none"] = evidence.log_gaussian(residual, factor) + np.log(PRIOR["none"])
     log_weight["unknown"] = unknown_evidence(residual, covariance, baseline) + np.log(PRIOR["unknown"])
     total = logsumexp(list(log_weight.values()))
@@ -124,13 +126,13 @@ def interval(m, name, signatures, only=None, seed=0):
 
 
 def stability(m, name, covariance, signatures, copies=100, seed=0):
-    """Share of data sets drawn from the best fit with `name` in which `name` leads again (one effect)."""
+    """Share of data sets drawn from the best fit with `name`, less its other effects, in which `name` leads again."""
     rng = np.random.default_rng(seed)
     by_name = {s.name: s for s in signatures}
     truth = m.fits[m.best_with(name)]
     spread = covariance + sum(a * a * by_name[n].spread for a, n in zip(truth.best, truth.names))
     lower = np.linalg.cholesky(spread)
-    drawn = truth.explained + rng.standard_normal((copies, len(spread))) @ lower.T
+    drawn = truth.best[truth.names.index(name)] * by_name[name].g + rng.standard_normal((copies, len(spread))) @ lower.T
     singles = {n: m.fits[(n,)] for n in by_name}
     factors = {n: evidence.prepare(covariance + f.best[0] ** 2 * by_name[n].spread)
                for n, f in singles.items()}

@@ -170,7 +170,9 @@ class Workflow:
             part = getattr(out, which)
             made = [better[s.name].part(part.at) if s.name in better else s for s in part.signatures]
             setattr(out, which, replace(part, signatures=made))
-        out.matched = match(residual, out.training.covariance, out.training.signatures, out.training.baseline)
+        known = {names: f for names, f in out.matched.fits.items() if not better.keys() & set(names)}
+        out.matched = match(residual, out.training.covariance, out.training.signatures, out.training.baseline,
+                            known=known)
 
     def _signature(self, name, runs):
         """Over all passes' cells; as wary as the null asks."""

@@ -10,7 +10,7 @@ from gap import evidence
 from gap.decide import decide, sure
 from gap.isolability import isolability
 from gap.localise import localise
-from gap.match import Match, gains, interval, match
+from gap.match import Match, gains, interval, match, stability
 from gap.signatures import Signature
 
 
@@ -150,3 +150,15 @@ def test_intervals_cover(case):
     print(f"coverage {rate:.3f} of {count}")
     assert count >= 60
     assert 0.80 <= rate and rate >= 0.90 - 3 * binom.std(count, 0.9) / count
+
+
+def test_each_effect_of_a_pair_leads_again(case):
+    """At four times its limit each is led by none but itself, the other taken off; a tenth of it by chance."""
+    w = case.w
+    pair = [next(s for s in w.signatures if s.name == n) for n in ("crowd_friction", "truck_spillage")]
+    residual = sum(4 * case.limits[s.name] * s.g for s in pair)
+    m = match(residual, w.covariance, w.signatures, w.baseline, largest=2)
+    assert m.best_with(pair[0].name) == m.best_with(pair[1].name)
+    assert all(stability(m, s.name, w.covariance, w.signatures) > 0.9 for s in pair)
+    weak = match(0.1 / 4 * residual, w.covariance, w.signatures, w.baseline, largest=2)
+    assert stability(weak, pair[0].name, w.covariance, w.signatures) < 0.6
