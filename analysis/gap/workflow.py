@@ -163,7 +163,8 @@ class Workflow:
             if self.runs[name].same_rock:
                 asked = [request({name: strength}, self.first_seed + k, self.catalogue) for k in seeds]
                 values = self._features_of(self.simulator.run(asked, self.say))
-                better[name] = self._signature(name, SignatureRuns((strength,) * len(asked), tuple(seeds), values, True))
+                runs = SignatureRuns((strength,) * len(asked), tuple(seeds), values, True)
+                better[name] = self._signature(name, runs)
         if not better:
             return
         for which in ("training", "holdout"):

@@ -96,7 +96,9 @@ class World:
         for s in e.strengths(e.kind == "observation"):
             for k in (0, 1):
                 # Not the baseline's seed itself: in a chaotic run nothing is left of the common start.
-                seed = self.first + k if e.kind == "observation" else self.first + 100 + 7 * k + zlib.crc32(e.name.encode()) % 5
+                seed = self.first + k
+                if e.kind != "observation":
+                    seed += 100 + 6 * k + zlib.crc32(e.name.encode()) % 5
                 strengths.append(s)
                 index.append(k)
                 rows.append(self._features({e.name: s}, seed + (0 if e.kind == "observation" else len(rows))).mean)

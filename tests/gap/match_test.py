@@ -36,7 +36,8 @@ def test_evidence_of_two_effects_is_the_integral():
     covariance = np.cov(rng.standard_normal((n, 30)))
     g = rng.standard_normal((2, n)) * 3
     residual = 0.2 * g[0] + 0.1 * g[1] + 0.5 * rng.standard_normal(n)
-    f = evidence.fit(residual, covariance, [Signature(e, x, np.zeros((n, n)), np.zeros((n, n))) for e, x in zip(effects, g)])
+    exact = np.zeros((n, n))
+    f = evidence.fit(residual, covariance, [Signature(e, x, exact, exact) for e, x in zip(effects, g)])
     a = np.linspace(0, 0.8, 401)
     prior = truncnorm.pdf(a, 0, 0.8 / 0.3, 0, 0.3)
     left = residual - a[:, None, None] * g[0] - a[None, :, None] * g[1]

@@ -115,7 +115,8 @@ def test_an_effect_is_found_where_it_is():
     baseline, mines = world(3)
     null = simulate_null(baseline, draws=DRAWS)
     at = next(i for i, c in enumerate(baseline.cells) if c.pass_number == 2)
-    found = localise(mines[0].mean(axis=0) - baseline.mean + 12 * baseline.sd[at] * np.eye(len(baseline.mean))[at], baseline, null)
+    there = 12 * baseline.sd[at] * np.eye(len(baseline.mean))[at]
+    found = localise(mines[0].mean(axis=0) - baseline.mean + there, baseline, null)
     assert found.omnibus_p < 0.01
     assert np.argmin(found.p_adjusted) == at and found.p_adjusted[at] < 0.01
     assert np.median(found.p_adjusted) > 0.2
