@@ -364,7 +364,8 @@ class Workflow:
         out.second = self._second(m, other, float(fit.best[fit.names.index(other)]))
 
     def _second(self, m, name, strength):
-        e = self.catalogue[name]
+        e, verdict = self.catalogue[name], self.out.verdict
+        self.out.verdict = replace(verdict, rejected=tuple(r for r in verdict.rejected if r[0] != name))
         return {"verdict": "named", "effect": name, "probability": m.presence(name),
                 "parameter": {"name": e.parameter, "unit": e.unit, "estimate": strength,
                               "interval90": list(self.out.intervals[name])}}
