@@ -1,13 +1,12 @@
 #!/usr/bin/python3
 """Makes the blind cases: runs the twin with each hidden effect, logs it as a mine would, seals the truths.
 
-usage: make.py WORK FOLDER SECRET DRAWN LIMITS      (DIPPER names the program)
-       make.py WORK FOLDER SECRET DRAWN LIMITS --runs-only
+usage: make.py WORK FOLDER SECRET LIMITS      (DIPPER names the program)
+       make.py WORK FOLDER SECRET LIMITS --runs-only
 
 WORK keeps the twin's runs. SECRET is a text that decides every draw: which case is which, how strong, which
-seeds, which noise. DRAWN and LIMITS are JSON files {effect: detection limit or null}, from the model alone
-(analyse.py limits): strengths are drawn from the first, and told as multiples of the second; the same file, unless
-the workflow got better while the twin ran. FOLDER gets measured/CASE, truth/CASE.yaml and sealed.csv.
+seeds, which noise. LIMITS is a JSON file {effect: detection limit or null}, from the model alone (analyse.py limits):
+strengths are drawn and told as multiples of them. FOLDER gets measured/CASE, truth/CASE.yaml and sealed.csv.
 """
 import hashlib
 import json
@@ -158,18 +157,18 @@ def as_mine(runs, rng):
 
 
 def main(words):
-    if len(words) not in (5, 6):
+    if len(words) not in (4, 5):
         print(__doc__, file=sys.stderr)
         return 2
     work, folder, secret = Path(words[0]).resolve(), Path(words[1]), words[2]
-    drawn, limits = (json.loads(Path(w).read_text()) for w in words[3:5])
+    limits = json.loads(Path(words[3]).read_text())
     program = os.environ.get("DIPPER", str(twin.ROOT / "build/release/bin/dipper"))
     bases = rng_of(secret, "bases").integers(5000, 10**6, BASES)
-    todo = plans(read_catalogue(twin.ROOT / "analysis/effects"), drawn, bases, rng_of(secret, "plans"))
+    todo = plans(read_catalogue(twin.ROOT / "analysis/effects"), limits, bases, rng_of(secret, "plans"))
     asked = {(p.plain or f"{i}", s): (p, s) for i, p in enumerate(todo) for s in p.seeds}  # a base's run once
     with ThreadPoolExecutor(JOBS) as pool:
         list(pool.map(lambda ps: run_of(*ps, work, program), asked.values()))
-    if len(words) == 6:
+    if len(words) == 5:
         return 0
     for number, plan in enumerate(todo, 1):
         case, rng = f"c{number:02d}", rng_of(secret, f"noise {number}")
