@@ -86,6 +86,15 @@ class Calibrate(unittest.TestCase):
         # Walls keep rock off: inside it is denser.
         self.assertGreater(result["confirmed"]["interior_kg_m3"], 1700)
 
+    def test_rock_that_flies_apart_has_no_angle(self):
+        """Far too soft for its fall: spheres are pressed through each other and thrown out of the box."""
+        softest = ["--set", "contact.normal_scale=2e-6", "--set", "dem.timestep_s=1.5e-2", *SOFT[4:]]
+        _, err = self.calibrate("pile-angle", TINY, *softest, "--size", 3.2, "--seeds", 1,
+                                "--out", self.folder / "soft", status=3)
+        self.assertIn("flew away", err)
+        self.assertIn("contact.normal_scale", err)
+        self.assertFalse((self.folder / "soft").exists())
+
     def test_interrupt_keeps_what_is_finished(self):
         words = ["pile-angle", TINY, *SOFT, "--size", 2.4, "--seeds", 4, "--jobs", 1, "--out",
                  self.folder / "cut"]
