@@ -44,16 +44,15 @@ Dump read_dump(const fs::path& file) {
   return d;
 }
 
-class SettleAndDig : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    folder = fresh_folder("settle_and_dig");
-    write_deck(tiny_case(), fs::path(DIPPER_SOURCE) / "meshes/rocks", folder / "deck");
+/// A settled bench in a folder of its own: what dig.in starts from.
+struct Bench {
+  Bench(const std::string& name, const Case& c) : folder(fresh_folder(name)) {
+    write_deck(c, fs::path(DIPPER_SOURCE) / "meshes/rocks", folder / "deck");
     fs::create_directories(folder / "settle");
     status = run_liggghts("dem_in/settle.in", deck(), 1, folder / "settle");
   }
-  static std::string deck() { return "-var deck '" + (folder / "deck").string() + "' "; }
-  static Dump dig(int ranks, int steps, double timestep = tiny_case().dem.timestep_s) {
+  std::string deck() const { return "-var deck '" + (folder / "deck").string() + "' "; }
+  Dump dig(int ranks, int steps, double timestep = tiny_case().dem.timestep_s) const {
     const fs::path out = folder / fmt::format("dig{}", ranks);
     fs::remove_all(out);
     fs::create_directories(out);
@@ -70,12 +69,23 @@ class SettleAndDig : public testing::Test {
       EXPECT_TRUE(fs::exists(out / fmt::format("{}_{}.vtk", wall, steps))) << wall;
     return read_dump(out / fmt::format("rocks_{}.dump", steps));
   }
-  static inline fs::path folder;
-  static inline int status = -1;
+  fs::path folder;
+  int status = -1;
+};
+
+class SettleAndDig : public testing::Test {
+ protected:
+  static const Bench& bench() {
+    static const Bench bench("settle_and_dig", tiny_case());
+    return bench;
+  }
+  static Dump dig(int ranks, int steps) { return bench().dig(ranks, steps); }
+  void SetUp() override {
+    ASSERT_EQ(bench().status, 0) << read_text(bench().folder / "settle/screen.txt");
+  }
 };
 
 TEST_F(SettleAndDig, SettleWritesABenchOfTheWantedForm) {
-  ASSERT_EQ(status, 0) << read_text(folder / "settle/screen.txt");
   const Case c = tiny_case();
   const Dump d = dig(1, 1);
   ASSERT_GT(d.rows.size(), 200U);
@@ -96,7 +106,6 @@ TEST_F(SettleAndDig, SettleWritesABenchOfTheWantedForm) {
 }
 
 TEST_F(SettleAndDig, RocksAreWhole) {
-  ASSERT_EQ(status, 0);
   const Dump d = dig(1, 1);
   std::map<int, int> spheres;
   for (const auto& [id, row] : d.rows)
@@ -106,7 +115,6 @@ TEST_F(SettleAndDig, RocksAreWhole) {
 }
 
 TEST_F(SettleAndDig, OneAndTwoRanksAgree) {
-  ASSERT_EQ(status, 0);
   const Dump one = dig(1, 50), two = dig(2, 50);
   ASSERT_EQ(one.rows.size(), two.rows.size());
   for (const auto& [id, row] : one.rows) {
@@ -116,13 +124,19 @@ TEST_F(SettleAndDig, OneAndTwoRanksAgree) {
   }
 }
 
-TEST_F(SettleAndDig, StableStepIsStable) {
+/// Spheres a rock.
+class StableStep : public testing::TestWithParam<const char*> {};
+
+TEST_P(StableStep, IsStable) {
   // The bench at rest, for 0.4 s more: at the largest stable step it stays so; at twice that it
   // boils.
-  ASSERT_EQ(status, 0);
-  const double limit = stable_timestep(tiny_case());
+  Case c = tiny_case();
+  c.rock.shape_resolution = GetParam();
+  const Bench bench("stable_step_" + c.rock.shape_resolution, c);
+  ASSERT_EQ(bench.status, 0) << read_text(bench.folder / "settle/screen.txt");
+  const double limit = stable_timestep(c);
   const auto speed = [&](double share) {
-    const Dump d = dig(1, static_cast<int>(0.4 / (share * limit)), share * limit);
+    const Dump d = bench.dig(1, static_cast<int>(0.4 / (share * limit)), share * limit);
     double sum = 0;
     for (const auto& [id, row] : d.rows)
       for (const char* v : {"vx", "vy", "vz"}) sum += d.get(row, v) * d.get(row, v);
@@ -133,6 +147,8 @@ TEST_F(SettleAndDig, StableStepIsStable) {
   EXPECT_LT(stable, 1.3 * small);
   EXPECT_GT(boiling, 4 * stable);
 }
+
+INSTANTIATE_TEST_SUITE_P(SpheresARock, StableStep, testing::Values("coarse", "medium", "fine"));
 
 }  // namespace
 }  // namespace dipper
