@@ -86,6 +86,19 @@ class Calibrate(unittest.TestCase):
         # Walls keep rock off: inside it is denser.
         self.assertGreater(result["confirmed"]["interior_kg_m3"], 1700)
 
+    def test_coarse_graining_keeps_the_bulk_density(self):
+        """Rock, box and stiffness twice as large: the same bed, so the same density."""
+        bulk = []
+        for factor, edge, stiffness, step in ((1.5, 3, 1e-3, 6e-4), (3, 6, 2e-3, 8.4e-4)):
+            out = self.folder / f"coarse-{factor}"
+            self.calibrate("bulk-density", TINY, "--seeds", 2, "--size", edge, "--out", out,
+                           "--set", f"rock.coarse_graining={factor}",
+                           "--set", f"contact.normal_scale={stiffness}",
+                           "--set", f"dem.timestep_s={step}", "--set", "coupling.sync_steps=2")
+            result = json.loads((out / "calibration.json").read_text())
+            bulk.append(result["case_as_it_is"]["bulk_kg_m3"])
+        self.assertAlmostEqual(bulk[1] / bulk[0], 1, delta=0.02)
+
     def test_rock_that_flies_apart_has_no_angle(self):
         """Far too soft for its fall: spheres are pressed through each other and thrown out of the box."""
         softest = ["--set", "contact.normal_scale=2e-6", "--set", "dem.timestep_s=1.5e-2", *SOFT[4:]]
