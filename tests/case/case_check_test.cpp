@@ -40,6 +40,18 @@ TEST(CheckCase, QuickIsSound) {
   expect_findings(check(checkout), {});
 }
 
+TEST(CheckCase, QuickAsCalibratedIsSound) {
+  const Checkout checkout;
+  std::istringstream in(read_text(checkout.folder() / "calibrated.set"));
+  std::vector<Override> set;
+  for (std::string line; std::getline(in, line);) {
+    const auto sign = line.find('=');
+    set.push_back({line.substr(0, sign), line.substr(sign + 1)});
+  }
+  EXPECT_THAT(set, testing::Not(testing::IsEmpty()));
+  expect_findings(check(checkout, set), {});
+}
+
 TEST(CheckCase, EveryMissingFileAtOnce) {
   const Checkout checkout;
   for (const char* file : {"meshes/dipper.stl", "meshes/door.stl", "meshes/truck.stl",
