@@ -54,7 +54,8 @@ double largest_rock(const Case& c) {
 
 PileRig pile_rig(const Case& c, double size_m) {
   const double d = largest_rock(c);
-  return {size_m > 0 ? size_m : kPileSize * d, 4 * d, 3.5 * d};
+  const double size = size_m > 0 ? size_m : kPileSize * d;
+  return {size, 4 * d, std::max(size, 3.5 * d)};
 }
 
 double poured_mass(const Case& c, const PileRig& rig) {

@@ -19,7 +19,7 @@ double largest_rock(const Case& c);
 struct PileRig {
   double size_m = 0;   ///< lift of the sheet; the paper's 12.2 m are 14 of its largest rocks
   double width_m = 0;  ///< 4 of the largest rocks
-  double depth_m = 0;  ///< 3.5 of the largest rocks
+  double depth_m = 0;  ///< the lift (docs/calibration.md); at least 3.5 of the largest rocks
 };
 inline constexpr double kPileSize = 7;  ///< default lift, in largest rocks
 PileRig pile_rig(const Case& c, double size_m);
