@@ -8,9 +8,9 @@
 //   F_t = kt s_t - gammat m v_t        kt = C_tan kn, gammat = 2 D_t sqrt(kt/m)
 //   M  <= mu' r1 r2/(r1 + r2) kn d_n   rolling; against a wall mu' r kn d_n              (Eq. 8)
 //
-// M is reached through a spring, K_r = kt (r1 r2/(r1 + r2))^2 (Iwashita & Oda 1998): rolling at once
-// meets all of Eq. 8, and a rock at rest stays there. LIGGGHTS's cdt, Eq. 8 to the letter, turns M
-// against the last step's spin, which never dies: docs/rock.md.
+// M is reached through a spring, K_r = kt (r1 r2/(r1 + r2))^2 (Iwashita & Oda 1998): rolling at
+// once meets all of Eq. 8, and a rock at rest stays there. LIGGGHTS's cdt, Eq. 8 to the letter,
+// turns M against the last step's spin, which never dies: docs/rock.md.
 //
 // limitForce keeps F_n >= 0: rock does not stick. tests/deck/two_body_test and rolling_test hold
 // each line to its closed form. What LIGGGHTS does otherwise than the paper:
