@@ -73,6 +73,14 @@ class Start(RunTest):
         again, _ = self.run_case(self.folder / "again", *settings, case=case)
         self.assertIn("pile: cached", again)
 
+    def test_a_pile_that_flies_apart_is_not_dug(self):
+        """Far too soft for its fall: spheres are pressed through each other and thrown out of the box."""
+        _, err = self.run_case(self.folder / "soft", "--ranks", "1", "--set", "contact.normal_scale=2e-6",
+                               "--set", "dem.timestep_s=1.5e-2", "--set", "coupling.sync_steps=1",
+                               "--set", "coupling.timeout_s=60", "--set", "end_s=0.03", status=3)
+        self.assertIn("flew away", err)
+        self.assertIn("contact.normal_scale", err)
+
 
 def surface(right, left):
     """STL of a bench from x = 13 to 16 m that is that high on the right (y < 0) and the left."""
