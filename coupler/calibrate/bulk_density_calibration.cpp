@@ -31,6 +31,16 @@ class BoxCalibration {
   }
 
   int run() {
+    if (case_.rock.fines_fraction > 0) {
+      fmt::print("rock.fines_fraction: the box weighs rock alone; --set rock.fines_fraction=0\n");
+      return 2;
+    }
+    const double own = case_.rock.density_kg_m3;
+    const Case same = changed_case(request_, {{kKey, own}}, case_.seed);
+    if (std::abs(same.rock.density_kg_m3 / own - 1) > 1e-6) {
+      fmt::print("{}: an effect changes it; calibrate the case without that effect\n", kKey);
+      return 2;
+    }
     const double d = largest_rock(case_);
     const std::vector<double> rocks = poured_rocks(case_, poured_mass(case_, rig_));
     const std::string missing = missing_classes(case_, rocks);
@@ -66,7 +76,7 @@ class BoxCalibration {
 
     std::filesystem::create_directories(request_.out);
     write_runs_csv(runs, request_.out / "runs.csv");
-    write_overlay({{kKey, density}}, request_.out / "calibrated.set");
+    if (met) write_overlay({{kKey, density}}, request_.out / "calibrated.set");
     const Json json = {
         {"what", "bulk-density"},
         {"case", case_.name},
@@ -77,8 +87,10 @@ class BoxCalibration {
         {"confirmed", summary(density, after, interior(runs, "confirm"))},
         {"on_target", met}};
     std::ofstream(request_.out / "calibration.json") << json.dump(1) << '\n';
-    fmt::print("{}: runs.csv, calibration.json, calibrated.set\ndipper run {} --set {}={:.6g}\n",
-               request_.out.string(), request_.case_folder.string(), kKey, density);
+    fmt::print("{}: runs.csv, calibration.json{}\n", request_.out.string(),
+               met ? ", calibrated.set" : "");
+    if (met)
+      fmt::print("dipper run {} --set {}={:.6g}\n", request_.case_folder.string(), kKey, density);
     return 0;
   }
 

@@ -31,8 +31,8 @@ struct CalibrationRequest {
 inline constexpr double kPaperPileAngle_deg = 34.7;
 
 /// Exit status: 0 done; 2 the request or the case is wrong, nothing started. Throws Interrupted and
-/// std::runtime_error as run_decks does. Both leave runs.csv, calibration.json and, when the case
-/// should change, calibrated.set in `out`.
+/// std::runtime_error as run_decks does. Both leave runs.csv, calibration.json and, when a change
+/// of the case meets the target, calibrated.set in `out`.
 int calibrate_pile_angle(const CalibrationRequest& request);
 int calibrate_bulk_density(const CalibrationRequest& request);
 

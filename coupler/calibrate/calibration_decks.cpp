@@ -61,11 +61,11 @@ PileRig pile_rig(const Case& c, double size_m) {
 double poured_mass(const Case& c, const PileRig& rig) {
   const double slope = std::tan(kFlattest_deg * M_PI / 180);
   const double section = rig.size_m * rig.size_m / 2 / slope + rig.depth_m * rig.size_m;
-  return kPouredFraction * c.rock.density_kg_m3 * 2 * section * rig.width_m;
+  return kPouredFraction * laden_density(c) * 2 * section * rig.width_m;
 }
 
 double poured_mass(const Case& c, const BoxRig& rig) {
-  return kPouredFraction * c.rock.density_kg_m3 * kBoxPour * std::pow(rig.edge_m, 3);
+  return kPouredFraction * laden_density(c) * kBoxPour * std::pow(rig.edge_m, 3);
 }
 
 std::vector<double> poured_rocks(const Case& c, double mass_kg) {

@@ -1,15 +1,22 @@
 #include "coupler/calibrate/deck_runs.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "coupler/core/cache_folder.hpp"
+#include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/run/cache_entry.hpp"
 #include "coupler/run/installation.hpp"
@@ -25,20 +32,42 @@ fs::path sheet() { return source_folder() / "dem_in" / "sheet.stl"; }
 
 fs::path script(const DeckRun& run) { return source_folder() / "dem_in" / (run.deck + ".in"); }
 
+const char* const kWorkplace = "part.";  // its name begins so
+
+/// A file descriptor that holds the lock on a folder; -1 when another process does, or the folder
+/// is gone. The kernel drops the lock with the process, however that ends.
+int lock_folder(const fs::path& folder) {
+  const int fd = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd >= 0 && flock(fd, LOCK_EX | LOCK_NB) == 0 && fs::exists(folder)) return fd;
+  const int why = errno;
+  if (fd >= 0) close(fd);
+  if (why != EWOULDBLOCK && fs::exists(folder))
+    throw std::system_error(why, std::generic_category(), folder.string());
+  return -1;
+}
+
 /// A deck written to a folder of its own in the cache, gone at the end.
 class Workplace {
  public:
   explicit Workplace(const DeckRun& run) {
-    static int count = 0;
-    folder_ = cache_folder() / "calibrations" / fmt::format("{}.{}.part", getpid(), ++count);
-    fs::create_directories(folder_);
+    const fs::path all = cache_folder() / "calibrations";
+    fs::create_directories(all);
+    do {
+      std::string name = (all / kWorkplace).string() + "XXXXXX";
+      if (mkdtemp(name.data()) == nullptr)
+        throw std::system_error(errno, std::generic_category(), all.string());
+      folder_ = name;
+      lock_ = lock_folder(folder_);  // unless another's sweep has taken it first
+    } while (lock_ < 0);
     write_deck(run.c, run.c.rock.shape_folder, folder_ / "deck");
-    // The walls of the case's own bench: of no use here.
-    for (const char* unused : {"funnel.stl", "sides.stl"}) fs::remove(folder_ / "deck" / unused);
+    // The case's own bench: of no use here.
+    for (const char* unused : {"funnel.stl", "sides.stl", "outline.csv", "surface.stl"})
+      fs::remove(folder_ / "deck" / unused);
   }
   ~Workplace() {
     std::error_code gone;
     fs::remove_all(folder_, gone);
+    close(lock_);
   }
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
@@ -47,7 +76,23 @@ class Workplace {
 
  private:
   fs::path folder_;
+  int lock_ = -1;
 };
+
+/// Removes the workplaces of processes that were killed.
+void sweep() {
+  const fs::path all = cache_folder() / "calibrations";
+  std::vector<fs::path> workplaces;
+  std::error_code none;  // no folder yet
+  for (const auto& f : fs::directory_iterator(all, none))
+    if (f.path().filename().string().rfind(kWorkplace, 0) == 0) workplaces.push_back(f.path());
+  for (const fs::path& workplace : workplaces) {
+    const int lock = lock_folder(workplace);
+    if (lock < 0) continue;
+    fs::remove_all(workplace, none);
+    close(lock);
+  }
+}
 
 /// Of case.in only what the calibration decks read: the rest is the bench and the machine.
 std::string run_hash(const DeckRun& run, const fs::path& deck) {
@@ -78,10 +123,11 @@ struct Active {
 
 std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
   // Started in its own folder: on an error LIGGGHTS leaves a restart file where it stands.
+  const std::string binary = sticks(run.c) ? program("dipper-liggghts") : "liggghts";
   std::vector<std::string> words = {
-      "env",           "-C",           work.string(), "liggghts", "-in",  script(run).string(),
-      "-log",          "liggghts.log", "-screen",     "screen",   "-var", "deck",
-      "deck",          "-var",         "out",         ".",        "-var", "sheet_mesh",
+      "env",           "-C",           work.string(), binary,   "-in",  script(run).string(),
+      "-log",          "liggghts.log", "-screen",     "screen", "-var", "deck",
+      "deck",          "-var",         "out",         ".",      "-var", "sheet_mesh",
       sheet().string()};
   for (const auto& [name, value] : run.variables) words.insert(words.end(), {"-var", name, value});
   return words;
@@ -111,21 +157,30 @@ std::vector<bool> cached_runs(const std::vector<DeckRun>& runs) {
 std::vector<DeckResult> run_decks(
     const std::vector<DeckRun>& runs, int jobs,
     const std::function<void(std::size_t, const DeckResult&)>& finished) {
+  sweep();
   std::vector<DeckResult> results(runs.size());
   std::vector<Active> active;
   std::size_t next = 0;
+  std::exception_ptr failure;  // the first: what is at work then is finished and kept
   const auto done = [&](std::size_t i, DeckResult result) {
     results[i] = std::move(result);
     finished(i, results[i]);
   };
-  while (next < runs.size() || !active.empty()) {
-    while (next < runs.size() && active.size() < static_cast<std::size_t>(jobs)) {
+  const auto may_fail = [&](const auto& step) {
+    try {
+      step();
+    } catch (const std::exception&) {
+      if (!failure) failure = std::current_exception();
+    }
+  };
+  while ((next < runs.size() && !failure) || !active.empty()) {
+    while (next < runs.size() && !failure && active.size() < static_cast<std::size_t>(jobs)) {
       const DeckRun& run = runs[next];
       auto place = std::make_unique<Workplace>(run);
       const std::string hash = run_hash(run, place->folder() / "deck");
       const fs::path entry = entry_of(hash);
       if (is_there(run, entry)) {
-        done(next++, {entry / run.dump, hash, true, cost_of(entry)});
+        may_fail([&] { done(next++, {entry / run.dump, hash, true, cost_of(entry)}); });
         continue;
       }
       auto liggghts =
@@ -139,17 +194,20 @@ std::vector<DeckResult> run_decks(
         ++it;
         continue;
       }
-      const DeckRun& run = runs[it->index];
-      const fs::path work = it->place->folder();
-      if (!it->liggghts->succeeded() || !fs::exists(work / run.dump)) {
-        throw std::runtime_error(
-            fmt::format("{}.in failed with seed {}: {} ({})", run.deck, run.c.seed,
-                        last_words(work / "stderr", work / "screen"), *it->liggghts->ended()));
-      }
-      done(it->index, keep(run, *it));
+      may_fail([&] {
+        const DeckRun& run = runs[it->index];
+        const fs::path work = it->place->folder();
+        if (!it->liggghts->succeeded() || !fs::exists(work / run.dump)) {
+          throw std::runtime_error(
+              fmt::format("{}.in failed with seed {}: {} ({})", run.deck, run.c.seed,
+                          last_words(work / "stderr", work / "screen"), *it->liggghts->ended()));
+        }
+        done(it->index, keep(run, *it));
+      });
       it = active.erase(it);
     }
   }
+  if (failure) std::rethrow_exception(failure);
   return results;
 }
 

@@ -32,8 +32,9 @@ std::vector<bool> cached_runs(const std::vector<DeckRun>& runs);
 
 /// Runs what is not in the cache, `jobs` at a time, and tells of each as it ends, in any order.
 /// A result enters the cache whole or not at all, so two calls may work on the same runs, and what
-/// was finished before an interrupt or a failure is kept. Throws Interrupted after Ctrl-C;
-/// std::runtime_error naming the run and LIGGGHTS's own message when one fails.
+/// was finished before an interrupt or a failure is kept. Throws Interrupted after Ctrl-C; when a
+/// run fails, no other is begun, those at work are finished, then std::runtime_error names the run
+/// and LIGGGHTS's own message.
 std::vector<DeckResult> run_decks(
     const std::vector<DeckRun>& runs, int jobs,
     const std::function<void(std::size_t, const DeckResult&)>& finished);

@@ -11,6 +11,7 @@
 #include "coupler/calibrate/measured_run.hpp"
 #include "coupler/calibrate/request_check.hpp"
 #include "coupler/calibrate/response_surface.hpp"
+#include "coupler/calibrate/search_scale.hpp"
 #include "coupler/run/installation.hpp"
 
 namespace dipper {
@@ -22,37 +23,10 @@ using Parameters = std::vector<std::pair<std::string, double>>;
 constexpr int kSearchSeeds = 2;   // a point of the design
 constexpr int kConfirmSeeds = 5;  // of the case, or of the set found
 
-/// Between the ranges' ends and -1 ... 1.
-class Scale {
- public:
-  explicit Scale(const std::vector<SearchRange>& ranges) : ranges_(ranges) {}
-
-  Parameters values(const Point& x) const {
-    Parameters out;
-    for (std::size_t i = 0; i < ranges_.size(); ++i)
-      out.emplace_back(ranges_[i].key, middle(i) + half(i) * x[static_cast<Eigen::Index>(i)]);
-    return out;
-  }
-  Point point(const std::vector<double>& values) const {
-    Point x(static_cast<Eigen::Index>(ranges_.size()));
-    for (std::size_t i = 0; i < ranges_.size(); ++i)
-      x[static_cast<Eigen::Index>(i)] = (values[i] - middle(i)) / half(i);
-    return x;
-  }
-  double half(std::size_t i) const { return (ranges_[i].high - ranges_[i].low) / 2; }
-
- private:
-  double middle(std::size_t i) const { return (ranges_[i].high + ranges_[i].low) / 2; }
-  std::vector<SearchRange> ranges_;
-};
-
-/// The case's own values of the searched keys.
+/// The case's own values of the searched keys; checked_case has seen that they are numbers.
 std::vector<double> values_of(const Case& c, const std::vector<SearchRange>& ranges) {
   std::vector<double> out;
-  for (const SearchRange& r : ranges) {
-    const auto at = ("\n" + c.text).find("\n" + r.key + "=");
-    out.push_back(std::stod(c.text.substr(at + r.key.size() + 1)));
-  }
+  for (const SearchRange& r : ranges) out.push_back(value_of(c, r.key).value());
   return out;
 }
 
@@ -134,21 +108,21 @@ class PileCalibration {
             {"depth_m", rig_.depth_m}};
   }
 
+  bool on_target(const MeanOfSeeds& m) const {
+    return std::abs(m.mean - request_.target) <= request_.sigma;
+  }
+
   Json summary_of(const MeanOfSeeds& m) const {
     const double off = m.mean - request_.target;
-    return {{"mean_deg", m.mean},
-            {"seed_sigma_deg", m.sigma},
-            {"mean_sigma_deg", m.sigma_of_mean},
-            {"seeds", m.n},
-            {"off_target_deg", off},
-            {"on_target", std::abs(off) <= request_.sigma}};
+    return {{"mean_deg", m.mean}, {"seed_sigma_deg", m.sigma}, {"mean_sigma_deg", m.sigma_of_mean},
+            {"seeds", m.n},       {"off_target_deg", off},     {"on_target", on_target(m)}};
   }
 
   void print_mean(const char* of, const MeanOfSeeds& m) const {
     fmt::print(
         "{}: {:.2f} +- {:.2f} deg over {} seeds (one run: +- {:.2f}); target {:g} +- {:g}: {}\n",
         of, m.mean, m.sigma_of_mean, m.n, m.sigma, request_.target, request_.sigma,
-        std::abs(m.mean - request_.target) <= request_.sigma ? "met" : "missed");
+        on_target(m) ? "met" : "missed");
   }
 
   void write(const Json& json) const {
@@ -201,8 +175,10 @@ class PileCalibration {
     print_mean("the set found", m);
     json["confirmed"] = summary_of(m);
     std::filesystem::create_directories(request_.out);
-    write_overlay(set, request_.out / "calibrated.set");
+    const bool met = on_target(m);
+    if (met) write_overlay(set, request_.out / "calibrated.set");
     write(json);
+    if (!met) return 0;
     fmt::print("dipper run {}", request_.case_folder.string());
     for (const auto& [key, value] : set) fmt::print(" --set {}={:.6g}", key, value);
     fmt::print("\n");
@@ -278,7 +254,7 @@ class PileCalibration {
   CalibrationRequest request_;
   Case case_;
   PileRig rig_;
-  Scale scale_;
+  SearchScale scale_;
   std::vector<MeasuredRun> runs_;
 };
 

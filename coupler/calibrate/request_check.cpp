@@ -3,11 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <thread>
 
+#include "coupler/calibrate/search_scale.hpp"
 #include "coupler/case/check_command.hpp"
+#include "coupler/deck/liggghts_path.hpp"
+#include "coupler/run/installation.hpp"
 
 namespace dipper {
 namespace {
@@ -27,15 +31,42 @@ bool starts_with(const std::string& text, const std::string& begin) {
 std::string fault_of(const SearchRange& r) {
   if (!starts_with(r.key, "contact.") && !starts_with(r.key, "rock."))
     return "the pile does not depend on it; search keys of contact or rock";
-  for (const char* wall : {"friction_dipper", "friction_truck"})
+  for (const char* wall : {"friction_dipper", "friction_truck", "adhesion_Pa"})
     if (r.key == std::string("contact.") + wall)
-      return "there is no dipper and no truck at the pile; search friction_ground or that of rocks";
+      return "there is no dipper and no truck at the pile; search a key of the ground or the rocks";
+  if (r.key == "rock.bulk_density_kg_m3") return "it is measured, not searched";
   if (!(r.low < r.high))
     return fmt::format("{:g}:{:g} is no range; write LOW:HIGH with LOW below HIGH", r.low, r.high);
   return "";
 }
 
+/// What `dipper check` says of the first point of the search that it refuses; "" when none is.
+std::string fault_at_a_point(const CalibrationRequest& request) {
+  const SearchScale scale(request.search);
+  for (const Point& x : composite_design(static_cast<int>(request.search.size()))) {
+    std::vector<Finding> findings;
+    const Case c = load_case(request.case_folder, with(request, scale.values(x)), findings);
+    if (findings.empty()) findings = check_case(c);
+    if (findings.empty()) continue;
+    std::string at;
+    for (const auto& [key, value] : scale.values(x)) at += fmt::format(" {}={:g}", key, value);
+    return fmt::format("--search: at{}: {}", at, to_string(findings[0]));
+  }
+  return "";
+}
+
 }  // namespace
+
+std::optional<double> value_of(const Case& c, const std::string& key) {
+  const std::string text = "\n" + c.text, line = "\n" + key + "=";
+  const auto at = text.find(line);
+  if (at == std::string::npos) return std::nullopt;
+  const std::string value =
+      text.substr(at + line.size(), text.find('\n', at + 1) - at - line.size());
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  return end != value.c_str() && *end == '\0' ? std::optional(number) : std::nullopt;
+}
 
 std::optional<Case> checked_case(const CalibrationRequest& request) {
   std::vector<std::string> faults;
@@ -46,15 +77,6 @@ std::optional<Case> checked_case(const CalibrationRequest& request) {
     for (std::size_t j = 0; j < i; ++j)
       if (request.search[j].key == r.key)
         faults.push_back(fmt::format("--search: {}: given twice", r.key));
-    for (const double end : {r.low, r.high}) {
-      std::vector<Finding> findings;
-      load_case(request.case_folder, {{r.key, fmt::format("{:.9g}", end)}}, findings);
-      for (const Finding& f : findings) {
-        const std::string text = to_string(f);
-        if (f.key == r.key && std::find(faults.begin(), faults.end(), text) == faults.end())
-          faults.push_back(text);
-      }
-    }
   }
   if (request.search.size() > 3)
     faults.push_back("--search: one to three keys can be searched at once");
@@ -63,11 +85,22 @@ std::optional<Case> checked_case(const CalibrationRequest& request) {
     faults.push_back("--seeds 1 is too few to search one key; take 2 or more");
   if (std::filesystem::exists(request.out))
     faults.push_back(request.out.string() + " is there already; choose another --out");
+  if (!liggghts_takes(source_folder()))  // the deck and its sheet are there
+    faults.push_back(source_folder().string() + ": " + kLiggghtsRefuses);
   for (const std::string& fault : faults) std::cout << fault << '\n';
   if (check_command(request.case_folder, request.overrides, std::cout) != 0) return std::nullopt;
   if (!faults.empty()) return std::nullopt;
   std::vector<Finding> findings;
-  return load_case(request.case_folder, request.overrides, findings);
+  Case c = load_case(request.case_folder, request.overrides, findings);
+  if (!request.search.empty()) {
+    const std::string fault = fault_at_a_point(request);
+    if (!fault.empty()) faults.push_back(fault);
+  }
+  for (const SearchRange& r : request.search)
+    if (faults.empty() && !value_of(c, r.key))
+      faults.push_back(fmt::format("--search: {}: is not a number of this case", r.key));
+  for (const std::string& fault : faults) std::cout << fault << '\n';
+  return faults.empty() ? std::optional(std::move(c)) : std::nullopt;
 }
 
 Case changed_case(const CalibrationRequest& request,
@@ -77,6 +110,7 @@ Case changed_case(const CalibrationRequest& request,
   all.push_back({"seed", std::to_string(seed)});
   std::vector<Finding> findings;
   Case c = load_case(request.case_folder, all, findings);
+  if (findings.empty()) findings = check_case(c);
   if (!findings.empty()) throw std::invalid_argument(to_string(findings[0]));
   return c;
 }

@@ -9,6 +9,7 @@
 #include "coupler/case/check_parts.hpp"
 #include "coupler/case/mesh_facts.hpp"
 #include "coupler/deck/bench_surface.hpp"
+#include "coupler/deck/liggghts_path.hpp"
 #include "coupler/deck/outline_file.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/mesh/mesh_check.hpp"
@@ -62,6 +63,9 @@ void check_profile_points(const Case& c, Findings& findings) {
 std::optional<TriangleMesh> load_sound_mesh(const Case& c, const std::string& key,
                                             const fs::path& file, Findings& findings) {
   if (!file_exists(c, key, file, findings)) return std::nullopt;
+  if (!liggghts_takes(file))
+    findings.push_back(finding_at(
+        c, key, fmt::format("{}: {}; rename it or its folder", file.string(), kLiggghtsRefuses)));
   try {
     TriangleMesh mesh = read_stl(file);
     const auto faults = check_mesh(mesh);

@@ -242,7 +242,7 @@ void apply(YamlTree& root, const Override& set, std::vector<Finding>& findings) 
 
 bool is_identifier(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char ch) {
-    return std::isalnum(ch) || ch == '_' || ch == '-';
+    return std::isalnum(ch) || ch == '_';
   });
 }
 
@@ -253,7 +253,7 @@ void check_between_keys(const Case& c, std::vector<Finding>& findings) {
              return f.key == key || f.key.compare(0, key.size() + 1, key + ".") == 0;
            });
   };
-  const std::string word = "letters, digits, _ and - only";
+  const std::string word = "letters, digits and _ only";
 
   std::set<std::string> names;
   double percent = 0;

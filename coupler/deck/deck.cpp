@@ -75,7 +75,7 @@ std::string case_in(const Case& c) {
   text("split_x", std::to_string(split.parts[0]),
        "parts of the box along x and z; y takes the rest");
   text("split_z", std::to_string(split.parts[2]), "");
-  var("rock_density", c.rock.density_kg_m3, "kg/m3, of solid rock");
+  var("rock_density", laden_density(c), "kg/m3, of a rock, with the fines that move with it");
   const std::array<const char*, 3> axis = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) {
     var(fmt::format("{}lo", axis[static_cast<std::size_t>(i)]), c.domain.min_m[i], "m, box");

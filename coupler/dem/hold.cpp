@@ -221,7 +221,8 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
   const double dt = lmp_.update->dt;
   follow_loads(static_cast<double>(now - std::exchange(followed_, now)) * dt);
   // A dump shows all rock; it is written at the end of a step, within the window.
-  if (lmp_.output->next <= now + n_steps) return unpark();
+  const bool frame = lmp_.output->next <= now + n_steps;
+  if (frame) unpark();
   if (static_cast<double>(now - checked_) * dt < settings_.check_s) return;
   checked_ = now;
 
@@ -245,7 +246,7 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
   if (alarm || gather || park_again_) {
     std::vector<Rest> next = policy_.decide(flags_);
     expose(next, moving(next, settings_.layer_m, settings_.sight_s));
-    HoldPolicy::park(next, flags_);
+    if (!frame) HoldPolicy::park(next, flags_);
     // Lists are built anew for a change: not for a few rocks more at rest.
     const auto in_lists = static_cast<std::size_t>(std::count_if(
         policy_.all().begin(), policy_.all().end(), [](Rest r) { return r != Rest::parked; }));
@@ -253,7 +254,7 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
       for (std::size_t r = 0; r < next.size(); ++r)
         if (next[r] == Rest::moving) fixed_[r] = 0;
       apply(std::move(next));
-      park_again_ = false;
+      park_again_ = frame;
     }
   }
   // What is disturbed stays so until the next look at who is.

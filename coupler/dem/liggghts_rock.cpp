@@ -60,7 +60,7 @@ ServerInfo LiggghtsRock::info() const {
   info.channels.push_back({"particles", "1", "-"});  // spheres, those of the rocks included
   if (setup_.hold) info.channels.push_back({"rock_parked", "kg", "-"});
   if (setup_.crust) info.channels.push_back({"bonds", "1", "-"});  // of the crust, unbroken
-  if (!setup_.cleared.empty()) {  // at the start; the same in every row
+  if (!setup_.cleared.empty()) {  // at the start; 0 in the rows after a resume
     info.channels.push_back({"rocks_removed", "1", "-"});
     info.channels.push_back({"mass_removed", "kg", "-"});
   }
@@ -118,6 +118,8 @@ double LiggghtsRock::rock_mass() const { return weigh().at(setup_.scales.size())
 
 void LiggghtsRock::check_rock_came(double mass_before_kg) const {
   const double came = rock_mass() - mass_before_kg, wanted = setup_.fall->mass_kg;
+  if (lmp_->comm->me == 0)
+    fmt::print("of {:.0f} kg of rock that come down, {:.0f} kg found room\n", wanted, came);
   if (came > 0.8 * wanted) return;
   throw std::runtime_error(
       fmt::format("of {:.0f} kg of rock that come down, {:.0f} kg found room; take a lower "

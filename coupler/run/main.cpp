@@ -3,9 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <utility>
 
 #include "coupler/calibrate/calibrate_command.hpp"
 #include "coupler/case/check_command.hpp"
+#include "coupler/core/cache_folder.hpp"
+#include "coupler/deck/liggghts_path.hpp"
 #include "coupler/run/gap_command.hpp"
 #include "coupler/run/installation.hpp"
 #include "coupler/run/interrupt.hpp"
@@ -65,6 +68,14 @@ int run_command(const Words& words) {
   RunOptions options;
   options.out = run_folder(words, c.name);
   options.resume = words.resume;
+  for (const auto& [folder, remedy] :
+       {std::pair{options.out, "choose another --out"},
+        std::pair{cache_folder(), "set XDG_CACHE_HOME to another folder"}}) {
+    if (liggghts_takes(folder)) continue;
+    fmt::print(stderr, "dipper: {}: {}; {}\n", fs::absolute(folder).string(), kLiggghtsRefuses,
+               remedy);
+    return 2;
+  }
   const bool there = fs::exists(options.out / "record.h5");
   if (there && !words.resume) {
     fmt::print(stderr, "dipper: {} holds a run already; choose another --out, or --resume it\n",

@@ -53,11 +53,10 @@ Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
     const fs::path screen = logs / "settle.screen";
     const std::string binary = sticks(c) ? program("dipper-liggghts") : "liggghts";
     Process liggghts(
-        mpirun(c.dem.ranks,
-               {binary, "-in", (source_folder() / "dem_in" / "settle.in").string(), "-log",
-                (logs / "settle.liggghts").string(), "-screen", screen.string(), "-var", "deck",
-                deck.string(), "-var", "out", out.string(), "-var", "bench_cut",
-                program("bench-cut"), "-var", "ranks_y", std::to_string(c.dem.ranks)}),
+        mpirun(c.dem.ranks, {binary, "-in", (source_folder() / "dem_in" / "settle.in").string(),
+                             "-log", (logs / "settle.liggghts").string(), "-screen",
+                             screen.string(), "-var", "deck", deck.string(), "-var", "out",
+                             out.string(), "-var", "bench_cut", program("bench-cut")}),
         logs / "settle.log");
     while (!liggghts.wait(std::chrono::milliseconds(100))) {
       if (interrupts() > 0) {

@@ -69,8 +69,19 @@ class Calibrate(unittest.TestCase):
         self.assertIsNotNone(result["found"], angle)
         self.assertFalse(result["found"]["unique"])
         value = result["found"]["set"][ROLLING]["value"]
-        self.assertEqual((out / "calibrated.set").read_text(), f"{ROLLING}={value:.6g}\n")
-        self.assertEqual(result["confirmed"]["seeds"], 5)
+        # The surface of one key and three levels goes through the means: a parabola in -1 ... 1.
+        x, (a, b, c) = 2 * value - 1, angle.values()
+        self.assertAlmostEqual(b + x * (c - a) / 2 + x * x * ((a + c) / 2 - b), target, places=2)
+        confirmed = [float(r["angle_deg"]) for r in self.rows(out) if r["stage"] == "confirm"]
+        self.assertEqual(len(confirmed), 5)
+        mean = sum(confirmed) / 5
+        self.assertAlmostEqual(result["confirmed"]["mean_deg"], mean, places=3)
+        # Only a set that five other seeds confirm is offered for a case.
+        met = abs(mean - target) <= 1
+        self.assertIs(result["confirmed"]["on_target"], met)
+        self.assertEqual((out / "calibrated.set").exists(), met)
+        if met:
+            self.assertEqual((out / "calibrated.set").read_text(), f"{ROLLING}={value:.6g}\n")
         # Everything is there already: nothing is run again, and the figures are the same.
         again = ["--out", self.folder / "again"]
         text, _ = self.calibrate(*words, *again)
@@ -88,6 +99,15 @@ class Calibrate(unittest.TestCase):
         self.assertTrue(0.5 < fraction < 0.7, fraction)
         # Walls keep rock off: inside it is denser.
         self.assertGreater(result["confirmed"]["interior_kg_m3"], 1700)
+
+    def test_moist_rock_packs_less(self):
+        bulk = []
+        for cohesion in (0, 5e4):
+            out = self.folder / f"moist{cohesion:g}"
+            self.calibrate("bulk-density", TINY, *SOFT, "--seeds", 2, "--out", out,
+                           "--set", f"contact.cohesion_Pa={cohesion:g}")
+            bulk.append(json.loads((out / "calibration.json").read_text())["case_as_it_is"]["bulk_kg_m3"])
+        self.assertLess(bulk[1], 0.99 * bulk[0])
 
     def test_coarse_graining_keeps_the_bulk_density(self):
         """Rock, box and stiffness twice as large: the same bed, so the same density."""
@@ -123,9 +143,9 @@ class Calibrate(unittest.TestCase):
         self.assertEqual(process.returncode, 4, err)
         self.assertFalse((self.folder / "cut").exists())
         deadline = time.time() + 5
-        while any(name.endswith(".part") for name in self.cache()) and time.time() < deadline:
+        while any(name.startswith("part.") for name in self.cache()) and time.time() < deadline:
             time.sleep(0.1)
-        self.assertFalse([name for name in self.cache() if name.endswith(".part")])
+        self.assertFalse([name for name in self.cache() if name.startswith("part.")])
         process = self.start(*words)
         for line in process.stdout:
             if "runs (" in line:
@@ -148,6 +168,11 @@ class Calibrate(unittest.TestCase):
                 (["pile-angle", TINY, "--size", 0.5], "too small"),
                 (["bulk-density", TINY, "--size", 0.5], "too small"),
                 (["bulk-density", TINY, "--set", "rock.density_kg_m3=x"], "density_kg_m3"),
+                (["pile-angle", TINY, "--search", "rock.bulk_density_kg_m3=1800:1900"], "measured"),
+                (["pile-angle", TINY, "--search", "rock.classes.0.mass_percent=30:40"], "adds up"),
+                (["pile-angle", TINY, "--search", "contact.normal_scale=0.01:1"], "stability limit"),
+                (["bulk-density", TINY, "--set", "rock.fines_fraction=0.5"], "fines_fraction"),
+                (["bulk-density", TINY, "--set", "effects.rock_density=0.04"], "an effect"),
                 (["bulk-density", self.folder / "nowhere"], "nowhere")):
             with self.subTest(words=words):
                 out, err = self.calibrate(*words, "--out", self.folder / "bad", status=2)

@@ -70,6 +70,17 @@ TEST(CheckCase, EveryMissingFileAtOnce) {
        {file, checkout.line("shape_folder:"), "rock.shape_folder", "no such folder: "}});
 }
 
+TEST(CheckCase, MeshThatLiggghtsCannotName) {
+  Checkout checkout;
+  for (const char* type : {"stl", "yaml"})
+    fs::rename(checkout.root / "meshes" / (std::string("truck.") + type),
+               checkout.root / "meshes" / (std::string("my truck.") + type));
+  const int line = checkout.replace("mesh:", "mesh: ../../meshes/my truck.stl");
+  const fs::path truck = checkout.root / "meshes/my truck.stl";
+  expect_findings(check(checkout), {{checkout.file(), line, "truck.mesh",
+                                     truck.string() + ": LIGGGHTS takes no path with a blank"}});
+}
+
 TEST(CheckCase, BrokenMeshes) {
   const Checkout checkout;
   // A closed tetrahedron inside the dipper's reach, its fourth facet missing.

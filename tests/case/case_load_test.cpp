@@ -131,6 +131,8 @@ INSTANTIATE_TEST_SUITE_P(
                 -1, "rock.classes", "mass_percent adds up to 99.8; the classes must add up to 100"},
         Mistake{"name: d300", "- {name: d200, size_m: 0.3, mass_percent: 10, shapes: [block]}", 0,
                 "rock.classes.1.name", "'d200' names two classes"},
+        Mistake{"name: d300", "- {name: d-300, size_m: 0.3, mass_percent: 10, shapes: [block]}", 0,
+                "rock.classes.1.name", "is a name; write letters, digits and _ only"},
         Mistake{"name: d300", "- {name: d300, size_m: 0.3, mass_percent: 10, shapes: [../x]}", 0,
                 "rock.classes.1.shapes.0", "'../x' names no shape"},
         Mistake{"scheme", "scheme: corected", 0, "coupling.scheme",

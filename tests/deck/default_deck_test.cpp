@@ -4,8 +4,11 @@
 #include <cstdlib>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
+#include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/deck/pile_shape.hpp"
 #include "tests/deck/liggghts_run.hpp"
 #include "tests/deck/quick_case.hpp"
 
@@ -36,9 +39,20 @@ TEST(DefaultDeck, IsUpToDate) {
 
 TEST(DefaultDeck, ClassesHoldTheirShareOfTheMass) {
   const Case c = quick_case();
-  double mass = 0;
-  for (const ClassCount& k : rock_counts(c)) mass += k.rocks;
-  EXPECT_GT(mass, 1000);
+  const std::vector<ClassCount> counts = rock_counts(c);
+  const std::vector<RockClass> classes = rock_classes(c);
+  ASSERT_EQ(counts.size(), c.rock.classes.size());
+  double all = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) all += counts[i].rocks * classes[i].mass_kg;
+  EXPECT_NEAR(all, pile_shape(c).mass_kg, 1e-9 * all);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    EXPECT_NEAR(counts[i].rocks * classes[i].mass_kg / all, c.rock.classes[i].mass_percent / 100,
+                1e-9)
+        << counts[i].name;
+}
+
+TEST(DefaultDeck, RefusesAPileWithoutItsLargestRock) {
+  const Case c = quick_case();
   Case few = c;
   few.rock.coarse_graining = 12;
   EXPECT_THROW(write_deck(few, kSource / "meshes/rocks", fresh_folder("few")),

@@ -73,6 +73,12 @@ class Start(RunTest):
         again, _ = self.run_case(self.folder / "again", *settings, case=case)
         self.assertIn("pile: cached", again)
 
+    def test_a_folder_liggghts_cannot_name_is_refused(self):
+        out = self.folder / "my run"
+        _, err = self.run_case(out, "--ranks", "1", status=2)
+        self.assertIn("no path with a blank", err)
+        self.assertFalse(out.exists())
+
     def test_a_pile_that_flies_apart_is_not_dug(self):
         """Far too soft for its fall: spheres are pressed through each other and thrown out of the box."""
         _, err = self.run_case(self.folder / "soft", "--ranks", "1", "--set", "contact.normal_scale=2e-6",
