@@ -13,6 +13,7 @@ import unittest
 
 DIPPER = os.environ["DIPPER"]
 TINY = pathlib.Path(__file__).parent.parent / "run" / "tiny"
+DEM_IN = pathlib.Path(__file__).parents[2] / "dem_in"
 # Softer rock takes longer steps: a run takes seconds.
 SOFT = ["--set", "contact.normal_scale=2e-4", "--set", "dem.timestep_s=1.5e-3",
         "--set", "coupling.sync_steps=2"]
@@ -130,6 +131,19 @@ class Calibrate(unittest.TestCase):
         self.assertIn("flew away", err)
         self.assertIn("contact.normal_scale", err)
         self.assertFalse((self.folder / "soft").exists())
+
+    def test_rock_that_does_not_come_to_rest_is_not_measured(self):
+        self.calibrate("bulk-density", TINY, *SOFT, "--seeds", 1, "--out", self.folder / "rest")
+        deck = next((self.folder / "cache").glob("dipper/calibrations/*/box.dump")).parent / "deck"
+        for rest_speed, rests in ((0.02, True), (0, False)):
+            out = self.folder / f"rest{rest_speed}"
+            out.mkdir()
+            done = subprocess.run(
+                ["liggghts", "-in", DEM_IN / "calibrate_box.in", "-log", out / "log", "-var", "deck", deck,
+                 "-var", "out", out, "-var", "edge", "3.75", "-var", "rest_speed", str(rest_speed)],
+                cwd=out, text=True, capture_output=True, timeout=150)
+            self.assertEqual((out / "box.dump").exists(), rests)
+            self.assertEqual("ERROR: the rock does not come to rest" in done.stdout, not rests)
 
     def test_interrupt_keeps_what_is_finished(self):
         words = ["pile-angle", TINY, *SOFT, "--size", 2.4, "--seeds", 4, "--jobs", 1, "--out",
