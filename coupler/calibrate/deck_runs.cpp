@@ -57,7 +57,9 @@ class Workplace {
       if (mkdtemp(name.data()) == nullptr)
         throw std::system_error(errno, std::generic_category(), all.string());
       folder_ = name;
-      lock_ = lock_folder(folder_);  // unless another's sweep has taken it first
+      std::error_code gone;
+      fs::permissions(folder_, fs::perms(0755), gone);  // a cache may be shared; mkdtemp's are 0700
+      lock_ = lock_folder(folder_);                     // unless another's sweep has taken it first
     } while (lock_ < 0);
     write_deck(run.c, run.c.rock.shape_folder, folder_ / "deck");
     // The case's own bench: of no use here.
@@ -169,8 +171,12 @@ std::vector<DeckResult> run_decks(
   const auto may_fail = [&](const auto& step) {
     try {
       step();
-    } catch (const std::exception&) {
-      if (!failure) failure = std::current_exception();
+    } catch (const std::exception& e) {
+      if (failure) return;
+      failure = std::current_exception();
+      if (active.size() > 1)
+        fmt::print(stderr, "dipper: {}\nthose at work are finished first, Ctrl-C ends them\n",
+                   e.what());
     }
   };
   while ((next < runs.size() && !failure) || !active.empty()) {

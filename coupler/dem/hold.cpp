@@ -224,7 +224,7 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
   const bool frame = lmp_.output->next <= now + n_steps;
   if (frame) unpark();
   if (static_cast<double>(now - checked_) * dt < settings_.check_s) return;
-  checked_ = now;
+  if (!frame) checked_ = now;  // else the next window parks again
 
   std::vector<WallZone> near, soon;
   for (const auto& b : bodies) {
