@@ -134,7 +134,8 @@ class Calibrate(unittest.TestCase):
 
     def test_rock_that_does_not_come_to_rest_is_not_measured(self):
         self.calibrate("bulk-density", TINY, *SOFT, "--seeds", 1, "--out", self.folder / "rest")
-        deck = next((self.folder / "cache").glob("dipper/calibrations/*/box.dump")).parent / "deck"
+        kept = self.rows(self.folder / "rest")[0]["hash"]
+        deck = next((self.folder / "cache").glob(f"dipper/calibrations/{kept}*")) / "deck"
         for rest_speed, rests in ((0.02, True), (0, False)):
             out = self.folder / f"rest{rest_speed}"
             out.mkdir()
