@@ -44,13 +44,13 @@ std::string fault_of(const SearchRange& r) {
 std::string fault_at_a_point(const CalibrationRequest& request) {
   const SearchScale scale(request.search);
   for (const Point& x : composite_design(static_cast<int>(request.search.size()))) {
-    std::vector<Finding> findings;
-    const Case c = load_case(request.case_folder, with(request, scale.values(x)), findings);
-    if (findings.empty()) findings = check_case(c);
-    if (findings.empty()) continue;
-    std::string at;
-    for (const auto& [key, value] : scale.values(x)) at += fmt::format(" {}={:g}", key, value);
-    return fmt::format("--search: at{}: {}", at, to_string(findings[0]));
+    try {
+      changed_case(request, scale.values(x), 1);
+    } catch (const std::invalid_argument& e) {
+      std::string at;
+      for (const auto& [key, value] : scale.values(x)) at += fmt::format(" {}={:g}", key, value);
+      return fmt::format("--search: at{}: {}", at, e.what());
+    }
   }
   return "";
 }
