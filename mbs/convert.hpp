@@ -3,9 +3,9 @@
 
 #include <Simbody.h>
 
-#include "coupler/core/frames.hpp"
+#include "common/frames.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 
 inline SimTK::Vec3 vec(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 inline Vector3d vec(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
@@ -18,4 +18,4 @@ inline Pose pose(const SimTK::Transform& X) {
   return {Quaterniond(q[0], q[1], q[2], q[3]), vec(X.p())};
 }
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-namespace dipper {
+namespace dipper::mbs {
 
-DriveFriction::DriveFriction(const MachineData::Losses& losses, double sheave_radius,
+DriveFriction::DriveFriction(const machine::MachineData::Losses& losses, double sheave_radius,
                              SimTK::MobilizedBody handle, SimTK::MobilizedBody sheaves,
                              const Rope* left, const Rope* right)
     : losses_(losses),
@@ -36,4 +36,4 @@ double DriveFriction::dissipation(const SimTK::State& state) const {
          sheave_torque(state) * sheaves_.getOneU(state, 0);
 }
 
-}  // namespace dipper
+}  // namespace dipper::mbs

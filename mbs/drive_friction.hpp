@@ -4,10 +4,10 @@
 
 #include <Simbody.h>
 
-#include "coupler/motion/machine_data.hpp"
+#include "machine/machine_data.hpp"
 #include "mbs/rope.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 
 /// Coulomb friction, smoothed to v / kStandstill below that speed so that it has one value at rest:
 ///   crowd:  F = -crowd_friction s(v),           v the crowd's speed,  s(v) = tanh(v / kStandstill)
@@ -19,7 +19,7 @@ class DriveFriction : public SimTK::Force::Custom::Implementation {
   static constexpr double kStandstill = 0.02;  ///< m/s
 
   /// \param sheave_radius m; the sheaves' rate times it is the rope's speed
-  DriveFriction(const MachineData::Losses& losses, double sheave_radius,
+  DriveFriction(const machine::MachineData::Losses& losses, double sheave_radius,
                 SimTK::MobilizedBody handle, SimTK::MobilizedBody sheaves, const Rope* left,
                 const Rope* right);
 
@@ -35,11 +35,11 @@ class DriveFriction : public SimTK::Force::Custom::Implementation {
   double crowd_force(const SimTK::State& state) const;    ///< N on the handle's slide
   double sheave_torque(const SimTK::State& state) const;  ///< N m on the sheaves
 
-  MachineData::Losses losses_;
+  machine::MachineData::Losses losses_;
   double radius_;
   SimTK::MobilizedBody handle_, sheaves_;
   const Rope* left_;
   const Rope* right_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "coupler/motion/machine_condition.hpp"
-#include "coupler/motion/machine_data.hpp"
-#include "coupler/motion/motion.hpp"
 #include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
 #include "coupler/transport/serve.hpp"
+#include "machine/machine_condition.hpp"
+#include "machine/machine_data.hpp"
+#include "machine/motion.hpp"
 #include "mbs/shovel.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 Vector3d vector(const nlohmann::json& list) {
@@ -22,36 +22,38 @@ Vector3d vector(const nlohmann::json& list) {
 }
 
 void run(const char* config_file) {
-  const PeerConfig config = read_peer_config(config_file);
+  const transport::PeerConfig config = transport::read_peer_config(config_file);
   const auto& settings = config.settings;
   Pose X_W0;
   X_W0.p = vector(settings.at("base_position_m"));
   const double rake = settings.at("rake_angle_deg").get<double>() * M_PI / 180;
-  MachineCondition condition;
+  machine::MachineCondition condition;
   condition.crowd_friction_N = settings.at("crowd_friction_N").get<double>();
   condition.hoist_loss = settings.at("hoist_loss").get<double>();
   condition.rope_compliance = settings.at("rope_compliance").get<double>();
   condition.added_mass_kg = settings.at("added_mass_kg").get<double>();
   condition.added_center_m = vector(settings.at("added_center_m"));
   condition.added_inertia_kg_m2 = vector(settings.at("added_inertia_kg_m2"));
-  Shovel shovel(in_condition(load_machine(settings.at("model").get<std::string>()), condition),
-                Motion::load(settings.at("motion").get<std::string>()), X_W0, rake);
-  LcmTransport transport(config.lcm_url, {Channels::to_mbs});
-  serve(transport, Channels::to_mbs, Channels::from_mbs, config.identity,
-        [&](const Message& m) { return answer(shovel, m); });
+  Shovel shovel(machine::in_condition(
+                    machine::load_machine(settings.at("model").get<std::string>()), condition),
+                machine::Motion::load(settings.at("motion").get<std::string>()), X_W0, rake);
+  transport::LcmTransport transport(config.lcm_url, {transport::Channels::to_mbs});
+  transport::serve(transport, transport::Channels::to_mbs, transport::Channels::from_mbs,
+                   config.identity,
+                   [&](const core::Message& m) { return transport::answer(shovel, m); });
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::mbs
 
 int main(int argc, char** argv) {
-  dipper::die_with_parent();
+  dipper::transport::die_with_parent();
   if (argc != 2) {
     fmt::print(stderr, "usage: dipper-mbs CONFIG   (started by `dipper run`)\n");
     return 2;
   }
   try {
-    dipper::run(argv[1]);
+    dipper::mbs::run(argv[1]);
   } catch (const std::exception& e) {
     fmt::print(stderr, "dipper-mbs: {}\n", e.what());
     return 3;

@@ -1,11 +1,12 @@
 #include "mbs/prescribed.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 class DriveMotion : public SimTK::Motion::Custom::Implementation {
  public:
-  DriveMotion(std::shared_ptr<const Motion> motion, double Drives::*which, double scale)
+  DriveMotion(std::shared_ptr<const machine::Motion> motion, double machine::Drives::*which,
+              double scale)
       : motion_(std::move(motion)), which_(which), scale_(scale) {}
 
   DriveMotion* clone() const override { return new DriveMotion(*this); }
@@ -23,15 +24,15 @@ class DriveMotion : public SimTK::Motion::Custom::Implementation {
   }
 
  private:
-  std::shared_ptr<const Motion> motion_;
-  double Drives::*which_;
+  std::shared_ptr<const machine::Motion> motion_;
+  double machine::Drives::*which_;
   double scale_;
 };
 
 }  // namespace
 
-void prescribe(SimTK::MobilizedBody& joint, std::shared_ptr<const Motion> motion,
-               double Drives::*which, double scale) {
+void prescribe(SimTK::MobilizedBody& joint, std::shared_ptr<const machine::Motion> motion,
+               double machine::Drives::*which, double scale) {
   SimTK::Motion::Custom(joint, new DriveMotion(std::move(motion), which, scale));
 }
 
@@ -41,4 +42,4 @@ SimTK::Vector drive_forces(const SimTK::SimbodyMatterSubsystem& matter, const Si
   return -multipliers;  // Simbody's appear on the left of M udot + tau = f
 }
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "coupler/motion/sheave_path.hpp"
+#include "machine/sheave_path.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 
 /// One end in space.
 struct Rope::End {
@@ -32,11 +32,12 @@ Rope::Path Rope::path(const SimTK::State& state) const {
   };
   const auto in_plane = [&](const SimTK::Vec3& p_GE) {
     const SimTK::Vec3 p_S = ~X_GS.R() * (p_GE - X_GS.p()) - spec_.sheave_center;
-    return Vector2d(p_S[0], p_S[2]);
+    return Eigen::Vector2d(p_S[0], p_S[2]);
   };
   Path r{0, end(spec_.body_a, spec_.station_a), end(spec_.body_b, spec_.station_b),
          X_GS.R() * spec_.sheave_center};
-  const SheavePath plane = sheave_path(in_plane(r.a.p_GE), in_plane(r.b.p_GE), spec_.sheave_radius);
+  const machine::SheavePath plane =
+      machine::sheave_path(in_plane(r.a.p_GE), in_plane(r.b.p_GE), spec_.sheave_radius);
   r.length = plane.length;
   r.a.toward_G = X_GS.R() * SimTK::Vec3(plane.toward_a.x(), 0, plane.toward_a.y());
   r.b.toward_G = X_GS.R() * SimTK::Vec3(plane.toward_b.x(), 0, plane.toward_b.y());
@@ -96,4 +97,4 @@ double Rope::calcPotentialEnergy(const SimTK::State& state) const {
   return 0.5 * stiffness(free) * stretch * stretch;
 }
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-namespace dipper {
+namespace dipper::mbs {
 
 /// Where a rope runs and what it is made of.
 struct RopeSpec {
@@ -68,4 +68,4 @@ class Rope : public SimTK::Force::Custom::Implementation {
   std::function<FreeLength(double)> free_length_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::mbs

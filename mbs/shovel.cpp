@@ -7,15 +7,15 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupler/motion/kinematics.hpp"
-#include "coupler/motion/seconds.hpp"
+#include "common/seconds.hpp"
+#include "machine/kinematics.hpp"
 #include "mbs/convert.hpp"
 #include "mbs/prescribed.hpp"
 #include "mbs/shovel_model.hpp"
 #include "mbs/snapshot.hpp"
 #include "mbs/stepper.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 using SimTK::SpatialVec;
@@ -35,10 +35,10 @@ struct DriveReport {
 }  // namespace
 
 struct Shovel::Impl {
-  Impl(const MachineData& machine_data, Motion motion_in, const Pose& X_W0, double rake,
-       std::int64_t max_substep)
+  Impl(const machine::MachineData& machine_data, machine::Motion motion_in, const Pose& X_W0,
+       double rake, std::int64_t max_substep)
       : machine(machine_data),
-        motion(std::make_shared<const Motion>(std::move(motion_in))),
+        motion(std::make_shared<const machine::Motion>(std::move(motion_in))),
         model(machine, motion, X_W0, rake),
         max_substep_ns(max_substep),
         scratch(model.initial) {
@@ -47,7 +47,7 @@ struct Shovel::Impl {
       throw std::invalid_argument(fmt::format(
           "shovel: the motion starts at {} ns; it must start at 0", motion->start_ns()));
     }
-    find_equilibrium(ShovelKinematics(machine, X_W0, rake));
+    find_equilibrium(machine::ShovelKinematics(machine, X_W0, rake));
     energy_at_start = energy(scratch);
     remember(0, SimTK::Vector(kWorks, 0.0), {});
   }
@@ -91,9 +91,9 @@ struct Shovel::Impl {
     return model.saddle.getOneUDot(scratch, 0);
   }
 
-  void find_equilibrium(const ShovelKinematics& rigid) {
+  void find_equilibrium(const machine::ShovelKinematics& rigid) {
     hold({});
-    const Drives at_rest = motion->value(0);
+    const machine::Drives at_rest = motion->value(0);
     double high = rigid.saddle_angle(at_rest.hoist, at_rest.crowd);  // rope just slack: falls
     double low = high - 1e-3;
     while (saddle_acceleration(low) <= 0) {  // until the stretched rope pulls it up
@@ -149,7 +149,7 @@ struct Shovel::Impl {
   }
 
   /// Of the scratch State, realized to Acceleration.
-  MachineState report(std::int64_t t_ns, const SimTK::Vector& works) const;
+  core::MachineState report(std::int64_t t_ns, const SimTK::Vector& works) const;
 
   [[noreturn]] void fail(std::int64_t t0_ns, std::int64_t t1_ns, const std::string& what) const {
     throw std::runtime_error(fmt::format(
@@ -159,8 +159,8 @@ struct Shovel::Impl {
         committed.u[model.saddle.getFirstUIndex(scratch)]));
   }
 
-  MachineData machine;
-  std::shared_ptr<const Motion> motion;
+  machine::MachineData machine;
+  std::shared_ptr<const machine::Motion> motion;
   ShovelModel model;
   std::int64_t max_substep_ns;
   State scratch;
@@ -170,16 +170,16 @@ struct Shovel::Impl {
   double energy_at_start = 0;
 };
 
-Shovel::Shovel(const MachineData& machine, Motion motion, const Pose& X_W0, double rake,
-               std::int64_t max_substep_ns)
+Shovel::Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0,
+               double rake, std::int64_t max_substep_ns)
     : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns)) {}
 
 Shovel::~Shovel() = default;
 
-ServerInfo Shovel::info() const {
+core::ServerInfo Shovel::info() const {
   int major = 0, minor = 0, build = 0;
   SimTK_version_simbody(&major, &minor, &build);
-  ServerInfo info;
+  core::ServerInfo info;
   info.version = fmt::format("dipper-mbs, Simbody {}.{}.{}", major, minor, build);
   info.bodies = {"dipper", "door"};
   info.timestep_s = seconds(impl_->max_substep_ns);
@@ -217,16 +217,16 @@ ServerInfo Shovel::info() const {
   return info;
 }
 
-MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& works) const {
+core::MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& works) const {
   const State& s = scratch;
-  MachineState out;
+  core::MachineState out;
   out.t_ns = t_ns;
   for (std::size_t i = 0; i < kBodies; ++i) {
     const SpatialVec& V = body(i).getBodyVelocity(s);
     out.bodies.push_back({pose(body(i).getBodyTransform(s)), {vec(V[0]), vec(V[1])}});
   }
   const DriveReport d = drives(s);
-  const DriveState drive = motion->at(seconds(t_ns));
+  const machine::DriveState drive = motion->at(seconds(t_ns));
   const double kinetic = model.system.calcKineticEnergy(s);
   const double potential = model.system.calcPotentialEnergy(s);
   const double residual = kinetic + potential - energy_at_start - works[kDriveWork] -
@@ -264,14 +264,15 @@ MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& works)
   return out;
 }
 
-MachineState Shovel::state() {
+core::MachineState Shovel::state() {
   impl_->recall(impl_->committed);
   realize_at(impl_->model.system, impl_->scratch, seconds(impl_->committed.t_ns));
   impl_->scratch_is_committed = true;
   return impl_->report(impl_->committed.t_ns, impl_->committed.works);
 }
 
-MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W, bool commit) {
+core::MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
+                                bool commit) {
   const std::int64_t t0_ns = impl_->committed.t_ns;
   if (t_end_ns <= t0_ns) {
     throw std::invalid_argument(fmt::format(
@@ -308,16 +309,16 @@ MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo
   if (!is_finite(impl_->scratch.getQ()) || !is_finite(impl_->scratch.getU()) || !is_finite(works)) {
     impl_->fail(t0_ns, t_end_ns, "the state is not finite");
   }
-  MachineState result = impl_->report(t_end_ns, works);
+  core::MachineState result = impl_->report(t_end_ns, works);
   if (commit) impl_->remember(t_end_ns, works, from.F_Bo_W);
   return result;
 }
 
-void Shovel::save(const std::filesystem::path& file) { dipper::save(impl_->committed, file); }
+void Shovel::save(const std::filesystem::path& file) { dipper::mbs::save(impl_->committed, file); }
 
 void Shovel::load(const std::filesystem::path& file) {
   impl_->committed = load_snapshot(file, impl_->committed);
   impl_->scratch_is_committed = false;
 }
 
-}  // namespace dipper
+}  // namespace dipper::mbs

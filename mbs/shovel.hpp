@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "coupler/core/server.hpp"
-#include "coupler/motion/machine_data.hpp"
-#include "coupler/motion/motion.hpp"
+#include "machine/machine_data.hpp"
+#include "machine/motion.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 
 /// Bodies "dipper" (frame B) and "door" (frame D); the pose of each is X_WB, X_WD.
 ///
@@ -25,19 +25,20 @@ namespace dipper {
 /// Errors: std::runtime_error naming what, where, when if a wrench or the result is not finite,
 /// or a joint leaves the range in which the ropes' path exists; std::invalid_argument for a wrong
 /// number of wrenches or a window that does not go forward.
-class Shovel : public Machine {
+class Shovel : public core::Machine {
  public:
   /// \param X_W0 pose of the crawlers' ring (the house at swing 0) in W
   /// \param rake handle centre line to dipper floor, rad
   /// \param max_substep_ns the longest integrator step; windows are cut into equal ones.
   ///        The stiffest mode, the empty dipper on the ropes, has a period of about 200 ms.
-  Shovel(const MachineData& machine, Motion motion, const Pose& X_W0, double rake,
+  Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0, double rake,
          std::int64_t max_substep_ns = 2'000'000);
   ~Shovel() override;
 
-  ServerInfo info() const override;
-  MachineState state() override;
-  MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W, bool commit) override;
+  core::ServerInfo info() const override;
+  core::MachineState state() override;
+  core::MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
+                          bool commit) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
 
@@ -46,4 +47,4 @@ class Shovel : public Machine {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -3,7 +3,7 @@
 #include "mbs/convert.hpp"
 #include "mbs/prescribed.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 using SimTK::Rotation;
@@ -21,8 +21,9 @@ SimTK::MassProperties solid(double mass, const Vec3& center, const Vec3& central
 
 }  // namespace
 
-ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> motion,
-                         const Pose& X_W0, double rake)
+ShovelModel::ShovelModel(const machine::MachineData& m,
+                         std::shared_ptr<const machine::Motion> motion, const Pose& X_W0,
+                         double rake)
     : matter(system), forces(system) {
   forces.setNumberOfThreads(1);  // one order of summation, and nothing here is worth a thread
   const SimTK::Force::UniformGravity gravity(forces, matter, Vec3(0, 0, -kGravity));
@@ -30,14 +31,14 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
   house = SimTK::MobilizedBody::Pin(
       matter.Ground(), transform(X_W0),
       SimTK::Body::Rigid(solid(m.house.mass, Vec3(0), Vec3(m.house.swing_inertia))), Transform());
-  prescribe(house, motion, &Drives::swing);
+  prescribe(house, motion, &machine::Drives::swing);
 
   // The upper rope is rigid, so the sheaves turn with the rope paid out.
   sheaves = SimTK::MobilizedBody::Pin(
       house, Transform(z_to_y(), vec(m.boom.point)),
       SimTK::Body::Rigid(solid(m.boom.sheave_mass, Vec3(0), Vec3(m.boom.sheave_inertia))),
       Transform(z_to_y()));
-  prescribe(sheaves, motion, &Drives::hoist, 1 / m.boom.sheave_radius);
+  prescribe(sheaves, motion, &machine::Drives::hoist, 1 / m.boom.sheave_radius);
 
   saddle = SimTK::MobilizedBody::Pin(
       house, Transform(z_to_minus_y(), vec(m.saddle.position)),
@@ -51,7 +52,7 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
       SimTK::Body::Rigid(
           solid(m.handle.mass, Vec3(m.handle.mass_center, 0, 0), vec(m.handle.inertia))),
       Transform());
-  prescribe(handle, motion, &Drives::crowd);
+  prescribe(handle, motion, &machine::Drives::crowd);
 
   const Rotation R_EB(-rake, SimTK::YAxis);
   dipper = SimTK::MobilizedBody::Weld(
@@ -63,7 +64,7 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
       dipper, Transform(z_to_y(), vec(m.door.hinge)),
       SimTK::Body::Rigid(solid(m.door.mass, vec(m.door.mass_center), vec(m.door.inertia))),
       Transform(z_to_y()));
-  prescribe(door, motion, &Drives::door);
+  prescribe(door, motion, &machine::Drives::door);
 
   const auto hang = [&](double side) {
     const Vec3 mirror(1, side, 1);
@@ -80,7 +81,7 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
     spec.damping = m.rope.damping;
     const double at_zero = m.rope.length_at_zero_hoist;
     auto* rope = new Rope(spec, [motion, at_zero](double t_s) {
-      const DriveState s = motion->at(t_s);
+      const machine::DriveState s = motion->at(t_s);
       return FreeLength{at_zero + s.position.hoist, s.rate.hoist};
     });
     const SimTK::Force::Custom force(forces, rope);  // takes ownership
@@ -99,4 +100,4 @@ ShovelModel::ShovelModel(const MachineData& m, std::shared_ptr<const Motion> mot
   system.realizeModel(initial);
 }
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -5,13 +5,13 @@
 
 #include <memory>
 
-#include "coupler/core/frames.hpp"
-#include "coupler/motion/machine_data.hpp"
-#include "coupler/motion/motion.hpp"
+#include "common/frames.hpp"
+#include "machine/machine_data.hpp"
+#include "machine/motion.hpp"
 #include "mbs/drive_friction.hpp"
 #include "mbs/rope.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 
 constexpr double kGravity = 9.81;  ///< m/s^2, along W's -z; the decks' value
 
@@ -25,8 +25,8 @@ constexpr double kGravity = 9.81;  ///< m/s^2, along W's -z; the decks' value
 ///   dipper - hinge about y, prescribed - door (frame D)
 ///   two ropes from the house over the sheaves to the dipper's bail
 struct ShovelModel {
-  ShovelModel(const MachineData& machine, std::shared_ptr<const Motion> motion, const Pose& X_W0,
-              double rake);
+  ShovelModel(const machine::MachineData& machine, std::shared_ptr<const machine::Motion> motion,
+              const Pose& X_W0, double rake);
   ShovelModel(const ShovelModel&) = delete;
   ShovelModel& operator=(const ShovelModel&) = delete;
 
@@ -41,4 +41,4 @@ struct ShovelModel {
   SimTK::State initial;                     ///< realized to Model
 };
 
-}  // namespace dipper
+}  // namespace dipper::mbs

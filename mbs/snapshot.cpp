@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 // The file: these 8 bytes, the sizes of q, u and works, then time, q, u, works and wrenches as
@@ -88,4 +88,4 @@ Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like) 
   return s;
 }
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "coupler/core/frames.hpp"
+#include "common/frames.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 
 /// The shovel's state at a tick. Simbody's State is scratch that is set from this, so going back
 /// is free, and a run that was saved, loaded or predicted cannot differ by a bit.
@@ -30,4 +30,4 @@ void save(const Snapshot& snapshot, const std::filesystem::path& file);
 /// Throws std::runtime_error naming the file and what is wrong with it.
 Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like);
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -1,8 +1,8 @@
 #include "mbs/stepper.hpp"
 
-#include "coupler/motion/seconds.hpp"
+#include "common/seconds.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 
 void realize_at(const SimTK::MultibodySystem& system, SimTK::State& state, double t_s) {
   if (state.getTime() != t_s) state.setTime(t_s);  // setting it undoes every realization
@@ -55,4 +55,4 @@ void advance(const SimTK::MultibodySystem& system, SimTK::State& state, std::int
   realize_at(system, state, seconds(t1_ns));
 }
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace dipper {
+namespace dipper::mbs {
 
 /// Rates [unit/s] of quantities to integrate along with the motion (works, from powers), at a
 /// state realized to Acceleration.
@@ -28,4 +28,4 @@ void advance(const SimTK::MultibodySystem& system, SimTK::State& state, std::int
              std::int64_t t1_ns, std::int64_t max_substep_ns, const Quadrature& quadrature,
              SimTK::Vector& integrals);
 
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -4,12 +4,12 @@
 
 #include <array>
 
-#include "analysis/line_reader.hpp"
-#include "analysis/wall_fields.hpp"
+#include "analysis/io/line_reader.hpp"
+#include "analysis/rock/wall_fields.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
-std::vector<MovingWall> replay_walls(const RunFolder& run) {
+std::vector<MovingWall> replay_walls(const run::RunFolder& run) {
   std::vector<MovingWall> walls;
   for (const auto& [name, mesh] : run.meshes) {
     const auto recorded = run.signals.walls.find(name);
@@ -27,11 +27,11 @@ std::vector<MovingWall> replay_walls(const RunFolder& run) {
   return walls;
 }
 
-DumpReplay::DumpReplay(const DumpFolder& dumps, std::vector<MovingWall> walls) : dumps_(dumps) {
+DumpReplay::DumpReplay(const io::DumpFolder& dumps, std::vector<MovingWall> walls) : dumps_(dumps) {
   for (auto& w : walls) {
     const auto found = dumps.walls.find(w.wall.name);
     if (found != dumps.walls.end() && !found->second.empty()) {
-      const WallFrame first = read_wall_frame(found->second.begin()->second);
+      const rock::WallFrame first = rock::read_wall_frame(found->second.begin()->second);
       const bool same = first.mesh.triangles.size() == w.wall.mesh.triangles.size();
       for (const auto& [name, values] : first.fields)
         if (same) w.wall.fields.push_back(name);
@@ -49,20 +49,21 @@ void DumpReplay::read_walls(std::int64_t step, ReplayFrame& frame) const {
     auto& values = frame.values.emplace_back();
     if (walls_[w].fields.empty()) continue;
     const auto& file = dumps_.walls.at(walls_[w].name).at(step);
-    WallFrame dump = read_wall_frame(file);
+    rock::WallFrame dump = rock::read_wall_frame(file);
     for (const std::string& field : walls_[w].fields) {
       const std::vector<double>& all = dump.fields[field];
       if (all.size() != walls_[w].mesh.triangles.size())
-        throw input_error(file, dump.line[field],
-                          fmt::format("{} has {} for {} triangles, the wall has {}", walls_[w].name,
-                                      field, all.size(), walls_[w].mesh.triangles.size()));
+        throw io::input_error(
+            file, dump.line[field],
+            fmt::format("{} has {} for {} triangles, the wall has {}", walls_[w].name, field,
+                        all.size(), walls_[w].mesh.triangles.size()));
       values.emplace_back(all.begin(), all.end());
     }
   }
 }
 
 void DumpReplay::read(std::size_t index, ReplayFrame& frame, const Keep& keep) const {
-  const DumpFrame& dump = dumps_.frames.at(index);
+  const io::DumpFrame& dump = dumps_.frames.at(index);
   std::vector<std::string> columns = {"id", "x", "y", "z", "radius"};
   const auto optional = [&](const char* name) -> std::size_t {
     if (!dump.has(name)) return 0;  // the place of "id", which none of them is
@@ -75,7 +76,7 @@ void DumpReplay::read(std::size_t index, ReplayFrame& frame, const Keep& keep) c
   frame.time_s = dumps_.time_s.at(index);
   read_walls(dump.step, frame);
   frame.spheres.clear();
-  DumpReader::read(dump, columns, [&](const ParticleChunk& chunk) {
+  io::DumpReader::read(dump, columns, [&](const io::ParticleChunk& chunk) {
     for (std::size_t i = 0; i < chunk.rows; ++i) {
       const auto value = [&](std::size_t column) { return chunk.columns[column][i]; };
       ReplaySphere s;
@@ -94,4 +95,4 @@ void DumpReplay::read(std::size_t index, ReplayFrame& frame, const Keep& keep) c
   });
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

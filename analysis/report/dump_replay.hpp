@@ -3,11 +3,11 @@
 
 #include <functional>
 
-#include "analysis/dump_folder.hpp"
+#include "analysis/io/dump_folder.hpp"
 #include "analysis/report/replay_source.hpp"
-#include "analysis/run_folder.hpp"
+#include "analysis/run/run_folder.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 /// A wall and where it is when.
 struct MovingWall {
@@ -17,7 +17,7 @@ struct MovingWall {
 
 /// The walls of a run, or of dumps with a mesh and poses: dipper and door on their tracks, the
 /// truck where it stands. `run` has to outlive them.
-std::vector<MovingWall> replay_walls(const RunFolder& run);
+std::vector<MovingWall> replay_walls(const run::RunFolder& run);
 
 /// Walls have the fields that their dumps have of every triangle, its number apart.
 ///
@@ -25,7 +25,7 @@ std::vector<MovingWall> replay_walls(const RunFolder& run);
 /// there.
 class DumpReplay : public ReplaySource {
  public:
-  DumpReplay(const DumpFolder& dumps, std::vector<MovingWall> walls);
+  DumpReplay(const io::DumpFolder& dumps, std::vector<MovingWall> walls);
 
   const std::vector<ReplayWall>& walls() const override { return walls_; }
   const std::vector<double>& times_s() const override { return dumps_.time_s; }
@@ -34,9 +34,9 @@ class DumpReplay : public ReplaySource {
  private:
   void read_walls(std::int64_t step, ReplayFrame& frame) const;
 
-  const DumpFolder& dumps_;
+  const io::DumpFolder& dumps_;
   std::vector<ReplayWall> walls_;
   std::vector<std::function<BodyState(double)>> states_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 std::vector<std::uint8_t> gzip(const std::uint8_t* data, std::size_t size) {
   constexpr int kGzipFormat = 16 + MAX_WBITS;  // zlib.h: 16 asks for a gzip header
@@ -44,4 +44,4 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "coupler/record/record.hpp"
+#include "common/record/record.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 void read_curves(const std::filesystem::path& record, ReportInput& input) {
   static constexpr std::pair<const char*, const char*> kChannels[] = {
@@ -15,9 +15,9 @@ void read_curves(const std::filesystem::path& record, ReportInput& input) {
       {"rock/mass_in_truck", "kg"},      {"coupling/rock_work", "J"},
       {"coupling/energy_residual", "J"}, {"sync_s", "s"},
   };
-  input.time_s = read_channel(record, "time_s");
+  input.time_s = record::read_channel(record, "time_s");
   for (const auto& [name, unit] : kChannels) {
-    input.curves.push_back({name, unit, read_channel(record, name)});
+    input.curves.push_back({name, unit, record::read_channel(record, name)});
   }
   // A run under way may have flushed one dataset and not yet the next.
   for (auto& c : input.curves) {
@@ -31,4 +31,4 @@ void read_curves(const std::filesystem::path& record, ReportInput& input) {
   input.curves.push_back(std::move(dig));
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -3,10 +3,10 @@
 
 #include "analysis/report/report_page.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 /// Fills `time_s` and `curves`: drives, rock and coupling, and "dig_force" [N], the paper's Eq. 11.
 /// Throws std::runtime_error naming file and dataset.
 void read_curves(const std::filesystem::path& record, ReportInput& input);
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -6,7 +6,7 @@
 
 #include "analysis/report/packing.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 namespace {
 
 using json = nlohmann::json;
@@ -15,7 +15,7 @@ using json = nlohmann::json;
 double rounded(double x, double per_unit) { return std::round(x * per_unit) / per_unit; }
 
 /// Nine numbers a triangle [m], to the millimetre.
-json triangles(const TriangleMesh& mesh) {
+json triangles(const mesh::TriangleMesh& mesh) {
   json flat = json::array();
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     for (const auto& corner : mesh.corners(k)) {
@@ -139,4 +139,4 @@ ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limit
   return {std::move(head), std::move(encoded->blocks)};
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

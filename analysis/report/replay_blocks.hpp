@@ -10,7 +10,7 @@
 
 #include "analysis/report/replay_encoder.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 struct ReplayLimits {
   std::size_t spheres_max = 40000;
@@ -26,4 +26,4 @@ struct ReplayBlocks {
 
 ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limits = {});
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dipper {
+namespace dipper::analysis::report {
 namespace {
 
 constexpr double kSteps = 65535;
@@ -107,4 +107,4 @@ void ReplayEncoder::encode(const ReplayFrame& frame, std::vector<std::uint8_t>& 
   }
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -21,7 +21,7 @@
 
 #include "analysis/report/replay_source.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 constexpr double kStill_m = 0.002;  ///< less than a pixel of the replay
 
@@ -38,7 +38,7 @@ class ReplayExtent {
   void add(const ReplaySphere& sphere);
   void add_values(const ReplayFrame& frame, const std::vector<ReplayWall>& walls);
 
-  BoundingBox box;  ///< of all centres
+  mesh::BoundingBox box;  ///< of all centres
   double speed_max_m_s = 0;
   std::map<std::string, double> field_max;  ///< of the walls' fields, by name
   std::size_t one_in = 1;
@@ -70,4 +70,4 @@ class ReplayEncoder {
   bool first_ = true;
 };
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

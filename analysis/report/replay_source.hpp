@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "coupler/core/frames.hpp"
-#include "coupler/mesh/triangle_mesh.hpp"
+#include "common/frames.hpp"
+#include "common/mesh/triangle_mesh.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 /// One sphere of one frame, in W.
 struct ReplaySphere {
@@ -25,7 +25,7 @@ struct ReplaySphere {
 /// A wall. Its mesh is drawn in its own frame, its state says where that frame is.
 struct ReplayWall {
   std::string name;  ///< "dipper", "door", "truck"; other names are drawn too
-  TriangleMesh mesh;
+  mesh::TriangleMesh mesh;
   std::vector<std::string> fields = {};  ///< what is known of each triangle: pressure, wear
 };
 
@@ -51,4 +51,4 @@ class ReplaySource {
   virtual void read(std::size_t index, ReplayFrame& frame, const Keep& keep) const = 0;
 };
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

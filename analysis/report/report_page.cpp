@@ -14,7 +14,7 @@
 #include "analysis/report/thin_curve.hpp"
 #include "analysis/report/web_bundle.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 namespace {
 
 using json = nlohmann::json;
@@ -166,4 +166,4 @@ void write_report_page(const std::string& title, const ReportInput& input,
   }
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

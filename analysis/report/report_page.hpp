@@ -9,7 +9,7 @@
 #include "analysis/report/replay_blocks.hpp"
 #include "analysis/report/replay_source.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 /// One signal for the page, as it was recorded; the writer thins it out.
 struct ReportCurve {
@@ -36,4 +36,4 @@ std::string report_page(const std::string& title, const ReportInput& input,
 void write_report_page(const std::string& title, const ReportInput& input,
                        const std::filesystem::path& file);
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -4,9 +4,9 @@
 #include "analysis/report/record_curves.hpp"
 #include "analysis/report/report_page.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
-void write_run_page(const RunFolder& run, const DumpFolder& dumps,
+void write_run_page(const run::RunFolder& run, const io::DumpFolder& dumps,
                     const nlohmann::ordered_json& metrics, const std::filesystem::path& file) {
   const DumpReplay replay(dumps, replay_walls(run));
   ReportInput input;
@@ -25,4 +25,4 @@ void write_run_page(const RunFolder& run, const DumpFolder& dumps,
   write_report_page(title, input, file);
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "analysis/dump_folder.hpp"
-#include "analysis/run_folder.hpp"
+#include "analysis/io/dump_folder.hpp"
+#include "analysis/run/run_folder.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 /// `metrics` as docs/metrics.md says. Throws what the record's and the dumps' readers throw, and
 /// std::runtime_error when the file cannot be written.
-void write_run_page(const RunFolder& run, const DumpFolder& dumps,
+void write_run_page(const run::RunFolder& run, const io::DumpFolder& dumps,
                     const nlohmann::ordered_json& metrics, const std::filesystem::path& file);
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dipper {
+namespace dipper::analysis::report {
 namespace {
 
 /// Where the plane h = 0 cuts a triangle with heights h at its corners.
@@ -20,12 +20,13 @@ bool cut(const std::array<Eigen::Vector3d, 3>& corners, SliceSegment& segment) {
 
 }  // namespace
 
-SlicePlane::SlicePlane(const BodyState& dipper, const TriangleMesh& mesh, const SliceWindow& window)
+SlicePlane::SlicePlane(const BodyState& dipper, const mesh::TriangleMesh& mesh,
+                       const SliceWindow& window)
     : window_(window), origin_(dipper.X_WB.p) {
   const Vector3d lateral = dipper.X_WB.R * Vector3d::UnitY();
   out_ = lateral.cross(Vector3d::UnitZ()).normalized();
   side_ = Vector3d::UnitZ().cross(out_);
-  const BoundingBox box = bounding_box(mesh);
+  const mesh::BoundingBox box = mesh::bounding_box(mesh);
   middle_ = seen(dipper.X_WB * Vector3d(0.5 * (box.min + box.max)));
 }
 
@@ -83,4 +84,4 @@ Slice slice(const ReplayFrame& frame, const std::vector<ReplayWall>& walls, std:
   return s;
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -6,7 +6,7 @@
 
 #include "analysis/report/replay_source.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 /// The vertical plane through the dipper's origin that its lateral axis is normal to; `out` points
 /// to the face, `up` away from the ground [m], both from the dipper's origin.
@@ -33,7 +33,8 @@ struct SliceWindow {
 /// Where the slice is cut in one frame; the window is about the middle of the dipper's mesh.
 class SlicePlane {
  public:
-  SlicePlane(const BodyState& dipper, const TriangleMesh& mesh, const SliceWindow& window = {});
+  SlicePlane(const BodyState& dipper, const mesh::TriangleMesh& mesh,
+             const SliceWindow& window = {});
 
   /// (out, to the left, up) of a point in W, from the dipper's origin.
   Vector3d seen(const Vector3d& p_W) const;
@@ -49,4 +50,4 @@ class SlicePlane {
 Slice slice(const ReplayFrame& frame, const std::vector<ReplayWall>& walls, std::size_t dipper,
             const SliceWindow& window = {});
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dipper {
+namespace dipper::analysis::report {
 namespace {
 
 /// Calls do(begin, end) for each bin.
@@ -45,4 +45,4 @@ std::vector<double> thin_values(const std::vector<double>& values, std::size_t b
   return out;
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

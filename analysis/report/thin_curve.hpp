@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 /// Which rows a page keeps: for each of `bins` equal numbers of rows the first and the middle one
 /// give the times; all of them when there are no more rows than that.
@@ -14,4 +14,4 @@ std::vector<double> thin_times(const std::vector<double>& time_s, std::size_t bi
 /// values as `thin_times` has times. Values that are no numbers are passed over.
 std::vector<double> thin_values(const std::vector<double>& values, std::size_t bins);
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

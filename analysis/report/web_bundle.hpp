@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 extern const std::string_view kReportScript;
 extern const std::string_view kReportStyle;
 
-}  // namespace dipper
+}  // namespace dipper::analysis::report

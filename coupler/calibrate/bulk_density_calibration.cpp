@@ -10,9 +10,9 @@
 #include "coupler/calibrate/calibration_decks.hpp"
 #include "coupler/calibrate/measured_run.hpp"
 #include "coupler/calibrate/request_check.hpp"
-#include "coupler/run/installation.hpp"
+#include "coupler/launch/installation.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,7 +23,8 @@ const char* const kKey = "rock.density_kg_m3";
 
 class BoxCalibration {
  public:
-  BoxCalibration(const CalibrationRequest& request, const Case& c) : request_(request), case_(c) {
+  BoxCalibration(const CalibrationRequest& request, const cases::Case& c)
+      : request_(request), case_(c) {
     const double d = largest_rock(c);
     rig_.edge_m = request.size_m > 0 ? request.size_m : std::max(kPaperBox_m, kBoxEdge * d);
     if (request_.target <= 0) request_.target = c.rock.bulk_density_kg_m3;
@@ -36,7 +37,7 @@ class BoxCalibration {
       return 2;
     }
     const double own = case_.rock.density_kg_m3;
-    const Case same = changed_case(request_, {{kKey, own}}, case_.seed);
+    const cases::Case same = changed_case(request_, {{kKey, own}}, case_.seed);
     if (std::abs(same.rock.density_kg_m3 / own - 1) > 1e-6) {
       fmt::print("{}: an effect changes it; calibrate the case without that effect\n", kKey);
       return 2;
@@ -80,7 +81,7 @@ class BoxCalibration {
     const Json json = {
         {"what", "bulk-density"},
         {"case", case_.name},
-        {"version", version()},
+        {"version", launch::version()},
         {"target_kg_m3", request_.target},
         {"edge_m", rig_.edge_m},
         {"case_as_it_is", summary(case_.rock.density_kg_m3, before, interior(runs, "case"))},
@@ -136,15 +137,15 @@ class BoxCalibration {
   }
 
   CalibrationRequest request_;
-  Case case_;
+  cases::Case case_;
   BoxRig rig_;
 };
 
 }  // namespace
 
 int calibrate_bulk_density(const CalibrationRequest& request) {
-  const std::optional<Case> c = checked_case(request);
+  const std::optional<cases::Case> c = checked_case(request);
   return c ? BoxCalibration(request, *c).run() : 2;
 }
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

@@ -7,7 +7,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 
 /// A key to search and its range.
 struct SearchRange {
@@ -17,14 +17,14 @@ struct SearchRange {
 
 struct CalibrationRequest {
   std::filesystem::path case_folder;
-  std::vector<Override> overrides;  ///< --set and --seed
-  std::vector<SearchRange> search;  ///< pile-angle only; empty: measure the case as it is
-  double size_m = 0;                ///< lift of the sheet, or edge of the box; 0: by the rocks
-  double target = 0;                ///< deg or kg/m3; 0: the paper's, or the case's
-  double sigma = 1;                 ///< of the target, deg
-  int seeds = 0;                    ///< a point of the search, or of the measurement; 0: default
-  int jobs = 0;                     ///< runs at once; 0: as many as there are cores
-  std::filesystem::path out;        ///< the result's folder; must not exist yet
+  std::vector<cases::Override> overrides;  ///< --set and --seed
+  std::vector<SearchRange> search;         ///< pile-angle only; empty: measure the case as it is
+  double size_m = 0;          ///< lift of the sheet, or edge of the box; 0: by the rocks
+  double target = 0;          ///< deg or kg/m3; 0: the paper's, or the case's
+  double sigma = 1;           ///< of the target, deg
+  int seeds = 0;              ///< a point of the search, or of the measurement; 0: default
+  int jobs = 0;               ///< runs at once; 0: as many as there are cores
+  std::filesystem::path out;  ///< the result's folder; must not exist yet
 };
 
 /// The mean of the six waste rock piles of the paper's Table 4.
@@ -36,4 +36,4 @@ inline constexpr double kPaperPileAngle_deg = 34.7;
 int calibrate_pile_angle(const CalibrationRequest& request);
 int calibrate_bulk_density(const CalibrationRequest& request);
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

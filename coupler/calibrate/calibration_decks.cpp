@@ -7,12 +7,12 @@
 #include <map>
 #include <stdexcept>
 
-#include "analysis/dump_reader.hpp"
-#include "analysis/solid_mass.hpp"
+#include "analysis/io/dump_reader.hpp"
+#include "analysis/rock/solid_mass.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/sphere_fit.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 namespace fs = std::filesystem;
 namespace {
 
@@ -25,20 +25,21 @@ constexpr double kBoxPour = 2.5;  // height of the pour in edges
 struct Row {
   int type = 0;
   long body = -1;
-  Ball ball;
+  analysis::rock::Ball ball;
 };
 
 std::vector<Row> read_rows(const fs::path& dump) {
-  const DumpReader reader({dump});
+  const analysis::io::DumpReader reader({dump});
   std::vector<Row> rows;
-  DumpReader::read(reader.frames().back(), {"type", "id_multisphere", "x", "y", "z", "radius"},
-                   [&](const ParticleChunk& chunk) {
-                     const auto& v = chunk.columns;
-                     for (std::size_t i = 0; i < chunk.rows; ++i)
-                       rows.push_back({static_cast<int>(v[0][i]),
-                                       std::lround(v[1][i]),
-                                       {{v[2][i], v[3][i], v[4][i]}, v[5][i]}});
-                   });
+  analysis::io::DumpReader::read(reader.frames().back(),
+                                 {"type", "id_multisphere", "x", "y", "z", "radius"},
+                                 [&](const analysis::io::ParticleChunk& chunk) {
+                                   const auto& v = chunk.columns;
+                                   for (std::size_t i = 0; i < chunk.rows; ++i)
+                                     rows.push_back({static_cast<int>(v[0][i]),
+                                                     std::lround(v[1][i]),
+                                                     {{v[2][i], v[3][i], v[4][i]}, v[5][i]}});
+                                 });
   return rows;
 }
 
@@ -46,37 +47,38 @@ std::string number(double v) { return fmt::format("{:.9g}", v); }
 
 }  // namespace
 
-double largest_rock(const Case& c) {
+double largest_rock(const cases::Case& c) {
   double largest = 0;
-  for (const RockClass& k : rock_classes(c)) largest = std::max(largest, 2 * k.radius_m);
+  for (const deck::RockClass& k : deck::rock_classes(c))
+    largest = std::max(largest, 2 * k.radius_m);
   return largest;
 }
 
-PileRig pile_rig(const Case& c, double size_m) {
+PileRig pile_rig(const cases::Case& c, double size_m) {
   const double d = largest_rock(c);
   const double size = size_m > 0 ? size_m : kPileSize * d;
   return {size, 4 * d, std::max(size, 3.5 * d)};
 }
 
-double poured_mass(const Case& c, const PileRig& rig) {
+double poured_mass(const cases::Case& c, const PileRig& rig) {
   const double slope = std::tan(kFlattest_deg * M_PI / 180);
   const double section = rig.size_m * rig.size_m / 2 / slope + rig.depth_m * rig.size_m;
-  return kPouredFraction * laden_density(c) * 2 * section * rig.width_m;
+  return kPouredFraction * deck::laden_density(c) * 2 * section * rig.width_m;
 }
 
-double poured_mass(const Case& c, const BoxRig& rig) {
-  return kPouredFraction * laden_density(c) * kBoxPour * std::pow(rig.edge_m, 3);
+double poured_mass(const cases::Case& c, const BoxRig& rig) {
+  return kPouredFraction * deck::laden_density(c) * kBoxPour * std::pow(rig.edge_m, 3);
 }
 
-std::vector<double> poured_rocks(const Case& c, double mass_kg) {
-  const std::vector<RockClass> classes = rock_classes(c);
+std::vector<double> poured_rocks(const cases::Case& c, double mass_kg) {
+  const std::vector<deck::RockClass> classes = deck::rock_classes(c);
   std::vector<double> out;
   for (std::size_t i = 0; i < classes.size(); ++i)
     out.push_back(mass_kg * c.rock.classes[i].mass_percent / 100 / classes[i].mass_kg);
   return out;
 }
 
-DeckRun pile_run(const Case& c, const PileRig& rig) {
+DeckRun pile_run(const cases::Case& c, const PileRig& rig) {
   return {"calibrate_pile",
           "pile.dump",
           c,
@@ -87,31 +89,31 @@ DeckRun pile_run(const Case& c, const PileRig& rig) {
            {"flattest", number(kFlattest_deg)}}};
 }
 
-DeckRun box_run(const Case& c, const BoxRig& rig) {
+DeckRun box_run(const cases::Case& c, const BoxRig& rig) {
   return {"calibrate_box", "box.dump", c, {{"edge", number(rig.edge_m)}}};
 }
 
-PileAngle measure_pile(const fs::path& dump, const PileRig& rig) {
+analysis::rock::PileAngle measure_pile(const fs::path& dump, const PileRig& rig) {
   // What still stands behind the sheet, which leans over the flank, is not the flank's surface.
   const double a = kSheetAngle_deg * M_PI / 180;
-  std::vector<Ball> balls;
+  std::vector<analysis::rock::Ball> balls;
   for (const Row& row : read_rows(dump)) {
     const Eigen::Vector3d& p = row.ball.centre_m;
     if (p.x() * std::sin(a) + (p.z() - rig.size_m) * std::cos(a) < 0) balls.push_back(row.ball);
   }
-  PileAngleOptions options;
+  analysis::rock::PileAngleOptions options;
   options.x_max_m = 0;
   try {
-    return pile_angle(balls, options);
+    return analysis::rock::pile_angle(balls, options);
   } catch (const std::invalid_argument& e) {
     throw std::runtime_error(fmt::format("{}: {}; take a larger --size", dump.string(), e.what()));
   }
 }
 
-BulkDensity measure_box(const Case& c, const fs::path& dump, const BoxRig& rig) {
-  const std::vector<RockClass> classes = rock_classes(c);
+BulkDensity measure_box(const cases::Case& c, const fs::path& dump, const BoxRig& rig) {
+  const std::vector<deck::RockClass> classes = deck::rock_classes(c);
   const std::vector<Row> rows = read_rows(dump);
-  std::map<long, std::vector<Sphere>> bodies;
+  std::map<long, std::vector<deck::Sphere>> bodies;
   double smallest = largest_rock(c);
   for (const Row& row : rows) {
     smallest = std::min(smallest, row.ball.radius_m);
@@ -119,11 +121,11 @@ BulkDensity measure_box(const Case& c, const fs::path& dump, const BoxRig& rig) 
   }
   std::map<long, double> volume;
   constexpr int kCells = 60;  // across a rock: its union's volume within about 0.1 %
-  for (const auto& [body, spheres] : bodies) volume[body] = union_volume(spheres, kCells);
-  std::vector<Ball> balls;
+  for (const auto& [body, spheres] : bodies) volume[body] = deck::union_volume(spheres, kCells);
+  std::vector<analysis::rock::Ball> balls;
   std::vector<double> density;
   for (const Row& row : rows) {
-    const RockClass& k = classes.at(static_cast<std::size_t>(row.type - 1));
+    const deck::RockClass& k = classes.at(static_cast<std::size_t>(row.type - 1));
     const double r = row.ball.radius_m;
     balls.push_back(row.ball);
     density.push_back(k.mass_kg /
@@ -134,8 +136,8 @@ BulkDensity measure_box(const Case& c, const fs::path& dump, const BoxRig& rig) 
                                 Eigen::Vector3d(half, half, rig.edge_m));
   const Eigen::AlignedBox3d interior(Eigen::Vector3d(d - half, d - half, d),
                                      Eigen::Vector3d(half - d, half - d, rig.edge_m));
-  return {mass_inside(balls, density, box, cell) / box.volume(),
-          mass_inside(balls, density, interior, cell) / interior.volume()};
+  return {analysis::rock::mass_inside(balls, density, box, cell) / box.volume(),
+          analysis::rock::mass_inside(balls, density, interior, cell) / interior.volume()};
 }
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

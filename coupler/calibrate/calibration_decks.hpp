@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/pile_angle.hpp"
+#include "analysis/rock/pile_angle.hpp"
 #include "coupler/calibrate/deck_runs.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 
 /// Diameter [m] of the largest class, coarse-grained.
-double largest_rock(const Case& c);
+double largest_rock(const cases::Case& c);
 
 /// dem_in/calibrate_pile.in. Width and depth follow from the rock: narrower, and the walls carry
 /// it.
@@ -22,7 +22,7 @@ struct PileRig {
   double depth_m = 0;  ///< the lift (docs/calibration.md); at least 3.5 of the largest rocks
 };
 inline constexpr double kPileSize = 7;  ///< default lift, in largest rocks
-PileRig pile_rig(const Case& c, double size_m);
+PileRig pile_rig(const cases::Case& c, double size_m);
 
 /// dem_in/calibrate_box.in: a cube.
 struct BoxRig {
@@ -32,20 +32,20 @@ inline constexpr double kPaperBox_m = 3.037;  ///< edge of the paper's 28 m3
 inline constexpr double kBoxEdge = 5;         ///< default edge, in largest rocks, if that is more
 
 /// Rock that the deck pours [kg], and how many of each class that is.
-double poured_mass(const Case& c, const PileRig& rig);
-double poured_mass(const Case& c, const BoxRig& rig);
-std::vector<double> poured_rocks(const Case& c, double mass_kg);
+double poured_mass(const cases::Case& c, const PileRig& rig);
+double poured_mass(const cases::Case& c, const BoxRig& rig);
+std::vector<double> poured_rocks(const cases::Case& c, double mass_kg);
 
-DeckRun pile_run(const Case& c, const PileRig& rig);
-DeckRun box_run(const Case& c, const BoxRig& rig);
+DeckRun pile_run(const cases::Case& c, const PileRig& rig);
+DeckRun box_run(const cases::Case& c, const BoxRig& rig);
 
 /// The flank in front of the sheet. Throws std::runtime_error naming the dump when there is none.
-PileAngle measure_pile(const std::filesystem::path& dump, const PileRig& rig);
+analysis::rock::PileAngle measure_pile(const std::filesystem::path& dump, const PileRig& rig);
 
 struct BulkDensity {
   double box_kg_m3 = 0;       ///< all that lies under the rim, by the box's volume: the paper's
   double interior_kg_m3 = 0;  ///< one largest rock away from walls and floor
 };
-BulkDensity measure_box(const Case& c, const std::filesystem::path& dump, const BoxRig& rig);
+BulkDensity measure_box(const cases::Case& c, const std::filesystem::path& dump, const BoxRig& rig);
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

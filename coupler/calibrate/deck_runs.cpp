@@ -15,22 +15,24 @@
 #include <system_error>
 #include <thread>
 
-#include "coupler/core/cache_folder.hpp"
+#include "common/cache_entry.hpp"
+#include "common/cache_folder.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
-#include "coupler/run/cache_entry.hpp"
-#include "coupler/run/installation.hpp"
-#include "coupler/run/interrupt.hpp"
-#include "coupler/run/last_words.hpp"
-#include "coupler/run/process.hpp"
+#include "coupler/launch/installation.hpp"
+#include "coupler/launch/interrupt.hpp"
+#include "coupler/launch/last_words.hpp"
+#include "coupler/launch/process.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path sheet() { return source_folder() / "dem_in" / "sheet.stl"; }
+fs::path sheet() { return launch::source_folder() / "dem_in" / "sheet.stl"; }
 
-fs::path script(const DeckRun& run) { return source_folder() / "dem_in" / (run.deck + ".in"); }
+fs::path script(const DeckRun& run) {
+  return launch::source_folder() / "dem_in" / (run.deck + ".in");
+}
 
 const char* const kWorkplace = "part.";  // its name begins so
 
@@ -61,7 +63,7 @@ class Workplace {
       fs::permissions(folder_, fs::perms(0755), gone);  // a cache may be shared; mkdtemp's are 0700
       lock_ = lock_folder(folder_);                     // unless another's sweep has taken it first
     } while (lock_ < 0);
-    write_deck(run.c, run.c.rock.shape_folder, folder_ / "deck");
+    deck::write_deck(run.c, run.c.rock.shape_folder, folder_ / "deck");
     // The case's own bench: of no use here.
     for (const char* unused : {"funnel.stl", "sides.stl", "outline.csv", "surface.stl"})
       fs::remove(folder_ / "deck" / unused);
@@ -120,12 +122,12 @@ struct Active {
   std::size_t index;
   std::string hash;
   std::unique_ptr<Workplace> place;
-  std::unique_ptr<Process> liggghts;
+  std::unique_ptr<launch::Process> liggghts;
 };
 
 std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
   // Started in its own folder: on an error LIGGGHTS leaves a restart file where it stands.
-  const std::string binary = sticks(run.c) ? program("dipper-liggghts") : "liggghts";
+  const std::string binary = deck::sticks(run.c) ? launch::program("dipper-liggghts") : "liggghts";
   std::vector<std::string> words = {
       "env",           "-C",           work.string(), binary,   "-in",  script(run).string(),
       "-log",          "liggghts.log", "-screen",     "screen", "-var", "deck",
@@ -189,11 +191,11 @@ std::vector<DeckResult> run_decks(
         may_fail([&] { done(next++, {entry / run.dump, hash, true, cost_of(entry)}); });
         continue;
       }
-      auto liggghts =
-          std::make_unique<Process>(command(run, place->folder()), place->folder() / "stderr");
+      auto liggghts = std::make_unique<launch::Process>(command(run, place->folder()),
+                                                        place->folder() / "stderr");
       active.push_back({next++, hash, std::move(place), std::move(liggghts)});
     }
-    if (interrupts() > 0) throw Interrupted();
+    if (launch::interrupts() > 0) throw launch::Interrupted();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     for (auto it = active.begin(); it != active.end();) {
       if (!it->liggghts->ended()) {
@@ -204,9 +206,9 @@ std::vector<DeckResult> run_decks(
         const DeckRun& run = runs[it->index];
         const fs::path work = it->place->folder();
         if (!it->liggghts->succeeded() || !fs::exists(work / run.dump)) {
-          throw std::runtime_error(
-              fmt::format("{}.in failed with seed {}: {} ({})", run.deck, run.c.seed,
-                          last_words(work / "stderr", work / "screen"), *it->liggghts->ended()));
+          throw std::runtime_error(fmt::format(
+              "{}.in failed with seed {}: {} ({})", run.deck, run.c.seed,
+              launch::last_words(work / "stderr", work / "screen"), *it->liggghts->ended()));
         }
         done(it->index, keep(run, *it));
       });
@@ -217,4 +219,4 @@ std::vector<DeckResult> run_decks(
   return results;
 }
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

@@ -10,13 +10,13 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 
 /// One run of a deck with a case's rock and contact.
 struct DeckRun {
   std::string deck;  ///< "calibrate_pile": dem_in/calibrate_pile.in
   std::string dump;  ///< the file it writes into ${out}
-  Case c;
+  cases::Case c;
   std::vector<std::pair<std::string, std::string>> variables;  ///< -var NAME VALUE
 };
 
@@ -39,4 +39,4 @@ std::vector<DeckResult> run_decks(
     const std::vector<DeckRun>& runs, int jobs,
     const std::function<void(std::size_t, const DeckResult&)>& finished);
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

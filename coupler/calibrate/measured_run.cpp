@@ -8,7 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::calibrate {
 namespace {
 
 std::string words_of(const std::vector<std::pair<std::string, double>>& parameters) {
@@ -95,4 +95,4 @@ void write_overlay(const std::vector<std::pair<std::string, double>>& parameters
   write(file, text);
 }
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

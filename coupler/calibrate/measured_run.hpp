@@ -10,7 +10,7 @@
 
 #include "coupler/calibrate/deck_runs.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 
 using Measures = std::vector<std::pair<std::string, double>>;  ///< column name, value; in order
 
@@ -54,4 +54,4 @@ void write_runs_csv(const std::vector<MeasuredRun>& runs, const std::filesystem:
 void write_overlay(const std::vector<std::pair<std::string, double>>& parameters,
                    const std::filesystem::path& file);
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

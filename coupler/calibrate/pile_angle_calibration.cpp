@@ -12,9 +12,9 @@
 #include "coupler/calibrate/request_check.hpp"
 #include "coupler/calibrate/response_surface.hpp"
 #include "coupler/calibrate/search_scale.hpp"
-#include "coupler/run/installation.hpp"
+#include "coupler/launch/installation.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -24,7 +24,7 @@ constexpr int kSearchSeeds = 2;   // a point of the design
 constexpr int kConfirmSeeds = 5;  // of the case, or of the set found
 
 /// The case's own values of the searched keys; checked_case has seen that they are numbers.
-std::vector<double> values_of(const Case& c, const std::vector<SearchRange>& ranges) {
+std::vector<double> values_of(const cases::Case& c, const std::vector<SearchRange>& ranges) {
   std::vector<double> out;
   for (const SearchRange& r : ranges) out.push_back(value_of(c, r.key).value());
   return out;
@@ -32,7 +32,7 @@ std::vector<double> values_of(const Case& c, const std::vector<SearchRange>& ran
 
 class PileCalibration {
  public:
-  PileCalibration(const CalibrationRequest& request, const Case& c)
+  PileCalibration(const CalibrationRequest& request, const cases::Case& c)
       : request_(request), case_(c), rig_(pile_rig(c, request.size_m)), scale_(request.search) {
     if (request_.target <= 0) request_.target = kPaperPileAngle_deg;
   }
@@ -91,7 +91,7 @@ class PileCalibration {
   std::vector<MeasuredRun> make(const std::vector<PlannedRun>& plan) const {
     return make_runs(
         plan, jobs_of(request_), [&](const DeckRun&, const std::filesystem::path& dump) {
-          const PileAngle a = measure_pile(dump, rig_);
+          const analysis::rock::PileAngle a = measure_pile(dump, rig_);
           return Measures{
               {"angle_deg", a.angle_deg}, {"fit_sigma_deg", a.sigma_deg}, {"height_m", a.height_m}};
         });
@@ -100,7 +100,7 @@ class PileCalibration {
   Json about() const {
     return {{"what", "pile-angle"},
             {"case", case_.name},
-            {"version", version()},
+            {"version", launch::version()},
             {"target_deg", request_.target},
             {"target_sigma_deg", request_.sigma},
             {"lift_m", rig_.size_m},
@@ -252,7 +252,7 @@ class PileCalibration {
   }
 
   CalibrationRequest request_;
-  Case case_;
+  cases::Case case_;
   PileRig rig_;
   SearchScale scale_;
   std::vector<MeasuredRun> runs_;
@@ -261,8 +261,8 @@ class PileCalibration {
 }  // namespace
 
 int calibrate_pile_angle(const CalibrationRequest& request) {
-  const std::optional<Case> c = checked_case(request);
+  const std::optional<cases::Case> c = checked_case(request);
   return c ? PileCalibration(request, *c).run() : 2;
 }
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

@@ -9,16 +9,17 @@
 #include <thread>
 
 #include "coupler/calibrate/search_scale.hpp"
-#include "coupler/case/check_command.hpp"
+#include "coupler/check/check.hpp"
+#include "coupler/check/check_command.hpp"
 #include "coupler/deck/liggghts_path.hpp"
-#include "coupler/run/installation.hpp"
+#include "coupler/launch/installation.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 namespace {
 
-std::vector<Override> with(const CalibrationRequest& request,
-                           const std::vector<std::pair<std::string, double>>& parameters) {
-  std::vector<Override> all = request.overrides;
+std::vector<cases::Override> with(const CalibrationRequest& request,
+                                  const std::vector<std::pair<std::string, double>>& parameters) {
+  std::vector<cases::Override> all = request.overrides;
   for (const auto& [key, value] : parameters) all.push_back({key, fmt::format("{:.9g}", value)});
   return all;
 }
@@ -57,7 +58,7 @@ std::string fault_at_a_point(const CalibrationRequest& request) {
 
 }  // namespace
 
-std::optional<double> value_of(const Case& c, const std::string& key) {
+std::optional<double> value_of(const cases::Case& c, const std::string& key) {
   const std::string text = "\n" + c.text, line = "\n" + key + "=";
   const auto at = text.find(line);
   if (at == std::string::npos) return std::nullopt;
@@ -68,7 +69,7 @@ std::optional<double> value_of(const Case& c, const std::string& key) {
   return end != value.c_str() && *end == '\0' ? std::optional(number) : std::nullopt;
 }
 
-std::optional<Case> checked_case(const CalibrationRequest& request) {
+std::optional<cases::Case> checked_case(const CalibrationRequest& request) {
   std::vector<std::string> faults;
   for (std::size_t i = 0; i < request.search.size(); ++i) {
     const SearchRange& r = request.search[i];
@@ -85,13 +86,14 @@ std::optional<Case> checked_case(const CalibrationRequest& request) {
     faults.push_back("--seeds 1 is too few to search one key; take 2 or more");
   if (std::filesystem::exists(request.out))
     faults.push_back(request.out.string() + " is there already; choose another --out");
-  if (!liggghts_takes(source_folder()))  // the deck and its sheet are there
-    faults.push_back(source_folder().string() + ": " + kLiggghtsRefuses);
+  if (!deck::liggghts_takes(launch::source_folder()))  // the deck and its sheet are there
+    faults.push_back(launch::source_folder().string() + ": " + deck::kLiggghtsRefuses);
   for (const std::string& fault : faults) std::cout << fault << '\n';
-  if (check_command(request.case_folder, request.overrides, std::cout) != 0) return std::nullopt;
+  if (check::check_command(request.case_folder, request.overrides, std::cout) != 0)
+    return std::nullopt;
   if (!faults.empty()) return std::nullopt;
-  std::vector<Finding> findings;
-  Case c = load_case(request.case_folder, request.overrides, findings);
+  std::vector<cases::Finding> findings;
+  cases::Case c = cases::load_case(request.case_folder, request.overrides, findings);
   if (!request.search.empty()) {
     const std::string fault = fault_at_a_point(request);
     if (!fault.empty()) faults.push_back(fault);
@@ -103,19 +105,19 @@ std::optional<Case> checked_case(const CalibrationRequest& request) {
   return faults.empty() ? std::optional(std::move(c)) : std::nullopt;
 }
 
-Case changed_case(const CalibrationRequest& request,
-                  const std::vector<std::pair<std::string, double>>& parameters,
-                  std::int64_t seed) {
-  std::vector<Override> all = with(request, parameters);
+cases::Case changed_case(const CalibrationRequest& request,
+                         const std::vector<std::pair<std::string, double>>& parameters,
+                         std::int64_t seed) {
+  std::vector<cases::Override> all = with(request, parameters);
   all.push_back({"seed", std::to_string(seed)});
-  std::vector<Finding> findings;
-  Case c = load_case(request.case_folder, all, findings);
-  if (findings.empty()) findings = check_case(c);
-  if (!findings.empty()) throw std::invalid_argument(to_string(findings[0]));
+  std::vector<cases::Finding> findings;
+  cases::Case c = cases::load_case(request.case_folder, all, findings);
+  if (findings.empty()) findings = check::check_case(c);
+  if (!findings.empty()) throw std::invalid_argument(cases::to_string(findings[0]));
   return c;
 }
 
-std::string missing_classes(const Case& c, const std::vector<double>& rocks) {
+std::string missing_classes(const cases::Case& c, const std::vector<double>& rocks) {
   std::string out;
   for (std::size_t i = 0; i < rocks.size(); ++i)
     if (rocks[i] < 1)
@@ -129,4 +131,4 @@ int jobs_of(const CalibrationRequest& request) {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

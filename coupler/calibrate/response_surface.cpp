@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::calibrate {
 namespace {
 
 /// 1, x_i, x_i x_j (i <= j).
@@ -143,4 +143,4 @@ Point follow(const ResponseSurface& s, const Point& x, const Point& direction) {
   return at;
 }
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace dipper {
+namespace dipper::calibrate {
 
 /// A point of the search: each parameter's range is scaled to -1 ... 1.
 using Point = Eigen::VectorXd;
@@ -58,4 +58,4 @@ std::vector<Point> neutral_directions(const ResponseSurface& s, const Point& x);
 /// the last point inside.
 Point follow(const ResponseSurface& s, const Point& x, const Point& direction);
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

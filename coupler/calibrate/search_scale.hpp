@@ -8,7 +8,7 @@
 #include "coupler/calibrate/calibration.hpp"
 #include "coupler/calibrate/response_surface.hpp"
 
-namespace dipper {
+namespace dipper::calibrate {
 
 /// Each range's ends are -1 and 1.
 class SearchScale {
@@ -34,4 +34,4 @@ class SearchScale {
   std::vector<SearchRange> ranges_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::calibrate

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace dipper {
+namespace dipper::cases {
 
 class BenchSurface;
 
@@ -38,7 +38,7 @@ struct SizeClass {
   std::vector<std::string> shapes;  ///< "sphere", or names of shapes in shape_folder
 };
 
-/// rock.sieve: a measured size distribution, in place of rock.classes (coupler/deck/sieve.hpp).
+/// rock.sieve: a measured size distribution, in place of rock.classes (coupler/case/sieve.hpp).
 struct SieveCase {
   std::filesystem::path file;  ///< CSV: size_m, passing_percent; empty: none
   int classes = 5;             ///< made of it
@@ -104,8 +104,8 @@ struct PileCase {
   double face_angle_deg = 0;  ///< of the retaining sheet while the rock settles
   double settle_s = 0;        ///< with the sheet
   double relax_s = 0;         ///< after the sheet is gone
-  /// A scanned section, CSV (coupler/deck/outline_file.hpp), or surface, STL
-  /// (coupler/deck/bench_surface.hpp), in place of toe, height, crest depth and face angle; empty:
+  /// A scanned section, CSV (coupler/case/outline_file.hpp), or surface, STL
+  /// (coupler/case/bench_surface.hpp), in place of toe, height, crest depth and face angle; empty:
   /// none.
   std::filesystem::path profile;
   std::vector<Eigen::Vector2d> outline_m;  ///< what the profile holds: x and z in W
@@ -134,7 +134,7 @@ struct DomainCase {
 struct DemCase {
   double timestep_s = 0;
   int ranks = 1;
-  double hold_below_m_s = 0;  ///< rock slower than this may be held (coupler/dem/hold.hpp); 0: none
+  double hold_below_m_s = 0;  ///< rock slower than this may be held (dem/hold.hpp); 0: none
 };
 
 /// coupling
@@ -152,7 +152,7 @@ struct OutputCase {
   double wear_m3_J = 0;             ///< Finnie's coefficient; 0: no wear
 };
 
-/// observation: how the mine's instruments see a run (analysis/observe.hpp).
+/// observation: how the mine's instruments see a run (analysis/signals/observe.hpp).
 struct ObservationCase {
   double rate_Hz = 1;      ///< of the drives' logger; a sample is the mean over its interval
   double lag_s = 0;        ///< by which the forces are logged late against the motion
@@ -217,9 +217,4 @@ struct Override {
 Case load_case(const std::filesystem::path& folder, const std::vector<Override>& overrides,
                std::vector<Finding>& findings);
 
-/// What only the parts together tell: files that exist, meshes that are closed and sound, and
-/// what is written beside them, motion within limits, a stable DEM step, walls that stay in the
-/// box, classes with at least one rock. Expects a case that loaded without findings.
-std::vector<Finding> check_case(const Case& c);
-
-}  // namespace dipper
+}  // namespace dipper::cases

@@ -6,12 +6,12 @@
 #include <set>
 #include <stdexcept>
 
+#include "common/sha256.hpp"
 #include "coupler/case/case_text.hpp"
-#include "coupler/core/sha256.hpp"
 
 namespace fs = std::filesystem;
 
-namespace dipper {
+namespace dipper::cases {
 namespace {
 
 std::set<std::string> used_shapes(const Case& c) {
@@ -64,4 +64,4 @@ std::string case_hash(const Case& c) {
   return sha256(text);
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

@@ -7,7 +7,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 /// SHA-256 of a file's bytes, as 64 lower-case hex digits. Throws std::runtime_error when it cannot
 /// be read.
@@ -26,4 +26,4 @@ std::vector<std::filesystem::path> shape_files(const std::filesystem::path& fold
 /// change it; a byte in a referenced file does. Throws std::runtime_error when a file is missing.
 std::string case_hash(const Case& c);
 
-}  // namespace dipper
+}  // namespace dipper::cases

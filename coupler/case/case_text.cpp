@@ -9,7 +9,7 @@
 
 namespace fs = std::filesystem;
 
-namespace dipper {
+namespace dipper::cases {
 namespace {
 
 std::string in_quotes(const std::string& text) {
@@ -70,4 +70,4 @@ std::string case_text(const Case& c, const PathText& path_text) {
   return text;
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

@@ -6,7 +6,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 /// How a path of the case is written.
 using PathText = std::function<std::string(const std::filesystem::path&)>;
@@ -17,4 +17,4 @@ using PathText = std::function<std::string(const std::filesystem::path&)>;
 /// folder.
 std::string case_text(const Case& c, const PathText& path_text = nullptr);
 
-}  // namespace dipper
+}  // namespace dipper::cases

@@ -14,7 +14,7 @@
 #include "coupler/case/suggest.hpp"
 #include "coupler/case/yaml_tree.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 namespace fs = std::filesystem;
 namespace {
 
@@ -232,4 +232,4 @@ void apply_effects(Case& c, std::vector<Finding>& findings) {
   }
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

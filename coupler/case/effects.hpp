@@ -9,7 +9,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 /// What one unit of strength does to one key with value x:
 /// add: x + factor s, scale: x (1 + factor s), set: factor s (x is not looked at).
@@ -46,4 +46,4 @@ Effect read_effect(const std::filesystem::path& file, std::vector<Finding>& find
 /// bounds, and a value that leaves its range.
 void apply_effects(Case& c, std::vector<Finding>& findings);
 
-}  // namespace dipper
+}  // namespace dipper::cases

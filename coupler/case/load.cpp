@@ -20,7 +20,7 @@
 
 namespace fs = std::filesystem;
 
-namespace dipper {
+namespace dipper::cases {
 namespace {
 
 std::string join_key(const std::string& section, const std::string& name) {
@@ -366,4 +366,4 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
   return c;
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

@@ -10,7 +10,7 @@
 #include "coupler/case/yaml_tree.hpp"
 #include "coupler/case/yaml_value.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 namespace fs = std::filesystem;
 namespace {
 
@@ -51,7 +51,7 @@ class Reader {
     return value.value_or(0);
   }
 
-  BoundingBox box(const std::string& key, const std::string& what) {
+  mesh::BoundingBox box(const std::string& key, const std::string& what) {
     YamlTree* node = need(root_, key, key, "{min_m, max_m}, " + what);
     if (node == nullptr) return {};
     if (node->kind != YamlTree::Kind::map) {
@@ -59,7 +59,7 @@ class Reader {
       return {};
     }
     const std::size_t before = findings_.size();
-    const BoundingBox b{corner(*node, key, "min_m"), corner(*node, key, "max_m")};
+    const mesh::BoundingBox b{corner(*node, key, "min_m"), corner(*node, key, "max_m")};
     for (int i = 0; i < 3 && findings_.size() == before; ++i) {
       if (b.min[i] < b.max[i]) continue;
       fault(*node, key + ".min_m",
@@ -123,9 +123,9 @@ DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings) {
   return facts;
 }
 
-BoundingBox read_truck_bed(const Case& c, std::vector<Finding>& findings) {
+mesh::BoundingBox read_truck_bed(const Case& c, std::vector<Finding>& findings) {
   Reader file(c, "truck.mesh", c.truck.mesh, "bed: {min_m, max_m}", findings);
   return file.box("bed", "corners of the box in the mesh's frame whose rock is the truck's load");
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

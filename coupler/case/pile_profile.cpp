@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "coupler/deck/bench_surface.hpp"
-#include "coupler/deck/outline_file.hpp"
-#include "coupler/mesh/stl.hpp"
-#include "coupler/motion/input_error.hpp"
+#include "common/input_error.hpp"
+#include "common/mesh/stl.hpp"
+#include "coupler/case/bench_surface.hpp"
+#include "coupler/case/outline_file.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 bool is_replaced_by_profile(const Case& c, const std::string& key) {
   return !c.pile.profile.empty() && std::find(kReplacedByProfile.begin(), kReplacedByProfile.end(),
@@ -27,13 +27,13 @@ void read_pile_profile(Case& c, std::vector<Finding>& findings) {
                       "others",
                       fmt::join(kReplacedByProfile, ", "))));
   try {
-    if (is_stl(c.pile.profile)) {
-      c.pile.surface = std::make_shared<BenchSurface>(read_stl(c.pile.profile));
+    if (mesh::is_stl(c.pile.profile)) {
+      c.pile.surface = std::make_shared<BenchSurface>(mesh::read_stl(c.pile.profile));
       c.pile.outline_m = c.pile.surface->section(c.pile.width_m / 2, 1);
     } else {
       c.pile.outline_m = read_outline(c.pile.profile);
     }
-  } catch (const StlError& e) {
+  } catch (const mesh::StlError& e) {
     findings.push_back(finding_at(c, "pile.profile", e.what()));
     return;
   } catch (const InputError& e) {
@@ -52,4 +52,4 @@ void read_pile_profile(Case& c, std::vector<Finding>& findings) {
                     c.pile.profile.string(), points.back().x() - points.front().x(), top)));
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

@@ -7,7 +7,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 /// The keys a profile replaces: a case has them, or it has a profile.
 inline const std::array<std::string, 4> kReplacedByProfile = {
@@ -20,4 +20,4 @@ bool is_replaced_by_profile(const Case& c, const std::string& key);
 /// key beside it that it replaces, becomes a finding.
 void read_pile_profile(Case& c, std::vector<Finding>& findings);
 
-}  // namespace dipper
+}  // namespace dipper::cases

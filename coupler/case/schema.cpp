@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dipper {
+namespace dipper::cases {
 namespace {
 
 // The name of a slot's type, singular, as in "write ...".
@@ -122,4 +122,4 @@ std::string schema_markdown() {
   return table;
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

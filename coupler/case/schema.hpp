@@ -8,7 +8,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 /// Which element of a list (`#` in a key) or entry of a map of free names (`*`) is meant.
 struct Place {
@@ -70,4 +70,4 @@ std::string unit_suffix(const std::string& unit);
 /// docs/case.md's table of keys.
 std::string schema_markdown();
 
-}  // namespace dipper
+}  // namespace dipper::cases

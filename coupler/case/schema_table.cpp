@@ -2,7 +2,7 @@
 // (the schema test prints the table to paste).
 #include "coupler/case/schema.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 namespace {
 
 // Ends of ranges are there to catch slips (a density in t/m3, an angle in rad), so they are
@@ -254,4 +254,4 @@ const std::vector<KeySpec>& schema() {
   return keys;
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

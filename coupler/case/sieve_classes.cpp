@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "coupler/deck/sieve.hpp"
-#include "coupler/motion/input_error.hpp"
+#include "common/input_error.hpp"
+#include "coupler/case/sieve.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 void make_sieve_classes(Case& c, std::vector<Finding>& findings) {
   if (c.origins.count("rock.sieve") == 0) return;
@@ -29,4 +29,4 @@ void make_sieve_classes(Case& c, std::vector<Finding>& findings) {
   }
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

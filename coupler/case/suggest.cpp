@@ -10,7 +10,7 @@
 
 #include "coupler/case/schema.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 namespace {
 
 std::string lower(std::string s) {
@@ -103,4 +103,4 @@ UnknownKey explain_unknown_key(const std::string& section, const std::string& ke
           ""};
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace dipper {
+namespace dipper::cases {
 
 /// Edits (insert, delete, replace, swap neighbours) from one word to the other, blind to case.
 int edit_distance(const std::string& a, const std::string& b);
@@ -23,4 +23,4 @@ struct UnknownKey {
 /// unit, a near spelling, and the right section; names all keys when nothing fits.
 UnknownKey explain_unknown_key(const std::string& section, const std::string& key);
 
-}  // namespace dipper
+}  // namespace dipper::cases

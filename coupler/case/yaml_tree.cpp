@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace dipper {
+namespace dipper::cases {
 namespace {
 
 // yaml-cpp's events rather than its Node: a Node loses the line of a key, keeps both of two equal
@@ -164,4 +164,4 @@ YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
   return std::move(builder.root);
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

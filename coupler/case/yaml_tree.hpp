@@ -8,7 +8,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 /// A YAML node. A map keeps its keys in the order of the file; none occurs twice.
 struct YamlTree {
@@ -28,4 +28,4 @@ struct YamlTree {
 YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
                     const std::string& set_key, std::vector<Finding>& findings);
 
-}  // namespace dipper
+}  // namespace dipper::cases

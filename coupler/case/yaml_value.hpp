@@ -9,7 +9,7 @@
 
 #include "coupler/case/yaml_tree.hpp"
 
-namespace dipper {
+namespace dipper::cases {
 
 /// "'abc'", "\"12\"" (in quotes), "a list", "a section", "nothing".
 inline std::string shown(const YamlTree& node) {
@@ -43,4 +43,4 @@ std::optional<T> parse_number(const YamlTree& node) {
   return value;
 }
 
-}  // namespace dipper
+}  // namespace dipper::cases

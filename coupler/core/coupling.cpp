@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::core {
 namespace {
 
 std::vector<Pose> poses(const MachineState& s) {
@@ -81,4 +81,4 @@ Window Coupling::advance(std::int64_t n_steps) {
   return w;
 }
 
-}  // namespace dipper
+}  // namespace dipper::core

@@ -7,7 +7,7 @@
 
 #include "coupler/core/server.hpp"
 
-namespace dipper {
+namespace dipper::core {
 
 enum class Scheme {
   serial,    ///< the machine takes the window with the last wrench; the rock follows
@@ -57,4 +57,4 @@ class Coupling {
   std::vector<Wrench> held_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::core {
 namespace {
 
 struct Judge {
@@ -48,4 +48,4 @@ void require_sound(const Message& m, const std::string& side,
   std::visit(Judge{m.envelope, side, bodies}, m.body);
 }
 
-}  // namespace dipper
+}  // namespace dipper::core

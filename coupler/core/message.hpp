@@ -7,7 +7,7 @@
 
 #include "coupler/core/server.hpp"
 
-namespace dipper {
+namespace dipper::core {
 
 /// In front of every message.
 struct Envelope {
@@ -59,4 +59,4 @@ struct Message {
 void require_sound(const Message& m, const std::string& side,
                    const std::vector<std::string>& bodies);
 
-}  // namespace dipper
+}  // namespace dipper::core

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace dipper {
+namespace dipper::core {
 
 bool is_ours(const Envelope& ours, const Envelope& theirs) {
   if (theirs.run_token != ours.run_token) return false;
@@ -57,4 +57,4 @@ Responder::Verdict Responder::judge(const Envelope& request) {
   return request.sequence == last_ ? Verdict::repeat : Verdict::ignore;
 }
 
-}  // namespace dipper
+}  // namespace dipper::core

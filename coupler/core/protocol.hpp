@@ -9,7 +9,7 @@
 
 #include "coupler/core/message.hpp"
 
-namespace dipper {
+namespace dipper::core {
 
 struct ProtocolError : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -71,4 +71,4 @@ class Responder {
   LinkCounts counts_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::core

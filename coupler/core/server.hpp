@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "coupler/core/frames.hpp"
+#include "common/frames.hpp"
 
-namespace dipper {
+namespace dipper::core {
 
 /// One recorded signal: what the side's `channels` vector holds at the same place.
 struct Channel {
@@ -98,4 +98,4 @@ class Rock {
   virtual std::string state_hash() = 0;
 };
 
-}  // namespace dipper
+}  // namespace dipper::core

@@ -4,16 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace dipper {
-
-double outline_height(const BenchOutline& outline, double x_m) {
-  if (outline.empty() || x_m < outline.front().x()) return 0;
-  const auto after =
-      std::find_if(outline.begin(), outline.end(), [&](const auto& p) { return p.x() > x_m; });
-  if (after == outline.end()) return outline.back().y();
-  const auto& a = *(after - 1);
-  return a.y() + (after->y() - a.y()) * (x_m - a.x()) / (after->x() - a.x());
-}
+namespace dipper::deck {
 
 std::vector<long> over_surface(const std::vector<PileSphere>& spheres,
                                const std::function<double(double, double)>& height) {
@@ -49,4 +40,4 @@ std::string waste_group(const std::vector<long>& ids) {
   return out + (ids.empty() ? "" : "\n");
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

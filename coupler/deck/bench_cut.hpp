@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dipper {
+namespace dipper::deck {
 
 /// Part of what a settled bench is cached under: counts up when the same pile is cut differently.
 constexpr int kBenchCutVersion = 1;
@@ -18,12 +18,6 @@ struct PileSphere {
   double radius_m = 0;
 };
 
-/// The bench's section: z over x, straight between points with x rising from the toe to the rear.
-using BenchOutline = std::vector<Eigen::Vector2d>;
-
-/// Height of the outline at x: 0 in front of it, as at its end behind it.
-double outline_height(const BenchOutline& outline, double x_m);
-
 /// Ids of the spheres of all rocks whose centre lies over `height` at its x and y, in the order
 /// given. A rock goes or stays as a whole, by its own centre (the mean of its spheres by volume):
 /// were it to go with its highest sphere, a surface cut through the pile would take more of the
@@ -34,4 +28,4 @@ std::vector<long> over_surface(const std::vector<PileSphere>& spheres,
 /// LIGGGHTS commands that put exactly these spheres into the group `waste`, which is empty or new.
 std::string waste_group(const std::vector<long>& ids);
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -4,11 +4,11 @@
 #include <exception>
 #include <iostream>
 
-#include "analysis/dump_reader.hpp"
+#include "analysis/io/dump_reader.hpp"
+#include "common/mesh/stl.hpp"
+#include "coupler/case/bench_surface.hpp"
+#include "coupler/case/outline_file.hpp"
 #include "coupler/deck/bench_cut.hpp"
-#include "coupler/deck/bench_surface.hpp"
-#include "coupler/deck/outline_file.hpp"
-#include "coupler/mesh/stl.hpp"
 
 int main(int argc, char** argv) {
   using namespace dipper;
@@ -17,28 +17,29 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    std::vector<PileSphere> spheres;
-    const DumpReader reader({argv[1]});
-    DumpReader::read(reader.frames().front(), {"id", "id_multisphere", "x", "y", "z", "radius"},
-                     [&](const ParticleChunk& chunk) {
-                       const auto& k = chunk.columns;
-                       for (std::size_t i = 0; i < chunk.rows; ++i)
-                         spheres.push_back({static_cast<long>(k[0][i]),
-                                            static_cast<long>(k[1][i]),
-                                            {k[2][i], k[3][i], k[4][i]},
-                                            k[5][i]});
-                     });
+    std::vector<deck::PileSphere> spheres;
+    const analysis::io::DumpReader reader({argv[1]});
+    analysis::io::DumpReader::read(reader.frames().front(),
+                                   {"id", "id_multisphere", "x", "y", "z", "radius"},
+                                   [&](const analysis::io::ParticleChunk& chunk) {
+                                     const auto& k = chunk.columns;
+                                     for (std::size_t i = 0; i < chunk.rows; ++i)
+                                       spheres.push_back({static_cast<long>(k[0][i]),
+                                                          static_cast<long>(k[1][i]),
+                                                          {k[2][i], k[3][i], k[4][i]},
+                                                          k[5][i]});
+                                   });
     std::function<double(double, double)> height;
-    if (is_stl(argv[2])) {
-      height = [surface = BenchSurface(read_stl(argv[2]))](double x, double y) {
+    if (mesh::is_stl(argv[2])) {
+      height = [surface = cases::BenchSurface(mesh::read_stl(argv[2]))](double x, double y) {
         return surface.height(x, y);
       };
     } else {
-      height = [outline = read_outline(argv[2])](double x, double) {
-        return outline_height(outline, x);
+      height = [outline = cases::read_outline(argv[2])](double x, double) {
+        return cases::outline_height(outline, x);
       };
     }
-    std::cout << waste_group(over_surface(spheres, height));
+    std::cout << deck::waste_group(deck::over_surface(spheres, height));
   } catch (const std::exception& e) {
     std::cerr << "bench-cut: " << e.what() << '\n';
     return 2;

@@ -5,22 +5,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/seconds.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/pile_shape.hpp"
-#include "coupler/motion/seconds.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 namespace {
 
 // Solid by volume as it comes loose: below kPouredFraction, as a thin slab is harder to fill.
 constexpr double kLooseFraction = 0.25;
-constexpr double kDoorOpen_rad = 0.02;  // as analysis/passes.cpp has it
+constexpr double kDoorOpen_rad = 0.02;  // as analysis/signals/passes.cpp has it
 constexpr std::int64_t kSample_ns = 10'000'000;
 constexpr double kSteepest =
     0.1;  // run by rise: a slab has a side to lie on before an upright face
 
 /// Where the outline first reaches a height it has.
-double first_at(const BenchOutline& outline, double height_m) {
+double first_at(const cases::BenchOutline& outline, double height_m) {
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const Eigen::Vector2d& b = outline[k];
     if (b.y() < height_m) continue;
@@ -33,9 +33,9 @@ double first_at(const BenchOutline& outline, double height_m) {
 
 }  // namespace
 
-CollapseSlab collapse_slab(const Case& c) {
+CollapseSlab collapse_slab(const cases::Case& c) {
   const PileShape pile = pile_shape(c);
-  const BenchOutline outline = bench_outline(c);
+  const cases::BenchOutline outline = bench_outline(c);
   const double height = c.collapse.height_m, half = pile.height_m / 2;
   double largest = 0;  // a rock lies in it as a whole
   for (const RockClass& rock : rock_classes(c)) largest = std::max(largest, 2 * rock.radius_m);
@@ -61,7 +61,7 @@ CollapseSlab collapse_slab(const Case& c) {
   return s;
 }
 
-std::optional<double> collapse_time_s(const Case& c, const Motion& motion) {
+std::optional<double> collapse_time_s(const cases::Case& c, const machine::Motion& motion) {
   if (c.collapse.at_s > 0) return c.collapse.at_s;
   for (std::int64_t t = motion.start_ns(); t <= motion.end_ns(); t += kSample_ns) {
     if (std::abs(motion.value(t).door) > kDoorOpen_rad) return seconds(t);
@@ -77,4 +77,4 @@ std::vector<std::pair<std::string, std::string>> collapse_variables(const Collap
           {"slab_run", number(s.run_m)},         {"slab_mass", number(s.mass_kg)}};
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "coupler/case/case.hpp"
-#include "coupler/motion/motion.hpp"
+#include "machine/motion.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// The slab of collapse.height_m, measured straight up, over the upper half of the bench's face and
 /// its crest. A scanned face is taken as straight from half its height to its crest, and lifted
@@ -27,13 +27,13 @@ struct CollapseSlab {
 };
 
 /// Of a case whose collapse.height_m is above 0.
-CollapseSlab collapse_slab(const Case& c);
+CollapseSlab collapse_slab(const cases::Case& c);
 
 /// When it comes loose: collapse.at_s, or when the motion first opens the door, with the first load
 /// over the truck. Empty when it never does.
-std::optional<double> collapse_time_s(const Case& c, const Motion& motion);
+std::optional<double> collapse_time_s(const cases::Case& c, const machine::Motion& motion);
 
 /// What dem_in/collapse.in needs to know, name and value.
 std::vector<std::pair<std::string, std::string>> collapse_variables(const CollapseSlab& s);
 
-}  // namespace dipper
+}  // namespace dipper::deck

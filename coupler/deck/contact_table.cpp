@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupler/dem/muck/muck_law.hpp"
+#include "dem/muck/muck_law.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 namespace {
 
 struct Pair {
@@ -19,26 +19,26 @@ double damping(double share_of_critical, double stiffness, double meff) {
 
 }  // namespace
 
-double porosity(const Case& c) {
+double porosity(const cases::Case& c) {
   return std::max(0.0, 1 - c.rock.bulk_density_kg_m3 / c.rock.density_kg_m3);
 }
 
-double laden_density(const Case& c) {
+double laden_density(const cases::Case& c) {
   return c.rock.density_kg_m3 * (1 + c.rock.fines_fraction * porosity(c));
 }
 
-bool sticks(const Case& c) {
+bool sticks(const cases::Case& c) {
   return c.contact.cohesion_Pa > 0 || c.contact.adhesion_Pa > 0 || c.crust.tensile_strength_Pa > 0;
 }
 
-double grained_size_m(const RockCase& rock, double size_m) {
+double grained_size_m(const cases::RockCase& rock, double size_m) {
   const double grown = size_m * rock.coarse_graining, limit = rock.coarse_graining_limit_m;
   return limit > 0 && grown > limit ? std::max(size_m, limit) : grown;
 }
 
-std::vector<RockClass> rock_classes(const Case& c) {
+std::vector<RockClass> rock_classes(const cases::Case& c) {
   std::vector<RockClass> out;
-  for (const SizeClass& s : c.rock.classes) {
+  for (const cases::SizeClass& s : c.rock.classes) {
     const auto spheres = std::count(s.shapes.begin(), s.shapes.end(), "sphere");
     if (s.shapes.empty() || (spheres != 0 && s.shapes.size() != 1))
       throw std::invalid_argument("rock.classes: " + s.name +
@@ -49,12 +49,12 @@ std::vector<RockClass> rock_classes(const Case& c) {
   return out;
 }
 
-AtomTypes atom_types(const Case& c) { return {static_cast<int>(c.rock.classes.size())}; }
+AtomTypes atom_types(const cases::Case& c) { return {static_cast<int>(c.rock.classes.size())}; }
 
-ContactTable contact_table(const Case& c) {
+ContactTable contact_table(const cases::Case& c) {
   const std::vector<RockClass> rocks = rock_classes(c);
   const AtomTypes types = atom_types(c);
-  const ContactCase& k = c.contact;
+  const cases::ContactCase& k = c.contact;
   const double bulk = c.rock.youngs_modulus_Pa / (3 * (1 - 2 * c.rock.poisson_ratio));
 
   ContactTable t;
@@ -101,7 +101,7 @@ ContactTable contact_table(const Case& c) {
 
   const int n = types.classes;
   const auto stress = [&](double strength) {
-    return strength > 0 ? muck::pull_off_stress(strength, porosity(c)) : 0.0;
+    return strength > 0 ? dem::muck::pull_off_stress(strength, porosity(c)) : 0.0;
   };
   t.pull_off_Pa.topLeftCorner(n, n).setConstant(stress(k.cohesion_Pa));
   for (const auto& [wall, strength] : {std::pair{types.ground(), k.cohesion_Pa},
@@ -113,4 +113,4 @@ ContactTable contact_table(const Case& c) {
   return t;
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

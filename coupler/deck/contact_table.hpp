@@ -12,8 +12,8 @@
 // once meets all of Eq. 8, and a rock at rest stays there. LIGGGHTS's cdt, Eq. 8 to the letter,
 // turns M against the last step's spin, which never dies: docs/rock.md.
 //
-// limitForce keeps F_n >= 0: rock does not stick. tests/deck/two_body_test and rolling_test hold
-// each line to its closed form. What LIGGGHTS does otherwise than the paper:
+// limitForce keeps F_n >= 0: rock does not stick. tests/coupler/deck/two_body_test and rolling_test
+// hold each line to its closed form. What LIGGGHTS does otherwise than the paper:
 // - Eq. 7 bounds the spring only. While it is at mu F_n there is no damping; before, the damper is
 //   unbounded, so that a first touch at a grazing angle (v_t = 10 v_n, D as in the paper) gives 2.7
 //   times the tangential impulse mu would. Rock that already slides is not touched by this.
@@ -27,18 +27,18 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// Share of the settled pile that is not rock.
-double porosity(const Case& c);
+double porosity(const cases::Case& c);
 
 /// Mass of a rock, with the fines that move with it, by the rock's volume: rho (1 + phi e). The
 /// fines fill the share phi of the voids e and are packed as densely as the rock, so the pile's
 /// bulk density rho (1 - e) becomes rho (1 - e)(1 + phi e).
-double laden_density(const Case& c);
+double laden_density(const cases::Case& c);
 
 /// Whether the rock needs the cohesion model `muck`: moist, or with a crust.
-bool sticks(const Case& c);
+bool sticks(const cases::Case& c);
 
 /// All bodies of a class have one mass: size is the volume-equivalent diameter.
 struct RockClass {
@@ -48,11 +48,11 @@ struct RockClass {
 };
 
 /// A size as it is dug: times coarse_graining, but not grown beyond coarse_graining_limit_m.
-double grained_size_m(const RockCase& rock, double size_m);
+double grained_size_m(const cases::RockCase& rock, double size_m);
 
 /// One per case.rock.classes, in order. Throws std::invalid_argument for a class that mixes spheres
 /// and other shapes, or has no shape.
-std::vector<RockClass> rock_classes(const Case& c);
+std::vector<RockClass> rock_classes(const cases::Case& c);
 
 /// The LIGGGHTS atom types: 1 ... n the size classes, then the walls.
 struct AtomTypes {
@@ -63,7 +63,7 @@ struct AtomTypes {
   int sides() const { return classes + 4; }  ///< frictionless
   int count() const { return classes + 4; }
 };
-AtomTypes atom_types(const Case& c);
+AtomTypes atom_types(const cases::Case& c);
 
 /// Symmetric; row and column are type - 1. Wall against wall never meets: zero.
 struct ContactTable {
@@ -85,6 +85,6 @@ struct ContactTable {
 /// equal spheres, mu_r on walls. Against a rock R is its volume-equivalent radius; the sub-sphere
 /// that touches has another, b, which makes the torque (1 + r/R)/(1 + r/b) of Eq. 8's: 0.75 at
 /// b = 0.55 R, r = 2 R/3. Rocks among themselves and on walls have none.
-ContactTable contact_table(const Case& c);
+ContactTable contact_table(const cases::Case& c);
 
-}  // namespace dipper
+}  // namespace dipper::deck

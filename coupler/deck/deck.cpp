@@ -10,16 +10,16 @@
 #include <set>
 #include <stdexcept>
 
-#include "coupler/deck/bench_surface.hpp"
+#include "common/mesh/stl.hpp"
+#include "coupler/case/bench_surface.hpp"
+#include "coupler/case/outline_file.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/domain_split.hpp"
-#include "coupler/deck/outline_file.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
 #include "coupler/deck/shape_library.hpp"
-#include "coupler/mesh/stl.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,20 +46,20 @@ std::int64_t prime_seed(std::int64_t seed, int k) {
   return n;
 }
 
-std::string wall_arrays(const OutputCase& o) {
+std::string wall_arrays(const cases::OutputCase& o) {
   return std::string("\"id") + (o.wall_stress == "on" ? " stress" : "") +
          (o.wear_m3_J > 0 ? " wear" : "") + "\"";
 }
 
 /// A rock keeps its lists until something has moved by half of this: the dipper does at every few
 /// steps. Two fifths of the smallest rock cost least (docs/benchmarks.md).
-double skin_m(const RockCase& rock) {
+double skin_m(const cases::RockCase& rock) {
   double smallest = rock.classes.front().size_m;
-  for (const SizeClass& s : rock.classes) smallest = std::min(smallest, s.size_m);
+  for (const cases::SizeClass& s : rock.classes) smallest = std::min(smallest, s.size_m);
   return 0.4 * grained_size_m(rock, smallest);
 }
 
-std::string case_in(const Case& c) {
+std::string case_in(const cases::Case& c) {
   const PileShape pile = pile_shape(c);
   const AtomTypes types = atom_types(c);
   std::string out = "# Written by dipper from the case: what dem_in/*.in needs of it.\n";
@@ -120,13 +120,13 @@ std::string table(const std::string& name, const std::string& comment, const Eig
   return out + "\n";
 }
 
-std::string material_in(const Case& c) {
+std::string material_in(const cases::Case& c) {
   const ContactTable t = contact_table(c);
   std::string out =
       "# Written by dipper from the case. Svanberg et al. 2021, Eqs. 3-8 and Table 2, as\n"
       "# coupler/deck/contact_table.hpp maps them. Row and column are atom types:\n#";
   int type = 0;
-  for (const SizeClass& s : c.rock.classes) out += fmt::format(" {} {},", ++type, s.name);
+  for (const cases::SizeClass& s : c.rock.classes) out += fmt::format(" {} {},", ++type, s.name);
   out += fmt::format(" {} dipper, {} ground, {} truck, {} sides.\n", type + 1, type + 2, type + 3,
                      type + 4);
   out += table("kn", "K_n [N/m], Eqs. 4, 5", t.kn);
@@ -136,7 +136,7 @@ std::string material_in(const Case& c) {
   out += table("coefficientFriction", "mu, Eq. 7", t.friction);
   out += table("coefficientRollingFriction", "mu', Eq. 8", t.rolling);
   if (sticks(c)) {
-    out += table("moistPullOff", "F/d^2 [Pa], coupler/dem/muck/muck_law.hpp", t.pull_off_Pa);
+    out += table("moistPullOff", "F/d^2 [Pa], dem/muck/muck_law.hpp", t.pull_off_Pa);
     out +=
         "\n# A crust: strengths [Pa], and where it forms\n"
         "fix bondTensileStrength all property/global bondTensileStrength scalar ${bond_tension}\n"
@@ -156,7 +156,7 @@ struct Template {
   double mass_share;
 };
 
-std::string rocks_in(const Case& c, const std::map<std::string, RockShape>& shapes) {
+std::string rocks_in(const cases::Case& c, const std::map<std::string, RockShape>& shapes) {
   const std::vector<RockClass> classes = rock_classes(c);
   const double rho = laden_density(c);
   std::string out =
@@ -167,7 +167,7 @@ std::string rocks_in(const Case& c, const std::map<std::string, RockShape>& shap
   std::vector<Template> templates;
   int shape_type = 0;
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const SizeClass& s = c.rock.classes[i];
+    const cases::SizeClass& s = c.rock.classes[i];
     const double size = 2 * classes[i].radius_m;
     for (const std::string& shape : s.shapes) {
       const std::string fix = s.name + "_" + shape;
@@ -207,8 +207,8 @@ std::string sphere_file(const RockShape& shape, const std::string& resolution) {
 
 }  // namespace
 
-PileShape pile_shape(const Case& c) {
-  const PileCase& p = c.pile;
+PileShape pile_shape(const cases::Case& c) {
+  const cases::PileCase& p = c.pile;
   PileShape s;
   if (p.profile.empty()) {
     s.toe_x_m = p.toe_x_m;
@@ -227,13 +227,13 @@ PileShape pile_shape(const Case& c) {
   return s;
 }
 
-BenchOutline bench_outline(const Case& c) {
+cases::BenchOutline bench_outline(const cases::Case& c) {
   if (!c.pile.profile.empty()) return c.pile.outline_m;
   const PileShape s = pile_shape(c);
   return {{s.toe_x_m, 0}, {s.toe_x_m + s.pour_run_m, s.height_m}, {s.rear_x_m, s.height_m}};
 }
 
-std::vector<ClassCount> rock_counts(const Case& c) {
+std::vector<ClassCount> rock_counts(const cases::Case& c) {
   const std::vector<RockClass> classes = rock_classes(c);
   const double mass = pile_shape(c).mass_kg;
   std::vector<ClassCount> out;
@@ -243,7 +243,7 @@ std::vector<ClassCount> rock_counts(const Case& c) {
   return out;
 }
 
-void write_deck(const Case& c, const fs::path& shapes, const fs::path& folder) {
+void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& folder) {
   std::set<std::string> bodies;
   for (const auto& [name, mesh] : c.bodies) bodies.insert(name);
   if (bodies != std::set<std::string>{"dipper", "door"})
@@ -256,7 +256,7 @@ void write_deck(const Case& c, const fs::path& shapes, const fs::path& folder) {
                       k.name, k.rocks));
 
   std::map<std::string, RockShape> used;
-  for (const SizeClass& s : c.rock.classes)
+  for (const cases::SizeClass& s : c.rock.classes)
     for (const std::string& name : s.shapes)
       if (name != "sphere" && used.count(name) == 0) used[name] = find_rock_shape(shapes, name);
 
@@ -267,12 +267,12 @@ void write_deck(const Case& c, const fs::path& shapes, const fs::path& folder) {
   for (const auto& [name, shape] : used)
     write(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
   if (c.pile.surface) {
-    write(folder / kSurfaceFile, to_stl("surface", c.pile.surface->mesh()));
+    write(folder / kSurfaceFile, mesh::to_stl("surface", c.pile.surface->mesh()));
   } else {
-    write(folder / "outline.csv", to_csv(bench_outline(c)));
+    write(folder / "outline.csv", cases::to_csv(bench_outline(c)));
   }
-  write(folder / "funnel.stl", to_stl("funnel", funnel_walls(c)));
-  write(folder / "sides.stl", to_stl("sides", bench_walls(c)));
+  write(folder / "funnel.stl", mesh::to_stl("funnel", funnel_walls(c)));
+  write(folder / "sides.stl", mesh::to_stl("sides", bench_walls(c)));
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -7,14 +7,14 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// How many rocks of one class the pour holds.
 struct ClassCount {
   std::string name;
   double rocks = 0;  ///< expected, before rounding
 };
-std::vector<ClassCount> rock_counts(const Case& c);
+std::vector<ClassCount> rock_counts(const cases::Case& c);
 
 /// Writes into `folder` (created):
 ///   case.in      variables: box, step, walls, pile, truck, body meshes, ranks
@@ -28,7 +28,7 @@ std::vector<ClassCount> rock_counts(const Case& c);
 /// folder can be moved. Throws std::invalid_argument naming the key for a case that gives no deck
 /// (a body other than dipper and door, a class with less than one rock), std::runtime_error for
 /// files.
-void write_deck(const Case& c, const std::filesystem::path& shapes,
+void write_deck(const cases::Case& c, const std::filesystem::path& shapes,
                 const std::filesystem::path& folder);
 
-}  // namespace dipper
+}  // namespace dipper::deck

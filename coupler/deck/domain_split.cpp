@@ -7,15 +7,17 @@
 
 #include "coupler/deck/pile_shape.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 namespace {
 
 /// The bench's section in (x, z), from the toe to the rear wall.
 class Bench {
  public:
-  explicit Bench(const Case& c) : c_(c), shape_(pile_shape(c)), outline_(bench_outline(c)) {}
+  explicit Bench(const cases::Case& c) : c_(c), shape_(pile_shape(c)), outline_(bench_outline(c)) {}
   /// Height of the bench at x.
-  double top(double x) const { return x > shape_.rear_x_m ? 0 : outline_height(outline_, x); }
+  double top(double x) const {
+    return x > shape_.rear_x_m ? 0 : cases::outline_height(outline_, x);
+  }
   /// Area of the section between two x and two z.
   double area(double x0, double x1, double z0, double z1) const {
     constexpr int kSlices = 200;
@@ -35,16 +37,16 @@ class Bench {
   }
 
  private:
-  const Case& c_;
+  const cases::Case& c_;
   PileShape shape_;
-  BenchOutline outline_;
+  cases::BenchOutline outline_;
 };
 
 struct Grid {
   double largest_share = 0, cut_m2 = 0;
 };
 
-Grid measure(const Case& c, const Bench& bench, const std::array<int, 3>& parts) {
+Grid measure(const cases::Case& c, const Bench& bench, const std::array<int, 3>& parts) {
   constexpr double kFar = 1e9;
   std::array<std::vector<double>, 3> cuts;
   for (int k = 0; k < 3; ++k) {
@@ -73,7 +75,7 @@ Grid measure(const Case& c, const Bench& bench, const std::array<int, 3>& parts)
 
 }  // namespace
 
-DomainSplit best_split(const Case& c, int ranks) {
+DomainSplit best_split(const cases::Case& c, int ranks) {
   const Bench bench(c);
   struct Choice {
     std::array<int, 3> parts;
@@ -98,4 +100,4 @@ DomainSplit best_split(const Case& c, int ranks) {
   return {best->parts, best->grid.largest_share};
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -5,7 +5,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// Parts along x, y and z; their product is the number of ranks.
 struct DomainSplit {
@@ -16,8 +16,8 @@ struct DomainSplit {
 /// LIGGGHTS cuts its box into equal parts, wherever the rock is, and never moves a cut. So: of all
 /// grids of `ranks` parts, the one whose fullest part holds the least of the bench, and of those
 /// within kSameShare of it the one that cuts through the least rock (what neighbours exchange).
-DomainSplit best_split(const Case& c, int ranks);
+DomainSplit best_split(const cases::Case& c, int ranks);
 
 inline constexpr double kSameShare = 1.02;
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dipper {
+namespace dipper::deck {
 
 /// Whether a script can name the file: words end at blanks, and $, #, & and quotes have meanings of
 /// their own that no escape takes away from a variable's value.
@@ -15,4 +15,4 @@ inline bool liggghts_takes(const std::filesystem::path& path) {
 inline constexpr const char* kLiggghtsRefuses =
     "LIGGGHTS takes no path with a blank, a quote, $, # or &";
 
-}  // namespace dipper
+}  // namespace dipper::deck

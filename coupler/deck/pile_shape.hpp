@@ -2,9 +2,9 @@
 #pragma once
 
 #include "coupler/case/case.hpp"
-#include "coupler/deck/bench_cut.hpp"
+#include "coupler/case/outline_file.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// In W, extruded over the width.
 struct PileShape {
@@ -17,8 +17,8 @@ struct PileShape {
   double pour_height_m = 0;  ///< top of the poured rock, before it falls
 };
 
-/// Solid by bulk volume of settled rock: measured here (tests/deck); the paper's 1903 kg/m3 of
-/// 3700 kg/m3 is 0.51, for scanned shapes.
+/// Solid by bulk volume of settled rock: measured here (tests/coupler/deck); the paper's 1903 kg/m3
+/// of 3700 kg/m3 is 0.51, for scanned shapes.
 inline constexpr double kSettledFraction = 0.60;
 /// Poured beyond the bench, so that cutting to its profile leaves no dents.
 inline constexpr double kSpare = 1.10;
@@ -27,10 +27,10 @@ inline constexpr double kPouredFraction = 0.30;
 
 /// The pour fills the trapezoid, or the whole box behind the toe of a profile: rock stands at its
 /// own angle, so a face is only as steep as the profile's when it is cut from a higher fill.
-PileShape pile_shape(const Case& c);
+PileShape pile_shape(const cases::Case& c);
 
 /// What the poured pile is cut to: the case's trapezoid or its profile; the highest section of a
 /// surface.
-BenchOutline bench_outline(const Case& c);
+cases::BenchOutline bench_outline(const cases::Case& c);
 
-}  // namespace dipper
+}  // namespace dipper::deck

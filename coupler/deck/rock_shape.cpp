@@ -10,9 +10,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "coupler/mesh/mesh_check.hpp"
+#include "common/mesh/mesh_check.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 namespace {
 
 /// Connected by shared vertices.
-std::size_t shells(const TriangleMesh& mesh) {
+std::size_t shells(const mesh::TriangleMesh& mesh) {
   std::vector<std::size_t> parent(mesh.vertices.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t v) {
@@ -55,27 +55,27 @@ const SphereFit& RockShape::fit(const std::string& resolution) const {
   return found->second;
 }
 
-std::vector<std::string> rock_faults(const TriangleMesh& mesh) {
+std::vector<std::string> rock_faults(const mesh::TriangleMesh& mesh) {
   std::vector<std::string> out;
-  for (const MeshFault& fault : check_mesh(mesh)) out.push_back(fault.message);
+  for (const mesh::MeshFault& fault : mesh::check_mesh(mesh)) out.push_back(fault.message);
   if (const std::size_t n = shells(mesh); out.empty() && n > 1)
     out.push_back(fmt::format("{} separate shells; a rock is one: keep the largest", n));
   return out;
 }
 
-RockShape make_rock_shape(const std::string& name, TriangleMesh mesh,
+RockShape make_rock_shape(const std::string& name, mesh::TriangleMesh mesh,
                           const std::vector<ShapeResolution>& resolutions) {
   if (const auto faults = rock_faults(mesh); !faults.empty())
     throw std::invalid_argument(faults[0]);
-  const MassProperties raw = mass_properties(mesh);
+  const mesh::MassProperties raw = mesh::mass_properties(mesh);
   const double scale = std::cbrt(M_PI / 6 / raw.volume_m3);
   for (Vector3d& v : mesh.vertices) v = scale * (v - raw.com_m);
   RockShape shape;
   shape.name = name;
-  shape.mass = mass_properties(mesh);
+  shape.mass = mesh::mass_properties(mesh);
   const Matrix3d axes =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(shape.mass.inertia_m5).eigenvectors();
-  BoundingBox box;
+  mesh::BoundingBox box;
   for (const Vector3d& v : mesh.vertices) box.add(axes.transpose() * v);
   Vector3d sides = box.max - box.min;
   std::sort(sides.data(), sides.data() + 3);
@@ -155,4 +155,4 @@ RockShape read_rock_shape(const std::filesystem::path& file) try {
   throw std::runtime_error(file.string() + ": " + e.what());
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "common/mesh/mass_properties.hpp"
 #include "coupler/deck/sphere_fit.hpp"
-#include "coupler/mesh/mass_properties.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// How finely spheres stand for a mesh: rock.shape_resolution.
 struct ShapeResolution {
@@ -31,11 +31,11 @@ struct SphereFit {
 /// rho: lengths times s, mass rho s^3 V, inertia rho s^5 J.
 struct RockShape {
   std::string name;
-  std::string mesh_sha256;  ///< of the STL it was made from
-  MassProperties mass;      ///< of the mesh, exact
-  double aspect_ratio = 1;  ///< L/I: longest by middle side of the principal box
-  double flatness = 1;      ///< S/I: shortest by middle side of that box
-  double sphericity = 1;    ///< area of the sphere of the same volume by area (Wadell)
+  std::string mesh_sha256;    ///< of the STL it was made from
+  mesh::MassProperties mass;  ///< of the mesh, exact
+  double aspect_ratio = 1;    ///< L/I: longest by middle side of the principal box
+  double flatness = 1;        ///< S/I: shortest by middle side of that box
+  double sphericity = 1;      ///< area of the sphere of the same volume by area (Wadell)
   std::map<std::string, SphereFit> fits;  ///< by the resolution's name
 
   /// Throws std::invalid_argument when there is none of that name.
@@ -44,12 +44,12 @@ struct RockShape {
 
 /// Scales a sound mesh (rock_faults) to diameter 1 m about its centre of mass and fits spheres, as
 /// many as each resolution says. Throws std::invalid_argument naming the first fault.
-RockShape make_rock_shape(const std::string& name, TriangleMesh mesh,
+RockShape make_rock_shape(const std::string& name, mesh::TriangleMesh mesh,
                           const std::vector<ShapeResolution>& resolutions = {
                               kShapeResolutions.begin(), kShapeResolutions.end()});
 
 /// What makes a mesh unfit as a rock: the faults of check_mesh, or more than one shell.
-std::vector<std::string> rock_faults(const TriangleMesh& mesh);
+std::vector<std::string> rock_faults(const mesh::TriangleMesh& mesh);
 
 /// What meshes/rocks/NAME.yaml holds; the comment lines name the units.
 std::string to_yaml(const RockShape& shape);
@@ -57,4 +57,4 @@ std::string to_yaml(const RockShape& shape);
 /// Reads such a file. Throws std::runtime_error naming file and key.
 RockShape read_rock_shape(const std::filesystem::path& file);
 
-}  // namespace dipper
+}  // namespace dipper::deck

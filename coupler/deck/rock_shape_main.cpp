@@ -15,8 +15,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    std::vector<dipper::ShapeResolution> resolutions(dipper::kShapeResolutions.begin(),
-                                                     dipper::kShapeResolutions.end());
+    std::vector<dipper::deck::ShapeResolution> resolutions(dipper::deck::kShapeResolutions.begin(),
+                                                           dipper::deck::kShapeResolutions.end());
     for (int i = 2; i < argc; ++i) {
       char* end = nullptr;
       const long n = std::strtol(argv[i], &end, 10);
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
       }
       resolutions[static_cast<std::size_t>(i - 2)].spheres = static_cast<int>(n);
     }
-    std::cout << dipper::to_yaml(dipper::fit_rock_shape(argv[1], resolutions));
+    std::cout << dipper::deck::to_yaml(dipper::deck::fit_rock_shape(argv[1], resolutions));
   } catch (const std::exception& e) {
     std::cerr << "rock-shape: " << e.what() << '\n';
     return 2;

@@ -7,11 +7,11 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "coupler/core/cache_folder.hpp"
-#include "coupler/core/sha256.hpp"
-#include "coupler/mesh/stl.hpp"
+#include "common/cache_folder.hpp"
+#include "common/mesh/stl.hpp"
+#include "common/sha256.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,7 +70,7 @@ RockShape find_rock_shape(const fs::path& folder, const std::string& name) {
 }
 
 RockShape fit_rock_shape(const fs::path& stl, const std::vector<ShapeResolution>& resolutions) {
-  const TriangleMesh mesh = read_stl(stl);  // its errors name the file
+  const mesh::TriangleMesh mesh = mesh::read_stl(stl);  // its errors name the file
   try {
     RockShape shape = make_rock_shape(stl.stem().string(), mesh, resolutions);
     shape.mesh_sha256 = mesh_hash(stl);
@@ -80,4 +80,4 @@ RockShape fit_rock_shape(const fs::path& stl, const std::vector<ShapeResolution>
   }
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -8,7 +8,7 @@
 
 #include "coupler/deck/rock_shape.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// Every NAME with a NAME.yaml or a NAME.stl in the folder.
 std::set<std::string> shape_names(const std::filesystem::path& folder);
@@ -27,4 +27,4 @@ RockShape fit_rock_shape(const std::filesystem::path& stl,
                          const std::vector<ShapeResolution>& resolutions = {
                              kShapeResolutions.begin(), kShapeResolutions.end()});
 
-}  // namespace dipper
+}  // namespace dipper::deck

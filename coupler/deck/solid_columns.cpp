@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dipper {
+namespace dipper::deck {
 namespace {
 
 using Eigen::Vector3d;
@@ -49,8 +49,8 @@ double difference(const Spans& a, const Spans& b) {
   return all - 2 * both;
 }
 
-SolidColumns::SolidColumns(const TriangleMesh& mesh, int cells, double margin) {
-  BoundingBox box;
+SolidColumns::SolidColumns(const mesh::TriangleMesh& mesh, int cells, double margin) {
+  mesh::BoundingBox box;
   for (const Vector3d& v : mesh.vertices) box.add(v, margin);
   const Vector3d sides = box.max - box.min;
   corner_ = box.min;
@@ -116,4 +116,4 @@ double SolidColumns::volume_m3() const {
   return length * cell_ * cell_;
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "coupler/mesh/triangle_mesh.hpp"
+#include "common/mesh/triangle_mesh.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// Where a line is inside something: disjoint intervals [m], in order.
 using Spans = std::vector<std::pair<double, double>>;
@@ -23,7 +23,7 @@ class SolidColumns {
  public:
   /// `cells` lines across the longest side of the mesh's box, which is `margin` [m] wider all round
   /// than the mesh. A point is inside where the winding number is positive, so shells may overlap.
-  SolidColumns(const TriangleMesh& mesh, int cells, double margin);
+  SolidColumns(const mesh::TriangleMesh& mesh, int cells, double margin);
 
   double cell_m() const { return cell_; }
   std::size_t size() const { return spans_.size(); }
@@ -44,4 +44,4 @@ class SolidColumns {
   std::vector<Spans> spans_;  // x by x, y running fastest
 };
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -7,10 +7,10 @@
 #include <random>
 #include <stdexcept>
 
+#include "common/mesh/mesh_check.hpp"
 #include "coupler/deck/solid_columns.hpp"
-#include "coupler/mesh/mesh_check.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 namespace {
 
 using Eigen::Vector3d;
@@ -150,12 +150,12 @@ void match_volume(double volume, double diameter, Spheres& spheres) {
 
 double least_radius(int count) { return 0.2 * std::cbrt(6.0 / std::max(6, count)); }
 
-std::vector<Sphere> fit_spheres(const TriangleMesh& mesh, int count) {
+std::vector<Sphere> fit_spheres(const mesh::TriangleMesh& mesh, int count) {
   if (mesh.triangles.empty()) throw std::invalid_argument("the mesh has no facets");
-  if (const auto faults = check_mesh(mesh); !faults.empty())
+  if (const auto faults = mesh::check_mesh(mesh); !faults.empty())
     throw std::invalid_argument("not a closed surface that faces outwards: " + faults[0].message);
   if (count < 1) throw std::invalid_argument("at least one sphere is needed");
-  const double whole = volume(mesh), diameter = std::cbrt(6 * whole / M_PI);
+  const double whole = mesh::volume(mesh), diameter = std::cbrt(6 * whole / M_PI);
   const SolidColumns solid(mesh, 64, 0.2 * diameter), coarse(mesh, 20, 0);
   const std::vector<Vector3d> points = inner_points(coarse), normals = directions(kSurfacePoints);
   if (points.empty()) throw std::invalid_argument("too thin to fit spheres in it");
@@ -177,7 +177,7 @@ std::vector<Sphere> fit_spheres(const TriangleMesh& mesh, int count) {
 }
 
 double union_volume(const std::vector<Sphere>& spheres, int cells) {
-  BoundingBox box;
+  mesh::BoundingBox box;
   for (const Sphere& s : spheres) box.add(s.centre_m, s.radius_m);
   const Vector3d sides = box.max - box.min;
   const double h = sides.maxCoeff() / cells;
@@ -193,9 +193,9 @@ double union_volume(const std::vector<Sphere>& spheres, int cells) {
   return length * h * h;
 }
 
-double symmetric_difference(const TriangleMesh& mesh, const std::vector<Sphere>& spheres) {
-  const double whole = volume(mesh);
+double symmetric_difference(const mesh::TriangleMesh& mesh, const std::vector<Sphere>& spheres) {
+  const double whole = mesh::volume(mesh);
   return mismatch(SolidColumns(mesh, 160, 0.5 * std::cbrt(whole)), spheres) / whole;
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

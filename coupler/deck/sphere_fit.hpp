@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "coupler/mesh/triangle_mesh.hpp"
+#include "common/mesh/triangle_mesh.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 struct Sphere {
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
@@ -20,7 +20,7 @@ struct Sphere {
 /// below a share of the volume-equivalent diameter (least_radius): small spheres cost neighbours
 /// and add corners that are not there. Deterministic. Throws std::invalid_argument when the mesh is
 /// not sound (check_mesh).
-std::vector<Sphere> fit_spheres(const TriangleMesh& mesh, int count);
+std::vector<Sphere> fit_spheres(const mesh::TriangleMesh& mesh, int count);
 
 /// Of the volume-equivalent diameter: 0.2 for six spheres and fewer, falling with the cube root of
 /// their number.
@@ -30,6 +30,6 @@ double least_radius(int count);
 double union_volume(const std::vector<Sphere>& spheres, int cells = 160);
 
 /// Volume [m3] inside exactly one of solid and union, by the volume of the solid.
-double symmetric_difference(const TriangleMesh& mesh, const std::vector<Sphere>& spheres);
+double symmetric_difference(const mesh::TriangleMesh& mesh, const std::vector<Sphere>& spheres);
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-namespace dipper {
+namespace dipper::deck {
 
 double critical_step(double omega, double zeta) {
   return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / omega;
 }
 
-double stable_timestep(const Case& c) {
+double stable_timestep(const cases::Case& c) {
   const ContactTable t = contact_table(c);
   const double n = std::sqrt(static_cast<double>(kContacts));
   double step = std::numeric_limits<double>::infinity();
@@ -21,4 +21,4 @@ double stable_timestep(const Case& c) {
   return step;
 }
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -3,7 +3,7 @@
 
 #include "coupler/deck/contact_table.hpp"
 
-namespace dipper {
+namespace dipper::deck {
 
 /// The longest step [s] at which one damped contact of angular frequency omega = sqrt(K/m) [1/s]
 /// and damping ratio zeta stays bounded in LIGGGHTS's velocity Verlet. There the force is computed
@@ -18,11 +18,11 @@ double critical_step(double omega, double zeta);
 /// omega sqrt(n), zeta sqrt(n). For equal spheres and D_n = 0.9 it is 0.18 sqrt(m/K_n); the paper
 /// ran 4.5e-5 s = 0.11 sqrt(m/K_n) (section 4). The mass in a contact is the whole rock's, so light
 /// sub-spheres do not shorten the step.
-double stable_timestep(const Case& c);
+double stable_timestep(const cases::Case& c);
 
-/// Measured on the small bench of tests/deck at D_n = 0.9: with 0.9 of this step the rock comes to
-/// rest as with 0.3, with 1.2 almost, with 1.5 it keeps trembling, with 1.8 the bench boils. With
-/// 12 and 24 spheres a rock in place of 6 it rests up to 1.0 and trembles from 1.2 on.
+/// Measured on the small bench of tests/coupler/deck at D_n = 0.9: with 0.9 of this step the rock
+/// comes to rest as with 0.3, with 1.2 almost, with 1.5 it keeps trembling, with 1.8 the bench
+/// boils. With 12 and 24 spheres a rock in place of 6 it rests up to 1.0 and trembles from 1.2 on.
 inline constexpr int kContacts = 4;
 
-}  // namespace dipper
+}  // namespace dipper::deck

@@ -7,29 +7,31 @@
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/run/first_dump.hpp"
 
-namespace dipper {
+namespace dipper::run {
 namespace fs = std::filesystem;
 
-std::vector<AchievedClass> achieved_grading(const Case& c, const fs::path& dumps) {
-  const std::vector<RockClass> rocks = rock_classes(c);
+std::vector<AchievedClass> achieved_grading(const cases::Case& c, const fs::path& dumps) {
+  const std::vector<deck::RockClass> rocks = deck::rock_classes(c);
   std::vector<AchievedClass> out;
   for (std::size_t i = 0; i < rocks.size(); ++i) {
-    const SizeClass& s = c.rock.classes[i];
+    const cases::SizeClass& s = c.rock.classes[i];
     out.push_back({s.name, 2 * rocks[i].radius_m, 0, 0, s.mass_percent});
   }
   const fs::path file = first_dump(dumps);
   if (file.empty()) return out;
-  const DumpReader reader({file});
+  const analysis::io::DumpReader reader({file});
   std::set<long> seen;
-  DumpReader::read(reader.frames().front(), {"type", "id_multisphere"},
-                   [&](const ParticleChunk& chunk) {
-                     for (std::size_t i = 0; i < chunk.rows; ++i) {
-                       const auto type = static_cast<std::size_t>(chunk.columns[0][i]);
-                       const long body = static_cast<long>(chunk.columns[1][i]);
-                       if (type < 1 || type > out.size()) continue;
-                       if (body < 0 || seen.insert(body).second) ++out[type - 1].rocks;
-                     }
-                   });
+  analysis::io::DumpReader::read(reader.frames().front(), {"type", "id_multisphere"},
+                                 [&](const analysis::io::ParticleChunk& chunk) {
+                                   for (std::size_t i = 0; i < chunk.rows; ++i) {
+                                     const auto type =
+                                         static_cast<std::size_t>(chunk.columns[0][i]);
+                                     const long body = static_cast<long>(chunk.columns[1][i]);
+                                     if (type < 1 || type > out.size()) continue;
+                                     if (body < 0 || seen.insert(body).second)
+                                       ++out[type - 1].rocks;
+                                   }
+                                 });
   double mass = 0;
   for (std::size_t i = 0; i < out.size(); ++i)
     mass += static_cast<double>(out[i].rocks) * rocks[i].mass_kg;
@@ -47,4 +49,4 @@ std::string to_csv(const std::vector<AchievedClass>& classes) {
   return out;
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -7,7 +7,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::run {
 
 /// One size class. The pour draws whole rocks, and cutting the bench to its profile loses some.
 struct AchievedClass {
@@ -21,9 +21,10 @@ struct AchievedClass {
 /// Counts a frame of LIGGGHTS's particles (columns type, id_multisphere): a sphere is a rock, and
 /// so are the spheres of one multisphere. `dumps` is a run's folder; its first frame is the settled
 /// pile. Throws InputError naming the file.
-std::vector<AchievedClass> achieved_grading(const Case& c, const std::filesystem::path& dumps);
+std::vector<AchievedClass> achieved_grading(const cases::Case& c,
+                                            const std::filesystem::path& dumps);
 
 /// class,size_m,rocks,mass_percent,wanted_percent
 std::string to_csv(const std::vector<AchievedClass>& classes);
 
-}  // namespace dipper
+}  // namespace dipper::run

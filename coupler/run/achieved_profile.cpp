@@ -5,35 +5,36 @@
 #include <stdexcept>
 #include <vector>
 
-#include "analysis/pile_angle.hpp"
-#include "coupler/deck/bench_surface.hpp"
+#include "analysis/rock/pile_angle.hpp"
+#include "coupler/case/bench_surface.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/run/first_dump.hpp"
 
-namespace dipper {
+namespace dipper::run {
 
-std::optional<AchievedProfile> achieved_profile(const Case& c, const std::filesystem::path& dumps) {
+std::optional<AchievedProfile> achieved_profile(const cases::Case& c,
+                                                const std::filesystem::path& dumps) {
   const std::filesystem::path file = first_dump(dumps);
   if (file.empty()) return std::nullopt;
-  std::vector<Ball> balls;
-  const DumpReader reader({file});
-  DumpReader::read(reader.frames().front(), {"x", "y", "z", "radius"},
-                   [&](const ParticleChunk& chunk) {
-                     const auto& k = chunk.columns;
-                     for (std::size_t i = 0; i < chunk.rows; ++i)
-                       balls.push_back({{k[0][i], k[1][i], k[2][i]}, k[3][i]});
-                   });
+  std::vector<analysis::rock::Ball> balls;
+  const analysis::io::DumpReader reader({file});
+  analysis::io::DumpReader::read(reader.frames().front(), {"x", "y", "z", "radius"},
+                                 [&](const analysis::io::ParticleChunk& chunk) {
+                                   const auto& k = chunk.columns;
+                                   for (std::size_t i = 0; i < chunk.rows; ++i)
+                                     balls.push_back({{k[0][i], k[1][i], k[2][i]}, k[3][i]});
+                                 });
   if (balls.empty()) return std::nullopt;
 
   double grain = 0;
-  for (const RockClass& k : rock_classes(c)) grain = std::max(grain, 2 * k.radius_m);
-  const SurfaceProfile surface = surface_profile(balls);
-  const BenchOutline outline =
-      c.pile.surface ? c.pile.surface->section(c.pile.width_m / 2, 0.5) : bench_outline(c);
+  for (const deck::RockClass& k : deck::rock_classes(c)) grain = std::max(grain, 2 * k.radius_m);
+  const analysis::rock::SurfaceProfile surface = analysis::rock::surface_profile(balls);
+  const cases::BenchOutline outline =
+      c.pile.surface ? c.pile.surface->section(c.pile.width_m / 2, 0.5) : deck::bench_outline(c);
   AchievedProfile out;
   try {
-    out.face_deg = pile_angle(surface, grain).angle_deg;
+    out.face_deg = analysis::rock::pile_angle(surface, grain).angle_deg;
   } catch (const std::invalid_argument&) {
     // too low a bench to have a flank
   }
@@ -42,7 +43,7 @@ std::optional<AchievedProfile> achieved_profile(const Case& c, const std::filesy
   for (std::size_t i = 0; i < surface.x_m.size(); ++i) {
     if (surface.x_m[i] < outline.front().x() || surface.x_m[i] > outline.back().x()) continue;
     x.push_back(surface.x_m[i]);
-    below.push_back(outline_height(outline, x.back()) - surface.z_m[i]);
+    below.push_back(cases::outline_height(outline, x.back()) - surface.z_m[i]);
     out.below_mean_m += below.back();
   }
   if (x.empty()) return out;
@@ -60,4 +61,4 @@ std::optional<AchievedProfile> achieved_profile(const Case& c, const std::filesy
   return out;
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

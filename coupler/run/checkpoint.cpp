@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-namespace dipper {
+namespace dipper::run {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
@@ -40,8 +40,8 @@ std::vector<fs::path> list(const fs::path& checkpoints) {
 
 }  // namespace
 
-Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, Rock& rock,
-                           Machine& machine) {
+Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock& rock,
+                           core::Machine& machine) {
   const fs::path place = checkpoints / fmt::format("{:09d}", c.step_index);
   c.folder = place.string() + ".part";
   fs::remove_all(c.folder);
@@ -103,4 +103,4 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   return c;
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

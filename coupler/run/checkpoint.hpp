@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "coupler/core/coupling.hpp"
-#include "coupler/dem/rock_setup.hpp"
+#include "dem/rock_setup.hpp"
 
-namespace dipper {
+namespace dipper::run {
 
 /// Where a run can go on from: one folder under checkpoints/, whole or not there at all.
 struct Checkpoint {
   std::filesystem::path folder;
   std::int64_t step_index = 0;
   std::int64_t dem_step = 0;
-  std::vector<Wrench> held;        ///< by the machine, into the next window
-  std::vector<Pose> X_WB_wall;     ///< the walls as LIGGGHTS has them
-  std::vector<WallMemory> memory;  ///< of the walls
+  std::vector<Wrench> held;             ///< by the machine, into the next window
+  std::vector<Pose> X_WB_wall;          ///< the walls as LIGGGHTS has them
+  std::vector<dem::WallMemory> memory;  ///< of the walls
   std::size_t record_rows = 0;
   double rock_work_J = 0, machine_work_J = 0;
   double dem_cpu_s = 0, mbs_cpu_s = 0;
@@ -27,10 +27,10 @@ struct Checkpoint {
 
 /// Has both sides save, then adds coupling.json and moves the folder into place; older checkpoints
 /// but the last are removed. Returns it with `folder` set.
-Checkpoint save_checkpoint(const std::filesystem::path& checkpoints, Checkpoint c, Rock& rock,
-                           Machine& machine);
+Checkpoint save_checkpoint(const std::filesystem::path& checkpoints, Checkpoint c, core::Rock& rock,
+                           core::Machine& machine);
 
 /// The newest whole checkpoint, if any.
 std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& checkpoints);
 
-}  // namespace dipper
+}  // namespace dipper::run

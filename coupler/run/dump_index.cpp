@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace dipper {
+namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
@@ -37,4 +37,4 @@ void index_dumps(const fs::path& dumps, double timestep_s) {
   for (const char* wall : {"dipper_", "door_", "truck_"}) index(dumps, wall, ".vtk", timestep_s);
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-namespace dipper {
+namespace dipper::run {
 
 /// Writes rocks.vtp.series and {dipper,door,truck}.vtk.series into the dump folder: lists of the
 /// frames there with their times, which ParaView opens as one animated data set each.
 void index_dumps(const std::filesystem::path& dumps, double timestep_s);
 
-}  // namespace dipper
+}  // namespace dipper::run

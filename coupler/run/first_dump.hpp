@@ -3,18 +3,20 @@
 
 #include <filesystem>
 
-#include "analysis/dump_reader.hpp"
+#include "analysis/io/dump_reader.hpp"
 
-namespace dipper {
+namespace dipper::run {
 
 /// The text dump of the particles with the lowest step in a run's folder of dumps; empty: none.
 inline std::filesystem::path first_dump(const std::filesystem::path& folder) {
   std::filesystem::path first;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".dump" || !step_in_name(entry.path())) continue;
-    if (first.empty() || *step_in_name(entry.path()) < *step_in_name(first)) first = entry.path();
+    if (entry.path().extension() != ".dump" || !analysis::io::step_in_name(entry.path())) continue;
+    if (first.empty() ||
+        *analysis::io::step_in_name(entry.path()) < *analysis::io::step_in_name(first))
+      first = entry.path();
   }
   return first;
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

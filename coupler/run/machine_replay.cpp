@@ -6,19 +6,19 @@
 #include <cmath>
 #include <fstream>
 
-#include "coupler/record/record.hpp"
-#include "coupler/run/dipper_layers.hpp"
-#include "coupler/run/installation.hpp"
-#include "coupler/run/last_words.hpp"
+#include "common/record/record.hpp"
+#include "coupler/launch/installation.hpp"
+#include "coupler/launch/last_words.hpp"
+#include "coupler/launch/process.hpp"
 #include "coupler/run/observed.hpp"
-#include "coupler/run/process.hpp"
-#include "coupler/run/sides_setup.hpp"
 #include "coupler/run/summary.hpp"
+#include "coupler/sides/dipper_layers.hpp"
+#include "coupler/sides/sides_setup.hpp"
 #include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
 #include "coupler/transport/remote.hpp"
 
-namespace dipper {
+namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
@@ -27,7 +27,7 @@ class RecordedWrench {
  public:
   RecordedWrench(const fs::path& record, const std::string& body) {
     for (std::size_t k = 0; k < 6; ++k) {
-      columns_[k] = read_channel(record, "bodies/" + body + "/wrench_mean", k);
+      columns_[k] = record::read_channel(record, "bodies/" + body + "/wrench_mean", k);
     }
   }
   Wrench at(std::size_t row) const {
@@ -42,13 +42,15 @@ class RecordedWrench {
 /// A shovel in a process of its own, for as long as this lives.
 class LoneMachine {
  public:
-  LoneMachine(PeerConfig config, const fs::path& folder)
+  LoneMachine(transport::PeerConfig config, const fs::path& folder)
       : log_(folder / "mbs.log"),
-        process_((write_peer_config(folder / "mbs.json", config),
-                  std::vector<std::string>{program("dipper-mbs"), (folder / "mbs.json").string()}),
+        process_((transport::write_peer_config(folder / "mbs.json", config),
+                  std::vector<std::string>{launch::program("dipper-mbs"),
+                                           (folder / "mbs.json").string()}),
                  log_),
-        transport_(config.lcm_url, {Channels::from_mbs}),
-        link_("mbs", transport_, Channels::to_mbs, Channels::from_mbs, config.identity, options()),
+        transport_(config.lcm_url, {transport::Channels::from_mbs}),
+        link_("mbs", transport_, transport::Channels::to_mbs, transport::Channels::from_mbs,
+              config.identity, options()),
         machine_(link_) {}
   ~LoneMachine() {
     machine_.stop();
@@ -58,30 +60,31 @@ class LoneMachine {
   LoneMachine(const LoneMachine&) = delete;
   LoneMachine& operator=(const LoneMachine&) = delete;
 
-  Machine& machine() { return machine_; }
+  core::Machine& machine() { return machine_; }
 
  private:
-  LinkOptions options() {
-    LinkOptions o;
+  transport::LinkOptions options() {
+    transport::LinkOptions o;
     o.watch = [this] {
-      if (process_.ended()) throw PeerError("mbs", last_words(log_, ""));
+      if (process_.ended()) throw transport::PeerError("mbs", launch::last_words(log_, ""));
     };
     return o;
   }
 
   fs::path log_;
-  Process process_;
-  LcmTransport transport_;
-  Link link_;
-  RemoteMachine machine_;
+  launch::Process process_;
+  transport::LcmTransport transport_;
+  transport::Link link_;
+  transport::RemoteMachine machine_;
 };
 
 }  // namespace
 
-Case case_of_run(const fs::path& run, const std::string& case_folder,
-                 const std::vector<Override>& changes, std::vector<Finding>& findings) {
+cases::Case case_of_run(const fs::path& run, const std::string& case_folder,
+                        const std::vector<cases::Override>& changes,
+                        std::vector<cases::Finding>& findings) {
   // The text has the values that effects of the case have changed: the effects are in it.
-  std::vector<Override> all = {{"effects", "{}"}};
+  std::vector<cases::Override> all = {{"effects", "{}"}};
   std::ifstream text(run / "case.txt");
   if (!text) findings.push_back({run / "case.txt", 0, "", "cannot be read; name a run's folder"});
   for (std::string line; std::getline(text, line);) {
@@ -90,36 +93,36 @@ Case case_of_run(const fs::path& run, const std::string& case_folder,
   }
   const fs::path record = run / "record.h5";
   std::string folder = case_folder;
-  if (folder.empty() && findings.empty()) folder = read_attribute(record, "case_folder");
+  if (folder.empty() && findings.empty()) folder = record::read_attribute(record, "case_folder");
   if (folder.empty())
     findings.push_back(
         {record, 0, "case_folder", "does not name the run's case; name it with --case"});
   all.insert(all.end(), changes.begin(), changes.end());
   if (!findings.empty()) return {};
-  return load_case(folder, all, findings);
+  return cases::load_case(folder, all, findings);
 }
 
-void observe_changed_machine(const fs::path& run, const Case& changed, const fs::path& out) {
+void observe_changed_machine(const fs::path& run, const cases::Case& changed, const fs::path& out) {
   const fs::path record = run / "record.h5";
-  const auto time_s = read_channel(record, "time_s");
+  const auto time_s = record::read_channel(record, "time_s");
   const RecordedWrench dipper(record, "dipper"), door(record, "door");
 
-  PeerConfig config = read_peer_config(run / "logs" / "mbs.json");
-  config.settings =
-      mbs_settings(changed, dipper_layers(changed, read_mesh_facts(changed).dipper.cavity));
+  transport::PeerConfig config = transport::read_peer_config(run / "logs" / "mbs.json");
+  config.settings = sides::mbs_settings(
+      changed, sides::dipper_layers(changed, sides::read_mesh_facts(changed).dipper.cavity));
   const fs::path scratch = out.string() + ".part";
   fs::create_directories(scratch);
-  DriveSignals s;
+  analysis::signals::DriveSignals s;
   {
     LoneMachine lone(config, scratch);
-    const ServerInfo info = lone.machine().info();
-    const auto put = [&](double t_s, const MachineState& state) {
+    const core::ServerInfo info = lone.machine().info();
+    const auto put = [&](double t_s, const core::MachineState& state) {
       s.time_s.push_back(t_s);
-      s.hoist_m.push_back(state.channels[channel_index(info, "hoist")]);
-      s.crowd_m.push_back(state.channels[channel_index(info, "crowd")]);
-      s.swing_rad.push_back(state.channels[channel_index(info, "swing")]);
-      s.hoist_force_N.push_back(state.channels[channel_index(info, "hoist_force")]);
-      s.crowd_force_N.push_back(state.channels[channel_index(info, "crowd_force")]);
+      s.hoist_m.push_back(state.channels[core::channel_index(info, "hoist")]);
+      s.crowd_m.push_back(state.channels[core::channel_index(info, "crowd")]);
+      s.swing_rad.push_back(state.channels[core::channel_index(info, "swing")]);
+      s.hoist_force_N.push_back(state.channels[core::channel_index(info, "hoist_force")]);
+      s.crowd_force_N.push_back(state.channels[core::channel_index(info, "crowd_force")]);
     };
     put(time_s.at(0), lone.machine().state());
     // The corrected scheme repeats a window with its own mean wrench, the serial one holds the
@@ -134,4 +137,4 @@ void observe_changed_machine(const fs::path& run, const Case& changed, const fs:
   write_observed(s, read_pass_signals(record), changed.observation, out);
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "analysis/observe.hpp"
+#include "analysis/signals/observe.hpp"
+#include "common/record/record.hpp"
 #include "coupler/case/schema.hpp"
-#include "coupler/record/record.hpp"
 #include "coupler/run/summary.hpp"
 
-namespace dipper {
+namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
@@ -32,27 +32,30 @@ void write(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-void write_observed(const fs::path& record, const ObservationCase& o, const fs::path& out) {
-  DriveSignals s;
-  s.time_s = read_channel(record, "time_s");
-  s.hoist_m = read_channel(record, "machine/hoist");
-  s.crowd_m = read_channel(record, "machine/crowd");
-  s.swing_rad = read_channel(record, "machine/swing");
-  s.hoist_force_N = read_channel(record, "machine/hoist_force");
-  s.crowd_force_N = read_channel(record, "machine/crowd_force");
+void write_observed(const fs::path& record, const cases::ObservationCase& o, const fs::path& out) {
+  analysis::signals::DriveSignals s;
+  s.time_s = record::read_channel(record, "time_s");
+  s.hoist_m = record::read_channel(record, "machine/hoist");
+  s.crowd_m = record::read_channel(record, "machine/crowd");
+  s.swing_rad = record::read_channel(record, "machine/swing");
+  s.hoist_force_N = record::read_channel(record, "machine/hoist_force");
+  s.crowd_force_N = record::read_channel(record, "machine/crowd_force");
   write_observed(s, read_pass_signals(record), o, out);
 }
 
-void write_observed(const DriveSignals& drives, const PassSignals& pass_signals,
-                    const ObservationCase& o, const fs::path& out) {
-  const Instruments instruments{o.rate_Hz, o.lag_s, o.scale_gain, o.truck_spill};
+void write_observed(const analysis::signals::DriveSignals& drives,
+                    const analysis::signals::PassSignals& pass_signals,
+                    const cases::ObservationCase& o, const fs::path& out) {
+  const analysis::signals::Instruments instruments{o.rate_Hz, o.lag_s, o.scale_gain, o.truck_spill};
   std::string signals = "time_s,hoist_m,crowd_m,swing_rad,hoist_force_kN,crowd_force_kN\n";
-  for (const LoggedSample& l : log_signals(drives, instruments)) {
+  for (const analysis::signals::LoggedSample& l :
+       analysis::signals::log_signals(drives, instruments)) {
     signals += fmt::format("{:.6g},{:.5f},{:.5f},{:.6f},{:.4f},{:.4f}\n", l.time_s, l.hoist_m,
                            l.crowd_m, l.swing_rad, l.hoist_force_kN, l.crowd_force_kN);
   }
   std::string passes = "pass,t_start_s,t_end_s,truck_mass_t\n";
-  for (const WeighedPass& p : weigh(find_passes(pass_signals), instruments)) {
+  for (const analysis::signals::WeighedPass& p :
+       analysis::signals::weigh(analysis::signals::find_passes(pass_signals), instruments)) {
     passes +=
         fmt::format("{},{:.4f},{:.4f},{:.5f}\n", p.pass, p.t_start_s, p.t_end_s, p.truck_mass_t);
   }
@@ -62,14 +65,15 @@ void write_observed(const DriveSignals& drives, const PassSignals& pass_signals,
   write(out / "passes.csv", passes);
 }
 
-void set_observation(ObservationCase& observation, const Override& set) {
-  const KeySpec* spec = set.key.rfind("observation.", 0) == 0 ? find_spec(set.key) : nullptr;
+void set_observation(cases::ObservationCase& observation, const cases::Override& set) {
+  const cases::KeySpec* spec =
+      set.key.rfind("observation.", 0) == 0 ? cases::find_spec(set.key) : nullptr;
   if (spec == nullptr) {
     throw std::invalid_argument(
         fmt::format("{}: not a key of the instruments; known are observation.{{{}}}", set.key,
-                    fmt::join(children_of("observation"), ", ")));
+                    fmt::join(cases::children_of("observation"), ", ")));
   }
-  Case c;
+  cases::Case c;
   c.observation = observation;
   double value = 0;
   const char* end = set.value.data() + set.value.size();
@@ -82,10 +86,10 @@ void set_observation(ObservationCase& observation, const Override& set) {
   observation = c.observation;
 }
 
-ObservationCase read_observation(const fs::path& case_txt) {
+cases::ObservationCase read_observation(const fs::path& case_txt) {
   std::ifstream in(case_txt);
   if (!in) throw std::runtime_error(case_txt.string() + ": cannot be read; name a run's folder");
-  ObservationCase observation;
+  cases::ObservationCase observation;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
@@ -100,4 +104,4 @@ ObservationCase read_observation(const fs::path& case_txt) {
   return observation;
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -3,24 +3,25 @@
 
 #include <filesystem>
 
-#include "analysis/observe.hpp"
+#include "analysis/signals/observe.hpp"
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::run {
 
 /// Writes channels.yaml, passes.csv and signals.csv of the run with this record.h5 into `out`
 /// (created; files there are replaced). Throws std::runtime_error naming the file.
-void write_observed(const std::filesystem::path& record, const ObservationCase& observation,
+void write_observed(const std::filesystem::path& record, const cases::ObservationCase& observation,
                     const std::filesystem::path& out);
 
 /// The same from signals at hand.
-void write_observed(const DriveSignals& drives, const PassSignals& passes,
-                    const ObservationCase& observation, const std::filesystem::path& out);
+void write_observed(const analysis::signals::DriveSignals& drives,
+                    const analysis::signals::PassSignals& passes,
+                    const cases::ObservationCase& observation, const std::filesystem::path& out);
 
 /// The observation.* lines of a run's case.txt. Throws std::runtime_error naming file and line.
-ObservationCase read_observation(const std::filesystem::path& case_txt);
+cases::ObservationCase read_observation(const std::filesystem::path& case_txt);
 
 /// Sets one key, such as "observation.lag_s". Throws std::invalid_argument naming key and range.
-void set_observation(ObservationCase& observation, const Override& set);
+void set_observation(cases::ObservationCase& observation, const cases::Override& set);
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -10,29 +10,29 @@
 #include <set>
 #include <sstream>
 
+#include "common/mesh/stl.hpp"
+#include "common/record/record.hpp"
+#include "common/sha256.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/core/coupling.hpp"
-#include "coupler/core/sha256.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
-#include "coupler/mesh/stl.hpp"
-#include "coupler/motion/motion.hpp"
-#include "coupler/record/record.hpp"
+#include "coupler/launch/installation.hpp"
+#include "coupler/launch/interrupt.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/dump_index.hpp"
-#include "coupler/run/installation.hpp"
-#include "coupler/run/interrupt.hpp"
 #include "coupler/run/observed.hpp"
 #include "coupler/run/pile.hpp"
 #include "coupler/run/progress.hpp"
 #include "coupler/run/run_record.hpp"
-#include "coupler/run/sides.hpp"
-#include "coupler/run/sides_setup.hpp"
 #include "coupler/run/summary.hpp"
+#include "coupler/sides/sides.hpp"
+#include "coupler/sides/sides_setup.hpp"
+#include "machine/motion.hpp"
 
-namespace dipper {
+namespace dipper::run {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
@@ -43,14 +43,14 @@ double seconds_since(Clock::time_point t) {
 }
 
 /// The rock, and how long the master waited for it.
-class TimedRock final : public Rock {
+class TimedRock final : public core::Rock {
  public:
-  explicit TimedRock(Rock& rock) : rock_(rock) {}
-  ServerInfo info() const override { return rock_.info(); }
-  RockState place(const std::vector<Pose>& X_WB) override { return rock_.place(X_WB); }
-  RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override {
+  explicit TimedRock(core::Rock& rock) : rock_(rock) {}
+  core::ServerInfo info() const override { return rock_.info(); }
+  core::RockState place(const std::vector<Pose>& X_WB) override { return rock_.place(X_WB); }
+  core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override {
     const auto began = Clock::now();
-    RockState s = rock_.step(n_steps, X_WB_target);
+    core::RockState s = rock_.step(n_steps, X_WB_target);
     wait_s_ += seconds_since(began);
     return s;
   }
@@ -60,7 +60,7 @@ class TimedRock final : public Rock {
   double wait_s() const { return wait_s_; }
 
  private:
-  Rock& rock_;
+  core::Rock& rock_;
   double wait_s_ = 0;
 };
 
@@ -81,22 +81,23 @@ struct RunFolder {
 /// One leg of a run, from the start or a checkpoint to the end, an interruption or a failure.
 class Leg {
  public:
-  Leg(const Case& c, const RunOptions& options)
+  Leg(const cases::Case& c, const RunOptions& options)
       : case_(c),
         folder_(options.out),
         from_(options.resume ? last_checkpoint(folder_.checkpoints()) : std::nullopt) {
-    const Motion motion = Motion::load(c.machine.motion);
+    const machine::Motion motion = machine::Motion::load(c.machine.motion);
     const double end_s = c.end_s > 0 ? c.end_s : static_cast<double>(motion.end_ns()) * 1e-9;
     end_step_ = std::llround(end_s / c.dem.timestep_s);
-    shovel_ = read_mesh_facts(c);
-    layers_ = dipper_layers(c, shovel_.dipper.cavity);
+    shovel_ = sides::read_mesh_facts(c);
+    layers_ = sides::dipper_layers(c, shovel_.dipper.cavity);
     facts_.case_name = c.name;
     facts_.seed = c.seed;
     facts_.scheme = c.coupling.scheme;
     facts_.effects = c.effects;
     facts_.timestep_s = c.dem.timestep_s;
     facts_.struck_volume_m3 = shovel_.dipper.struck_volume_m3;
-    facts_.bulk_density_kg_m3 = c.rock.bulk_density_kg_m3 * laden_density(c) / c.rock.density_kg_m3;
+    facts_.bulk_density_kg_m3 =
+        c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3;
     if (from_) {
       dem_step_ = from_->dem_step;
       facts_.syncs = from_->step_index;
@@ -109,9 +110,9 @@ class Leg {
     try {
       prepare();
       drive();
-    } catch (const Interrupted&) {
+    } catch (const launch::Interrupted&) {
       facts_.status = "interrupted";
-    } catch (const PeerError& e) {
+    } catch (const transport::PeerError& e) {
       facts_.status = "failed";
       facts_.failure = fmt::format("the {} side failed at t = {:.4f} s (sync step {}): {}", e.side,
                                    time_s(), facts_.syncs, e.what());
@@ -127,12 +128,12 @@ class Leg {
   double time_s() const { return static_cast<double>(dem_step_) * case_.dem.timestep_s; }
 
   void prepare() {
-    Case as_built = case_;
+    cases::Case as_built = case_;
     if (layers_.mesh) {
       as_built.bodies["dipper"] = folder_.deck() / "dipper.stl";
-      std::ofstream(as_built.bodies["dipper"]) << to_stl("dipper", *layers_.mesh);
+      std::ofstream(as_built.bodies["dipper"]) << mesh::to_stl("dipper", *layers_.mesh);
     }
-    write_deck(as_built, case_.rock.shape_folder, folder_.deck());
+    deck::write_deck(as_built, case_.rock.shape_folder, folder_.deck());
     std::ofstream(folder_.root / "case.txt") << case_.text;
     fmt::print("{}: {:.2f} s, {} windows of {} steps, {} rank{}\n", case_.name,
                static_cast<double>(end_step_) * case_.dem.timestep_s,
@@ -151,36 +152,36 @@ class Leg {
                  pile.cached ? "cached" : fmt::format("settled in {:.0f} s", pile.wall_s));
     }
     std::fflush(stdout);
-    SidesSetup setup;
+    sides::SidesSetup setup;
     setup.run_id = folder_.root.filename().string();
-    setup.case_hash = case_hash(case_);
+    setup.case_hash = cases::case_hash(case_);
     setup.ranks = case_.dem.ranks;
     setup.timeout_s = case_.coupling.timeout_s;
     setup.logs = folder_.logs();
     setup.dem_screen = folder_.logs() / "dem.screen";
     setup.message_log = folder_.root / (from_ ? fmt::format("events-{}.lcmlog", from_->step_index)
                                               : std::string("events.lcmlog"));
-    setup.dem = dem_settings(case_, shovel_, folder_.deck(), folder_.dumps(), folder_.logs(),
-                             restart, from_ ? std::optional(from_->memory) : std::nullopt);
-    setup.mbs = mbs_settings(case_, layers_);
-    sides_ = std::make_unique<Sides>(setup);
+    setup.dem = sides::dem_settings(case_, shovel_, folder_.deck(), folder_.dumps(), folder_.logs(),
+                                    restart, from_ ? std::optional(from_->memory) : std::nullopt);
+    setup.mbs = sides::mbs_settings(case_, layers_);
+    sides_ = std::make_unique<sides::Sides>(setup);
     rock_ = std::make_unique<TimedRock>(sides_->rock());
     record_ = std::make_unique<RunRecord>(
         folder_.record(), sides_->machine().info(), rock_->info(),
         std::map<std::string, std::string>{{"case", case_.text},
                                            {"case_folder", case_.folder.string()},
                                            {"case_hash", setup.case_hash},
-                                           {"version", version()},
+                                           {"version", launch::version()},
                                            {"machine_version", sides_->machine().info().version},
                                            {"rock_version", rock_->info().version}},
         from_ ? from_->record_rows : 0);
   }
 
   void drive() {
-    const ServerInfo rock_info = rock_->info();
-    particles_ = channel_index(rock_info, "particles");
-    rocks_ = channel_index(rock_info, "rocks");
-    Coupling coupling(sides_->machine(), *rock_, scheme_from(case_.coupling.scheme));
+    const core::ServerInfo rock_info = rock_->info();
+    particles_ = core::channel_index(rock_info, "particles");
+    rocks_ = core::channel_index(rock_info, "rocks");
+    core::Coupling coupling(sides_->machine(), *rock_, core::scheme_from(case_.coupling.scheme));
     if (from_) {
       sides_->machine().load(from_->machine());
       rock_->place(from_->X_WB_wall);
@@ -191,28 +192,28 @@ class Leg {
       sides_->machine().resume_at(from_->step_index, nanoseconds());
       sides_->rock().resume_at(from_->step_index, from_->dem_step);
     } else {
-      const Window first = coupling.start();
+      const core::Window first = coupling.start();
       take(first);
       if (case_.pile.clear_machine == "on") {
         const auto channel = [&](const char* name) {
-          return first.rock.channels[channel_index(rock_info, name)];
+          return first.rock.channels[core::channel_index(rock_info, name)];
         };
         fmt::print("start: {:.0f} rocks, {:.2f} t, stood where the machine is and were removed\n",
                    channel("rocks_removed"), channel("mass_removed") * 1e-3);
       }
     }
-    const auto payload = channel_index(rock_info, "mass_in_dipper");
+    const auto payload = core::channel_index(rock_info, "mass_in_dipper");
     Progress progress(time_s(), static_cast<double>(end_step_) * case_.dem.timestep_s);
     auto flushed = Clock::now();
     double checkpoint_s = time_s();
     const auto began = Clock::now();
     while (dem_step_ < end_step_) {
-      if (interrupts() > 0) {
+      if (launch::interrupts() > 0) {
         checkpoint(coupling);
         progress.done();
-        throw Interrupted();
+        throw launch::Interrupted();
       }
-      const Window w = coupling.advance(
+      const core::Window w = coupling.advance(
           std::min<std::int64_t>(case_.coupling.sync_steps, end_step_ - dem_step_));
       take(w);
       facts_.wall_s = seconds_since(began);
@@ -236,7 +237,7 @@ class Leg {
 
   std::int64_t nanoseconds() const { return dem_step_ * std::llround(case_.dem.timestep_s * 1e9); }
 
-  void take(const Window& w) {
+  void take(const core::Window& w) {
     record_->put(w);
     dem_step_ = w.rock.step;
     facts_.syncs = w.step_index;
@@ -251,7 +252,7 @@ class Leg {
     }
   }
 
-  void checkpoint(const Coupling& coupling) {
+  void checkpoint(const core::Coupling& coupling) {
     record_->flush();
     Checkpoint c;
     c.step_index = facts_.syncs;
@@ -271,7 +272,7 @@ class Leg {
   /// Rock and machine together.
   std::string state_hash() {
     const auto last = last_checkpoint(folder_.checkpoints());
-    return sha256(rock_->state_hash() + sha256_file(last->machine()));
+    return sha256(rock_->state_hash() + cases::sha256_file(last->machine()));
   }
 
   Outcome finish() {
@@ -304,7 +305,7 @@ class Leg {
     auto summary = summarise(facts_, folder_.record());
     if (case_.pile.clear_machine == "on") {
       const auto first = [&](const char* name) {
-        return read_channel(folder_.record(), name).at(0);
+        return record::read_channel(folder_.record(), name).at(0);
       };
       summary["start"] = {{"rocks_removed", first("rock/rocks_removed")},
                           {"mass_removed_kg", first("rock/mass_removed")}};
@@ -360,24 +361,24 @@ class Leg {
     return Outcome::complete;
   }
 
-  const Case& case_;
+  const cases::Case& case_;
   RunFolder folder_;
   std::optional<Checkpoint> from_;
-  MeshFacts shovel_;
-  DipperLayers layers_;
+  sides::MeshFacts shovel_;
+  sides::DipperLayers layers_;
   std::int64_t end_step_ = 0, dem_step_ = 0;
   RunFacts facts_;
   std::size_t particles_ = 0, rocks_ = 0;  // the rock's channels of these names
-  std::unique_ptr<Sides> sides_;
+  std::unique_ptr<sides::Sides> sides_;
   std::unique_ptr<TimedRock> rock_;
   std::unique_ptr<RunRecord> record_;
   std::vector<Pose> walls_;
-  std::vector<WallMemory> memory_;
+  std::vector<dem::WallMemory> memory_;
 };
 
 }  // namespace
 
-std::vector<std::string> changed_since(const fs::path& folder, const Case& c) {
+std::vector<std::string> changed_since(const fs::path& folder, const cases::Case& c) {
   const auto lines = [](std::istream& in) {
     std::set<std::string> kept;
     for (std::string line; std::getline(in, line);) {
@@ -396,6 +397,8 @@ std::vector<std::string> changed_since(const fs::path& folder, const Case& c) {
   return changed;
 }
 
-Outcome paired_run(const Case& c, const RunOptions& options) { return Leg(c, options).run(); }
+Outcome paired_run(const cases::Case& c, const RunOptions& options) {
+  return Leg(c, options).run();
+}
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -7,23 +7,23 @@
 #include <stdexcept>
 #include <vector>
 
-#include "coupler/core/cache_folder.hpp"
+#include "common/cache_entry.hpp"
+#include "common/cache_folder.hpp"
 #include "coupler/deck/bench_cut.hpp"
 #include "coupler/deck/contact_table.hpp"
-#include "coupler/run/cache_entry.hpp"
-#include "coupler/run/installation.hpp"
-#include "coupler/run/interrupt.hpp"
-#include "coupler/run/last_words.hpp"
-#include "coupler/run/process.hpp"
+#include "coupler/launch/installation.hpp"
+#include "coupler/launch/interrupt.hpp"
+#include "coupler/launch/last_words.hpp"
+#include "coupler/launch/process.hpp"
 
-namespace dipper {
+namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
 /// Everything the bench depends on: the case's keys about rock, its bench and the DEM, the deck
 /// that settles it, the files that deck includes, and the program that runs it.
-std::string pile_hash(const Case& c, const fs::path& deck) {
-  std::string all = fmt::format("LIGGGHTS 3.8.0, bench-cut {}\n", kBenchCutVersion);
+std::string pile_hash(const cases::Case& c, const fs::path& deck) {
+  std::string all = fmt::format("LIGGGHTS 3.8.0, bench-cut {}\n", deck::kBenchCutVersion);
   std::istringstream lines(c.text);
   for (std::string line; std::getline(lines, line);) {
     for (const char* section : {"rock.", "contact.", "pile.", "domain.", "dem.", "seed"}) {
@@ -38,35 +38,36 @@ std::string pile_hash(const Case& c, const fs::path& deck) {
       if (line.rfind(section, 0) == 0 && !path) all += line + '\n';
     }
   }
-  return deck_hash(all, {source_folder() / "dem_in" / "settle.in"}, deck);
+  return deck_hash(all, {launch::source_folder() / "dem_in" / "settle.in"}, deck);
 }
 
 }  // namespace
 
-Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
+Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& logs) {
   const fs::path entry = cache_folder() / "piles" / pile_hash(c, deck);
   const auto heed_interrupts = [] {
-    if (interrupts() > 0) throw Interrupted();
+    if (launch::interrupts() > 0) throw launch::Interrupted();
   };
   const auto began = std::chrono::steady_clock::now();
   const auto settle = [&](const fs::path& out) {
     const fs::path screen = logs / "settle.screen";
-    const std::string binary = sticks(c) ? program("dipper-liggghts") : "liggghts";
-    Process liggghts(
-        mpirun(c.dem.ranks, {binary, "-in", (source_folder() / "dem_in" / "settle.in").string(),
-                             "-log", (logs / "settle.liggghts").string(), "-screen",
-                             screen.string(), "-var", "deck", deck.string(), "-var", "out",
-                             out.string(), "-var", "bench_cut", program("bench-cut")}),
+    const std::string binary = deck::sticks(c) ? launch::program("dipper-liggghts") : "liggghts";
+    launch::Process liggghts(
+        launch::mpirun(c.dem.ranks,
+                       {binary, "-in", (launch::source_folder() / "dem_in" / "settle.in").string(),
+                        "-log", (logs / "settle.liggghts").string(), "-screen", screen.string(),
+                        "-var", "deck", deck.string(), "-var", "out", out.string(), "-var",
+                        "bench_cut", launch::program("bench-cut")}),
         logs / "settle.log");
     while (!liggghts.wait(std::chrono::milliseconds(100))) {
-      if (interrupts() > 0) {
+      if (launch::interrupts() > 0) {
         liggghts.end();
-        throw Interrupted();
+        throw launch::Interrupted();
       }
     }
     if (!liggghts.succeeded() || !fs::exists(out / "pile.restart"))
       throw std::runtime_error(fmt::format("settling the pile failed: {} ({})",
-                                           last_words(logs / "settle.log", screen),
+                                           launch::last_words(logs / "settle.log", screen),
                                            *liggghts.ended()));
   };
   const bool settled = make_once(entry, settle, heed_interrupts);
@@ -74,4 +75,4 @@ Pile settled_pile(const Case& c, const fs::path& deck, const fs::path& logs) {
   return {entry / "pile.restart", !settled, settled ? took.count() : 0};
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

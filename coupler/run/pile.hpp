@@ -4,7 +4,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper {
+namespace dipper::run {
 
 /// A settled bench for the case: the LIGGGHTS restart file to dig in.
 struct Pile {
@@ -19,7 +19,7 @@ struct Pile {
 /// \param deck  the folder write_deck filled
 /// \param logs  where LIGGGHTS's output goes
 /// Throws std::runtime_error with LIGGGHTS's own message.
-Pile settled_pile(const Case& c, const std::filesystem::path& deck,
+Pile settled_pile(const cases::Case& c, const std::filesystem::path& deck,
                   const std::filesystem::path& logs);
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace dipper {
+namespace dipper::run {
 
 using Clock = std::chrono::steady_clock;
 
@@ -40,4 +40,4 @@ void Progress::done() {
   if (terminal_ && shown_) fmt::print("\n");
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-namespace dipper {
+namespace dipper::run {
 
 /// One line that tells how a run is doing: rewritten in place on a terminal, a new line every ten
 /// seconds elsewhere.
@@ -22,4 +22,4 @@ class Progress {
   bool shown_ = false;
 };
 
-}  // namespace dipper
+}  // namespace dipper::run

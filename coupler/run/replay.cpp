@@ -7,22 +7,22 @@
 #include <map>
 #include <optional>
 
-#include "coupler/run/installation.hpp"
-#include "coupler/run/last_words.hpp"
-#include "coupler/run/process.hpp"
+#include "coupler/launch/installation.hpp"
+#include "coupler/launch/last_words.hpp"
+#include "coupler/launch/process.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/link.hpp"
 #include "coupler/transport/peer_config.hpp"
 
-namespace dipper {
+namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
 /// A request and the answer it got.
 struct Exchange {
-  Message request;
-  Body reply;
+  core::Message request;
+  core::Body reply;
   std::int64_t asked_us = 0, answered_us = 0;
 };
 
@@ -36,8 +36,8 @@ std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
   std::map<std::int64_t, Exchange> by_number;
   while (const lcm::LogEvent* event = log.readNextEvent()) {
     if (event->channel != to && event->channel != from) continue;
-    Message m =
-        decode({static_cast<const char*>(event->data), static_cast<std::size_t>(event->datalen)});
+    core::Message m = transport::decode(
+        {static_cast<const char*>(event->data), static_cast<std::size_t>(event->datalen)});
     Exchange& e = by_number[m.envelope.sequence];
     if (event->channel == to && e.asked_us == 0) {
       e.asked_us = event->timestamp;
@@ -74,63 +74,66 @@ nlohmann::json redirected(nlohmann::json settings, const std::string& side,
   return settings;
 }
 
-void compare(const Body& now, const Body& before, ReplayResult& result) {
-  if (encode({{}, now}) != encode({{}, before})) ++result.different;
-  const auto* a = std::get_if<WallWrench>(&now);
-  const auto* b = std::get_if<WallWrench>(&before);
+void compare(const core::Body& now, const core::Body& before, ReplayResult& result) {
+  if (transport::encode({{}, now}) != transport::encode({{}, before})) ++result.different;
+  const auto* a = std::get_if<core::WallWrench>(&now);
+  const auto* b = std::get_if<core::WallWrench>(&before);
   for (std::size_t i = 0; a != nullptr && b != nullptr && i < a->bodies.size(); ++i) {
     const auto off = (a->bodies[i].mean.force - b->bodies[i].mean.force).cwiseAbs().maxCoeff();
     result.force_N = std::max(result.force_N, off);
     result.position_m = std::max(result.position_m,
                                  (a->bodies[i].X_WB.p - b->bodies[i].X_WB.p).cwiseAbs().maxCoeff());
   }
-  const auto* c = std::get_if<TargetMotion>(&now);
-  const auto* d = std::get_if<TargetMotion>(&before);
+  const auto* c = std::get_if<core::TargetMotion>(&now);
+  const auto* d = std::get_if<core::TargetMotion>(&before);
   for (std::size_t i = 0; c != nullptr && d != nullptr && i < c->bodies.size(); ++i) {
     result.position_m = std::max(result.position_m,
                                  (c->bodies[i].X_WB.p - d->bodies[i].X_WB.p).cwiseAbs().maxCoeff());
   }
 }
 
-bool is_window(const Exchange& e) { return !std::holds_alternative<Command>(e.request.body); }
+bool is_window(const Exchange& e) { return !std::holds_alternative<core::Command>(e.request.body); }
 
 }  // namespace
 
 ReplayResult replay(const fs::path& run, const std::string& side) {
   const bool dem = side == "dem";
-  const char* to = dem ? Channels::to_dem : Channels::to_mbs;
-  const char* from = dem ? Channels::from_dem : Channels::from_mbs;
+  const char* to = dem ? transport::Channels::to_dem : transport::Channels::to_mbs;
+  const char* from = dem ? transport::Channels::from_dem : transport::Channels::from_mbs;
   const auto exchanges = read_log(run / "events.lcmlog", to, from);
-  PeerConfig config = read_peer_config(run / "logs" / (side + ".json"));
+  transport::PeerConfig config = transport::read_peer_config(run / "logs" / (side + ".json"));
   const fs::path scratch = scratch_folder();
   config.settings = redirected(config.settings, side, scratch);
   const fs::path config_file = scratch / (side + ".json");
-  write_peer_config(config_file, config);
+  transport::write_peer_config(config_file, config);
 
   const fs::path log = scratch / (side + ".log");
-  const std::vector<std::string> command = {program("dipper-" + side), config_file.string()};
-  Process process(dem ? mpirun(config.settings.at("ranks"), command) : command, log);
-  LcmTransport transport(config.lcm_url, {from});
-  LinkOptions options;
+  const std::vector<std::string> command = {launch::program("dipper-" + side),
+                                            config_file.string()};
+  launch::Process process(dem ? launch::mpirun(config.settings.at("ranks"), command) : command,
+                          log);
+  transport::LcmTransport transport(config.lcm_url, {from});
+  transport::LinkOptions options;
   options.timeout = std::chrono::minutes(10);
   options.watch = [&] {
-    if (process.ended()) throw PeerError(side, last_words(log, scratch / "dem.screen"));
+    if (process.ended())
+      throw transport::PeerError(side, launch::last_words(log, scratch / "dem.screen"));
   };
-  Link link(side, transport, to, from, config.identity, options);
+  transport::Link link(side, transport, to, from, config.identity, options);
 
   ReplayResult result;
   std::optional<std::chrono::steady_clock::time_point> began;
   std::int64_t recorded_us = 0;
   for (const auto& e : exchanges) {
-    Body request = e.request.body;
-    if (auto* c = std::get_if<Command>(&request); c != nullptr && !c->file.empty()) {
+    core::Body request = e.request.body;
+    if (auto* c = std::get_if<core::Command>(&request); c != nullptr && !c->file.empty()) {
       c->file = (scratch / fs::path(c->file).filename()).string();
     }
     if (is_window(e) && !began) {
       began = std::chrono::steady_clock::now();
       recorded_us = e.asked_us;
     }
-    const Body reply =
+    const core::Body reply =
         link.ask(std::move(request), e.request.envelope.step_index, e.request.envelope.t_ns);
     ++result.requests;
     if (!is_window(e)) continue;
@@ -139,11 +142,11 @@ ReplayResult replay(const fs::path& run, const std::string& side) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - *began).count();
     result.recorded_wall_s = static_cast<double>(e.answered_us - recorded_us) * 1e-6;
   }
-  link.tell(Command{Action::stop, ""}, 0, 0);
+  link.tell(core::Command{core::Action::stop, ""}, 0, 0);
   process.wait(std::chrono::seconds(20));
   process.end();
   fs::remove_all(scratch);
   return result;
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace dipper {
+namespace dipper::run {
 
 /// How a side's answers compare with the recorded ones.
 struct ReplayResult {
@@ -21,4 +21,4 @@ struct ReplayResult {
 /// without a recording, PeerError when the side fails.
 ReplayResult replay(const std::filesystem::path& run, const std::string& side);
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace dipper {
+namespace dipper::run {
 namespace {
 
 std::array<double, 7> row(const Pose& X) {
@@ -16,10 +16,11 @@ std::array<double, 6> row(const Wrench& F) { return row(F.torque, F.force); }
 
 }  // namespace
 
-RunRecord::RunRecord(const std::filesystem::path& file, const ServerInfo& machine,
-                     const ServerInfo& rock, const std::map<std::string, std::string>& attributes,
-                     std::size_t rows)
-    : record_(rows > 0 ? Record::resume(file, rows) : Record::create(file, attributes)),
+RunRecord::RunRecord(const std::filesystem::path& file, const core::ServerInfo& machine,
+                     const core::ServerInfo& rock,
+                     const std::map<std::string, std::string>& attributes, std::size_t rows)
+    : record_(rows > 0 ? record::Record::resume(file, rows)
+                       : record::Record::create(file, attributes)),
       time_(record_.add("time_s", "s", "-")),
       step_(record_.add("step_index", "1", "-")),
       sync_(record_.add("sync_s", "s", "-")),
@@ -51,7 +52,7 @@ void RunRecord::resume_at(double time_s, double rock_work_J, double machine_work
   machine_work_J_ = machine_work_J;
 }
 
-void RunRecord::put(const Window& w) {
+void RunRecord::put(const core::Window& w) {
   const double t = static_cast<double>(w.rock.t_ns) * 1e-9;
   const double sync = t - last_time_s_;
   last_time_s_ = t;
@@ -79,4 +80,4 @@ void RunRecord::put(const Window& w) {
   record_.next();
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

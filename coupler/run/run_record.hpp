@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "common/record/record.hpp"
 #include "coupler/core/coupling.hpp"
-#include "coupler/record/record.hpp"
 
-namespace dipper {
+namespace dipper::run {
 
 /// record.h5 of a run: one row a sync step, from the start. Datasets: time_s, step_index, sync_s;
 /// machine/NAME and rock/NAME for the sides' channels; bodies/BODY/{pose, twist, wrench_mean,
@@ -16,10 +16,11 @@ namespace dipper {
 class RunRecord {
  public:
   /// A new record, or (rows > 0) the continuation of an earlier leg's, cut back to `rows`.
-  RunRecord(const std::filesystem::path& file, const ServerInfo& machine, const ServerInfo& rock,
-            const std::map<std::string, std::string>& attributes, std::size_t rows);
+  RunRecord(const std::filesystem::path& file, const core::ServerInfo& machine,
+            const core::ServerInfo& rock, const std::map<std::string, std::string>& attributes,
+            std::size_t rows);
 
-  void put(const Window& w);
+  void put(const core::Window& w);
   void flush() { record_.flush(); }
   std::size_t rows() const { return record_.rows(); }
 
@@ -35,7 +36,7 @@ class RunRecord {
   struct BodyChannels {
     std::size_t pose, twist, wrench_mean, wrench_end, wall_pose;
   };
-  Record record_;
+  record::Record record_;
   std::size_t time_, step_, sync_, rock_work_, machine_work_, residual_, power_rock_,
       power_machine_;
   std::vector<std::size_t> machine_, rock_;
@@ -43,4 +44,4 @@ class RunRecord {
   double last_time_s_ = 0, rock_work_J_ = 0, machine_work_J_ = 0;
 };
 
-}  // namespace dipper
+}  // namespace dipper::run

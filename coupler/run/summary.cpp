@@ -2,22 +2,22 @@
 
 #include <cmath>
 
-#include "analysis/passes.hpp"
-#include "coupler/record/record.hpp"
-#include "coupler/run/installation.hpp"
+#include "analysis/signals/passes.hpp"
+#include "common/record/record.hpp"
+#include "coupler/launch/installation.hpp"
 
-namespace dipper {
-PassSignals read_pass_signals(const std::filesystem::path& record) {
-  PassSignals s;
-  s.time_s = read_channel(record, "time_s");
-  s.door_rad = read_channel(record, "machine/door");
-  s.hoist_force_N = read_channel(record, "machine/hoist_force");
-  s.crowd_force_N = read_channel(record, "machine/crowd_force");
-  s.dipper_mass_kg = read_channel(record, "rock/mass_in_dipper");
-  s.truck_mass_kg = read_channel(record, "rock/mass_in_truck");
-  const auto fx = read_channel(record, "bodies/dipper/wrench_mean", 3);
-  const auto fy = read_channel(record, "bodies/dipper/wrench_mean", 4);
-  const auto fz = read_channel(record, "bodies/dipper/wrench_mean", 5);
+namespace dipper::run {
+analysis::signals::PassSignals read_pass_signals(const std::filesystem::path& record) {
+  analysis::signals::PassSignals s;
+  s.time_s = record::read_channel(record, "time_s");
+  s.door_rad = record::read_channel(record, "machine/door");
+  s.hoist_force_N = record::read_channel(record, "machine/hoist_force");
+  s.crowd_force_N = record::read_channel(record, "machine/crowd_force");
+  s.dipper_mass_kg = record::read_channel(record, "rock/mass_in_dipper");
+  s.truck_mass_kg = record::read_channel(record, "rock/mass_in_truck");
+  const auto fx = record::read_channel(record, "bodies/dipper/wrench_mean", 3);
+  const auto fy = record::read_channel(record, "bodies/dipper/wrench_mean", 4);
+  const auto fz = record::read_channel(record, "bodies/dipper/wrench_mean", 5);
   for (std::size_t i = 0; i < fx.size(); ++i) {
     s.dipper_force_N.push_back(std::hypot(fx[i], fy[i], fz[i]));
   }
@@ -26,9 +26,9 @@ PassSignals read_pass_signals(const std::filesystem::path& record) {
 
 nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path& record) {
   using json = nlohmann::ordered_json;
-  const PassSignals signals = read_pass_signals(record);
+  const analysis::signals::PassSignals signals = read_pass_signals(record);
   json passes = json::array();
-  for (const auto& p : find_passes(signals)) {
+  for (const auto& p : analysis::signals::find_passes(signals)) {
     passes.push_back({{"pass", p.pass},
                       {"t_start_s", p.t_start_s},
                       {"t_dig_s", p.t_dig_s},
@@ -46,7 +46,7 @@ nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path&
   json out = {
       {"case", f.case_name},
       {"seed", f.seed},
-      {"version", version()},
+      {"version", launch::version()},
       {"status", f.status},
       {"effects", f.effects},
       {"passes", passes},
@@ -76,4 +76,4 @@ nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path&
   return out;
 }
 
-}  // namespace dipper
+}  // namespace dipper::run

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "analysis/passes.hpp"
+#include "analysis/signals/passes.hpp"
 
-namespace dipper {
+namespace dipper::run {
 
 /// What summary.json says beyond what is in record.h5.
 struct RunFacts {
@@ -30,9 +30,9 @@ struct RunFacts {
 };
 
 /// The signals that tell the passes, from a record.
-PassSignals read_pass_signals(const std::filesystem::path& record);
+analysis::signals::PassSignals read_pass_signals(const std::filesystem::path& record);
 
 /// The keys of design.md, "Files". Passes are found in the record.
 nlohmann::ordered_json summarise(const RunFacts& facts, const std::filesystem::path& record);
 
-}  // namespace dipper
+}  // namespace dipper::run

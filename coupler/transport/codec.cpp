@@ -10,7 +10,7 @@
 #include "dipper_msg/target_motion_t.hpp"
 #include "dipper_msg/wall_wrench_t.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 namespace {
 
 using namespace dipper_msg;
@@ -26,7 +26,7 @@ void put(const Quaterniond& q, double (&out)[4]) {
 Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 Quaterniond rotation(const double (&v)[4]) { return {v[0], v[1], v[2], v[3]}; }
 
-header_t pack(const Envelope& e) {
+header_t pack(const core::Envelope& e) {
   header_t h;
   h.run_token = e.run_token;
   h.run_id = e.run_id;
@@ -37,11 +37,11 @@ header_t pack(const Envelope& e) {
   return h;
 }
 
-Envelope unpack(const header_t& h) {
+core::Envelope unpack(const header_t& h) {
   return {h.run_token, h.run_id, h.case_hash, h.step_index, h.sequence, h.t_ns};
 }
 
-target_motion_t pack(const TargetMotion& m) {
+target_motion_t pack(const core::TargetMotion& m) {
   target_motion_t t;
   t.n_steps = m.n_steps;
   t.n_bodies = static_cast<std::int32_t>(m.bodies.size());
@@ -57,8 +57,8 @@ target_motion_t pack(const TargetMotion& m) {
   return t;
 }
 
-TargetMotion unpack(const target_motion_t& t) {
-  TargetMotion m;
+core::TargetMotion unpack(const target_motion_t& t) {
+  core::TargetMotion m;
   m.n_steps = t.n_steps;
   for (const auto& b : t.bodies) {
     m.bodies.push_back(
@@ -68,7 +68,7 @@ TargetMotion unpack(const target_motion_t& t) {
   return m;
 }
 
-wall_wrench_t pack(const WallWrench& m) {
+wall_wrench_t pack(const core::WallWrench& m) {
   wall_wrench_t t;
   t.dem_step = m.dem_step;
   t.commit = m.commit;
@@ -87,8 +87,8 @@ wall_wrench_t pack(const WallWrench& m) {
   return t;
 }
 
-WallWrench unpack(const wall_wrench_t& t) {
-  WallWrench m;
+core::WallWrench unpack(const wall_wrench_t& t) {
+  core::WallWrench m;
   m.dem_step = t.dem_step;
   m.commit = t.commit != 0;
   for (const auto& b : t.bodies) {
@@ -100,28 +100,28 @@ WallWrench unpack(const wall_wrench_t& t) {
   return m;
 }
 
-command_t pack(const Command& m) {
+command_t pack(const core::Command& m) {
   command_t t;
   t.action = static_cast<std::int32_t>(m.action);
   t.file = m.file;
   return t;
 }
 
-Command unpack(const command_t& t) {
+core::Command unpack(const command_t& t) {
   if (t.action < 1 || t.action > 6) {
     throw DecodeError(fmt::format("unknown command {}", t.action));
   }
-  return {static_cast<Action>(t.action), t.file};
+  return {static_cast<core::Action>(t.action), t.file};
 }
 
-status_t pack(const Status& m) {
+status_t pack(const core::Status& m) {
   status_t t;
   t.ok = m.ok;
   t.text = m.text;
   return t;
 }
 
-Status unpack(const status_t& t) { return {t.ok != 0, t.text}; }
+core::Status unpack(const status_t& t) { return {t.ok != 0, t.text}; }
 
 /// LCM puts an 8-byte fingerprint of the type in front, big-endian.
 std::int64_t fingerprint(const std::string& bytes) {
@@ -131,7 +131,7 @@ std::int64_t fingerprint(const std::string& bytes) {
 }
 
 template <class Type>
-bool decode_as(const std::string& bytes, Message& m) {
+bool decode_as(const std::string& bytes, core::Message& m) {
   if (fingerprint(bytes) != Type::getHash()) return false;
   Type t;
   int used = -1;
@@ -150,7 +150,7 @@ bool decode_as(const std::string& bytes, Message& m) {
 
 }  // namespace
 
-std::string encode(const Message& m) {
+std::string encode(const core::Message& m) {
   return std::visit(
       [&](const auto& body) {
         auto t = pack(body);
@@ -162,9 +162,9 @@ std::string encode(const Message& m) {
       m.body);
 }
 
-Message decode(const std::string& bytes) {
+core::Message decode(const std::string& bytes) {
   if (bytes.size() < 8) throw DecodeError("a message of less than 8 bytes");
-  Message m;
+  core::Message m;
   if (decode_as<target_motion_t>(bytes, m) || decode_as<wall_wrench_t>(bytes, m) ||
       decode_as<command_t>(bytes, m) || decode_as<status_t>(bytes, m)) {
     return m;
@@ -172,4 +172,4 @@ Message decode(const std::string& bytes) {
   throw DecodeError("a message of a type this version does not know");
 }
 
-}  // namespace dipper
+}  // namespace dipper::transport

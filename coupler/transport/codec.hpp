@@ -5,17 +5,17 @@
 
 #include "coupler/core/message.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 /// Bytes that are not a whole message of one of the types in coupler/lcm.
 struct DecodeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::string encode(const Message& m);
+std::string encode(const core::Message& m);
 
 /// Throws DecodeError for an unknown type or a wrong length. Numbers are passed on as they are:
 /// `require_sound` judges them once it is known whose message it is.
-Message decode(const std::string& bytes);
+core::Message decode(const std::string& bytes);
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace dipper {
+namespace dipper::transport {
 
-std::string to_json(const ServerInfo& info) {
+std::string to_json(const core::ServerInfo& info) {
   auto channels = nlohmann::json::array();
   for (const auto& c : info.channels) {
     channels.push_back({{"name", c.name}, {"unit", c.unit}, {"frame", c.frame}});
@@ -16,9 +16,9 @@ std::string to_json(const ServerInfo& info) {
       .dump();
 }
 
-ServerInfo info_from_json(const std::string& text) {
+core::ServerInfo info_from_json(const std::string& text) {
   const auto j = nlohmann::json::parse(text);
-  ServerInfo info;
+  core::ServerInfo info;
   info.version = j.at("version");
   info.bodies = j.at("bodies").get<std::vector<std::string>>();
   info.timestep_s = j.at("timestep_s");
@@ -28,4 +28,4 @@ ServerInfo info_from_json(const std::string& text) {
   return info;
 }
 
-}  // namespace dipper
+}  // namespace dipper::transport

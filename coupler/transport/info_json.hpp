@@ -4,10 +4,10 @@
 
 #include "coupler/core/server.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 /// A server's description as the JSON text of the status that answers "hello", and back.
-std::string to_json(const ServerInfo& info);
-ServerInfo info_from_json(const std::string& text);
+std::string to_json(const core::ServerInfo& info);
+core::ServerInfo info_from_json(const std::string& text);
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::transport {
 
 LcmTransport::LcmTransport(const std::string& url, const std::vector<std::string>& channels)
     : lcm_(url) {
@@ -37,4 +37,4 @@ void LcmTransport::on_message(const lcm::ReceiveBuffer* buffer, const std::strin
   inbox_.push({channel, {static_cast<const char*>(buffer->data), buffer->data_size}});
 }
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -6,7 +6,7 @@
 
 #include "coupler/transport/transport.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 /// LCM over UDP multicast. ttl=0 in the URL keeps packets on this host.
 class LcmTransport final : public Transport {
@@ -22,4 +22,4 @@ class LcmTransport final : public Transport {
   std::queue<Packet> inbox_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -6,12 +6,12 @@
 
 #include "coupler/transport/codec.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 using Clock = std::chrono::steady_clock;
 
 Link::Link(std::string side, Transport& transport, std::string to, std::string from,
-           Envelope identity, LinkOptions options)
+           core::Envelope identity, LinkOptions options)
     : side_(std::move(side)),
       transport_(transport),
       to_(std::move(to)),
@@ -19,7 +19,7 @@ Link::Link(std::string side, Transport& transport, std::string to, std::string f
       requester_(std::move(identity)),
       options_(std::move(options)) {}
 
-Body Link::ask(Body request, std::int64_t step_index, std::int64_t t_ns) {
+core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
   const std::string bytes = encode({requester_.begin(step_index, t_ns), std::move(request)});
   transport_.publish(to_, bytes);
   const auto start = Clock::now();
@@ -31,10 +31,10 @@ Body Link::ask(Body request, std::int64_t step_index, std::int64_t t_ns) {
     const auto packet = transport_.receive(std::min(patience, std::chrono::milliseconds(50)));
     if (packet && packet->channel == from_) {
       try {
-        Message reply = decode(packet->bytes);
+        core::Message reply = decode(packet->bytes);
         if (requester_.accept(reply.envelope)) {
-          require_sound(reply, side_, bodies);
-          const auto* status = std::get_if<Status>(&reply.body);
+          core::require_sound(reply, side_, bodies);
+          const auto* status = std::get_if<core::Status>(&reply.body);
           if (status != nullptr && !status->ok) throw PeerError(side_, status->text);
           established_ = true;
           return std::move(reply.body);
@@ -59,8 +59,8 @@ Body Link::ask(Body request, std::int64_t step_index, std::int64_t t_ns) {
   }
 }
 
-void Link::tell(Body request, std::int64_t step_index, std::int64_t t_ns) {
+void Link::tell(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
   transport_.publish(to_, encode({requester_.begin(step_index, t_ns), std::move(request)}));
 }
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -8,7 +8,7 @@
 #include "coupler/core/protocol.hpp"
 #include "coupler/transport/transport.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 /// One side of the pair failed. `side` is "dem" or "mbs"; what() is its own message.
 struct PeerError : std::runtime_error {
@@ -30,17 +30,17 @@ struct LinkOptions {
 class Link {
  public:
   /// `transport` hears nothing but `from`: what is left over on it is counted here.
-  Link(std::string side, Transport& transport, std::string to, std::string from, Envelope identity,
-       LinkOptions options);
+  Link(std::string side, Transport& transport, std::string to, std::string from,
+       core::Envelope identity, LinkOptions options);
 
   /// Throws PeerError when the other side says it failed or says nothing until the timeout.
-  Body ask(Body request, std::int64_t step_index, std::int64_t t_ns);
+  core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns);
 
   /// Sends the last request of all, without waiting: after "stop" the other side is gone.
-  void tell(Body request, std::int64_t step_index, std::int64_t t_ns);
+  void tell(core::Body request, std::int64_t step_index, std::int64_t t_ns);
 
   const std::string& side() const { return side_; }
-  const LinkCounts& counts() const { return requester_.counts(); }
+  const core::LinkCounts& counts() const { return requester_.counts(); }
   /// Names for messages about bodies; known once the other side has said hello.
   std::vector<std::string> bodies;
 
@@ -48,9 +48,9 @@ class Link {
   std::string side_;
   Transport& transport_;
   std::string to_, from_;
-  Requester requester_;
+  core::Requester requester_;
   LinkOptions options_;
   bool established_ = false;
 };
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::transport {
 
 void LoggedTransport::publish(const std::string& channel, const std::string& bytes) {
   write(channel, bytes);
@@ -27,4 +27,4 @@ void LoggedTransport::write(const std::string& channel, const std::string& bytes
   if (log_->writeEvent(&event) != 0) throw std::runtime_error("cannot write the LCM log");
 }
 
-}  // namespace dipper
+}  // namespace dipper::transport

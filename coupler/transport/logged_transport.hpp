@@ -5,7 +5,7 @@
 
 #include "coupler/transport/transport.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 /// A transport that also writes every message, both ways, to an LCM log file: what lcm-logplayer
 /// plays and `dipper replay` reads. Several may share one log.
@@ -22,4 +22,4 @@ class LoggedTransport final : public Transport {
   std::shared_ptr<lcm::LogFile> log_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -1,6 +1,6 @@
 #include "coupler/transport/memory_transport.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 class MemoryNetwork::Endpoint final : public Transport {
  public:
@@ -57,4 +57,4 @@ std::optional<Packet> MemoryNetwork::receive(Inbox& inbox, std::chrono::millisec
   return packet;
 }
 
-}  // namespace dipper
+}  // namespace dipper::transport

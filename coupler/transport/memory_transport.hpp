@@ -10,7 +10,7 @@
 
 #include "coupler/transport/transport.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 /// How badly a MemoryNetwork behaves: probabilities, each in [0, 1).
 struct Faults {
@@ -44,4 +44,4 @@ class MemoryNetwork {
   std::vector<std::shared_ptr<Inbox>> inboxes_;
 };
 
-}  // namespace dipper
+}  // namespace dipper::transport

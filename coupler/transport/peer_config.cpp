@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace dipper {
+namespace dipper::transport {
 
 using nlohmann::json;
 
@@ -40,4 +40,4 @@ PeerConfig read_peer_config(const std::filesystem::path& file) {
 
 void die_with_parent() { prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -6,13 +6,13 @@
 
 #include "coupler/core/message.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 /// What the launcher tells a side: where to listen, who it is, and the side's own settings. Written
 /// to a file that only its owner can read, because of the run token.
 struct PeerConfig {
   std::string lcm_url;
-  Envelope identity;
+  core::Envelope identity;
   nlohmann::json settings;
 };
 
@@ -23,4 +23,4 @@ PeerConfig read_peer_config(const std::filesystem::path& file);
 /// Ties this process to its parent: when the launcher goes, however it goes, so do we.
 void die_with_parent();
 
-}  // namespace dipper
+}  // namespace dipper::transport

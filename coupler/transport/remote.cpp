@@ -4,39 +4,41 @@
 
 #include "coupler/transport/info_json.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 namespace {
 
 template <class Expected>
-Expected take(Body body, const std::string& side) {
+Expected take(core::Body body, const std::string& side) {
   if (auto* expected = std::get_if<Expected>(&body)) return std::move(*expected);
   throw PeerError(side, "answered with the wrong kind of message");
 }
 
-std::string command(Link& link, Action action, const std::string& file, std::int64_t step_index,
-                    std::int64_t t_ns) {
-  return take<Status>(link.ask(Command{action, file}, step_index, t_ns), link.side()).text;
+std::string command(Link& link, core::Action action, const std::string& file,
+                    std::int64_t step_index, std::int64_t t_ns) {
+  return take<core::Status>(link.ask(core::Command{action, file}, step_index, t_ns), link.side())
+      .text;
 }
 
 }  // namespace
 
 RemoteMachine::RemoteMachine(Link& link) : link_(link) {
-  info_ = info_from_json(command(link_, Action::hello, "", 0, 0));
+  info_ = info_from_json(command(link_, core::Action::hello, "", 0, 0));
   link_.bodies = info_.bodies;
 }
 
-MachineState RemoteMachine::state() {
-  auto m =
-      take<TargetMotion>(link_.ask(Command{Action::state, ""}, step_index_, t_ns_), link_.side());
+core::MachineState RemoteMachine::state() {
+  auto m = take<core::TargetMotion>(
+      link_.ask(core::Command{core::Action::state, ""}, step_index_, t_ns_), link_.side());
   return {t_ns_, std::move(m.bodies), std::move(m.channels)};
 }
 
-MachineState RemoteMachine::step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
-                                 bool commit) {
-  WallWrench request;
+core::MachineState RemoteMachine::step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
+                                       bool commit) {
+  core::WallWrench request;
   request.commit = commit;
   for (const auto& F : F_Bo_W) request.bodies.push_back({F, F, Pose{}});
-  auto m = take<TargetMotion>(link_.ask(std::move(request), step_index_, t_end_ns), link_.side());
+  auto m =
+      take<core::TargetMotion>(link_.ask(std::move(request), step_index_, t_end_ns), link_.side());
   if (commit) {
     ++step_index_;
     t_ns_ = t_end_ns;
@@ -45,12 +47,14 @@ MachineState RemoteMachine::step(std::int64_t t_end_ns, const std::vector<Wrench
 }
 
 void RemoteMachine::save(const std::filesystem::path& file) {
-  command(link_, Action::save, file, step_index_, t_ns_);
+  command(link_, core::Action::save, file, step_index_, t_ns_);
 }
 void RemoteMachine::load(const std::filesystem::path& file) {
-  command(link_, Action::load, file, step_index_, t_ns_);
+  command(link_, core::Action::load, file, step_index_, t_ns_);
 }
-void RemoteMachine::stop() { link_.tell(Command{Action::stop, ""}, step_index_, t_ns_); }
+void RemoteMachine::stop() {
+  link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_);
+}
 
 void RemoteMachine::resume_at(std::int64_t step_index, std::int64_t t_ns) {
   step_index_ = step_index;
@@ -58,41 +62,42 @@ void RemoteMachine::resume_at(std::int64_t step_index, std::int64_t t_ns) {
 }
 
 RemoteRock::RemoteRock(Link& link) : link_(link) {
-  info_ = info_from_json(command(link_, Action::hello, "", 0, 0));
+  info_ = info_from_json(command(link_, core::Action::hello, "", 0, 0));
   link_.bodies = info_.bodies;
   dt_ns_ = std::llround(info_.timestep_s * 1e9);
 }
 
-RockState RemoteRock::place(const std::vector<Pose>& X_WB) { return move(0, X_WB); }
+core::RockState RemoteRock::place(const std::vector<Pose>& X_WB) { return move(0, X_WB); }
 
-RockState RemoteRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
+core::RockState RemoteRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
   return move(n_steps, X_WB_target);
 }
 
-RockState RemoteRock::move(std::int64_t n_steps, const std::vector<Pose>& X_WB) {
-  TargetMotion request;
+core::RockState RemoteRock::move(std::int64_t n_steps, const std::vector<Pose>& X_WB) {
+  core::TargetMotion request;
   request.n_steps = n_steps;
   for (const auto& X : X_WB) request.bodies.push_back({X, Twist{}});
   const std::int64_t t_end_ns = t_ns_ + n_steps * dt_ns_;
-  auto m = take<WallWrench>(link_.ask(std::move(request), step_index_, t_end_ns), link_.side());
+  auto m =
+      take<core::WallWrench>(link_.ask(std::move(request), step_index_, t_end_ns), link_.side());
   if (n_steps > 0) ++step_index_;
   t_ns_ = m.dem_step * dt_ns_;
   return {m.dem_step, t_ns_, std::move(m.bodies), std::move(m.channels)};
 }
 
 void RemoteRock::save(const std::filesystem::path& file) {
-  command(link_, Action::save, file, step_index_, t_ns_);
+  command(link_, core::Action::save, file, step_index_, t_ns_);
 }
 void RemoteRock::load(const std::filesystem::path& file) {
-  command(link_, Action::load, file, step_index_, t_ns_);
+  command(link_, core::Action::load, file, step_index_, t_ns_);
 }
 std::string RemoteRock::state_hash() {
-  return command(link_, Action::hash, "", step_index_, t_ns_);
+  return command(link_, core::Action::hash, "", step_index_, t_ns_);
 }
 void RemoteRock::resume_at(std::int64_t step_index, std::int64_t dem_step) {
   step_index_ = step_index;
   t_ns_ = dem_step * dt_ns_;
 }
-void RemoteRock::stop() { link_.tell(Command{Action::stop, ""}, step_index_, t_ns_); }
+void RemoteRock::stop() { link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_); }
 
-}  // namespace dipper
+}  // namespace dipper::transport

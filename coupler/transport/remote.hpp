@@ -4,14 +4,15 @@
 #include "coupler/core/server.hpp"
 #include "coupler/transport/link.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
-class RemoteMachine final : public Machine {
+class RemoteMachine final : public core::Machine {
  public:
   explicit RemoteMachine(Link& link);
-  ServerInfo info() const override { return info_; }
-  MachineState state() override;
-  MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W, bool commit) override;
+  core::ServerInfo info() const override { return info_; }
+  core::MachineState state() override;
+  core::MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
+                          bool commit) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
   /// For the headers of messages, after a checkpoint has been loaded.
@@ -20,17 +21,17 @@ class RemoteMachine final : public Machine {
 
  private:
   Link& link_;
-  ServerInfo info_;
+  core::ServerInfo info_;
   std::int64_t step_index_ = 0;
   std::int64_t t_ns_ = 0;
 };
 
-class RemoteRock final : public Rock {
+class RemoteRock final : public core::Rock {
  public:
   explicit RemoteRock(Link& link);
-  ServerInfo info() const override { return info_; }
-  RockState place(const std::vector<Pose>& X_WB) override;
-  RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
+  core::ServerInfo info() const override { return info_; }
+  core::RockState place(const std::vector<Pose>& X_WB) override;
+  core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
   std::string state_hash() override;
@@ -39,12 +40,12 @@ class RemoteRock final : public Rock {
   void stop();
 
  private:
-  RockState move(std::int64_t n_steps, const std::vector<Pose>& X_WB);
+  core::RockState move(std::int64_t n_steps, const std::vector<Pose>& X_WB);
   Link& link_;
-  ServerInfo info_;
+  core::ServerInfo info_;
   std::int64_t dt_ns_ = 0;
   std::int64_t step_index_ = 0;
   std::int64_t t_ns_ = 0;
 };
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -6,17 +6,17 @@
 #include "coupler/core/server.hpp"
 #include "coupler/transport/transport.hpp"
 
-namespace dipper {
+namespace dipper::transport {
 
 /// What a side does with one request; the reply's body. Throws what the side throws.
-Body answer(Machine& machine, const Message& request);
-Body answer(Rock& rock, const Message& request);
+core::Body answer(core::Machine& machine, const core::Message& request);
+core::Body answer(core::Rock& rock, const core::Message& request);
 
 /// Answers requests on `in` with replies on `out` until "stop" or until `alive` says no.
 /// An exception from `handle` goes to the other side as a failed status and then to the caller.
 void serve(
-    Transport& transport, const std::string& in, const std::string& out, const Envelope& identity,
-    const std::function<Body(const Message&)>& handle,
+    Transport& transport, const std::string& in, const std::string& out,
+    const core::Envelope& identity, const std::function<core::Body(const core::Message&)>& handle,
     const std::function<bool()>& alive = [] { return true; });
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace dipper {
+namespace dipper::transport {
 
 /// A message as it came in.
 struct Packet {
@@ -30,4 +30,4 @@ struct Channels {
   static constexpr const char* from_mbs = "DIPPER_FROM_MBS";
 };
 
-}  // namespace dipper
+}  // namespace dipper::transport

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <string>
 
-#include "coupler/motion/input_error.hpp"
+#include "common/input_error.hpp"
 
-namespace dipper {
+namespace dipper::analysis {
 
 /// A folder of its own for the running test, empty; removed at its end.
 class Scratch {
@@ -55,4 +55,4 @@ inline std::string text_frame(long step, int particles, const std::string& colum
          columns + " \n" + rows;
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis

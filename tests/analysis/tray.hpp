@@ -1,12 +1,13 @@
 // A small open box of plates: a dipper for the tests.
 #pragma once
 
-#include "coupler/mesh/triangle_mesh.hpp"
+#include "common/mesh/triangle_mesh.hpp"
 
-namespace dipper {
+namespace dipper::analysis {
 
 /// A box-shaped solid between two corners.
-inline void add_block(TriangleMesh& mesh, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+inline void add_block(mesh::TriangleMesh& mesh, const Eigen::Vector3d& a,
+                      const Eigen::Vector3d& b) {
   const auto p = [&](int k) {
     return Eigen::Vector3d((k & 1) != 0 ? b.x() : a.x(), (k & 2) != 0 ? b.y() : a.y(),
                            (k & 4) != 0 ? b.z() : a.z());
@@ -21,8 +22,8 @@ inline void add_block(TriangleMesh& mesh, const Eigen::Vector3d& a, const Eigen:
 
 /// Five plates 4 cm thick around a cavity of 2 x 1 x 1.5 m (x from 0, y and z about 0) that opens
 /// to +x. The plates lie side by side: every one is a closed shell of its own.
-inline TriangleMesh tray() {
-  TriangleMesh m;
+inline mesh::TriangleMesh tray() {
+  mesh::TriangleMesh m;
   constexpr double t = 0.04;
   add_block(m, {-t, -0.5 - t, -0.75 - t}, {0, 0.5 + t, 0.75 + t});
   add_block(m, {0, -0.5 - t, -0.75}, {2, -0.5, 0.75});
@@ -32,4 +33,4 @@ inline TriangleMesh tray() {
   return m;
 }
 
-}  // namespace dipper
+}  // namespace dipper::analysis

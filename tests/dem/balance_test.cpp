@@ -19,7 +19,7 @@
 #include "tests/dem/drum.hpp"
 #include "tests/dem/momentum.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 const Vector3d gravity(0, 0, -9.81);
@@ -39,7 +39,7 @@ TEST_P(Balance, OfMomentumOverAWindow) {
   double worst = 0, largest = 0;
   int loaded = 0;
   for (int k = 2; k <= windows; ++k) {
-    const RockState state = drum.rock().step(steps, test::Drum::poses(k * window));
+    const core::RockState state = drum.rock().step(steps, test::Drum::poses(k * window));
     const test::Momentum after = test::momentum(drum.rock().liggghts());
     ASSERT_NEAR(after.mass, before.mass, 1e-9) << "rock left the drum in window " << k;
     const Vector3d F = state.bodies[0].mean.force + state.bodies[1].mean.force;
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(Rock, Balance, testing::Values("spheres", "multispheres
                          [](const auto& kind) { return std::string(kind.param); });
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

@@ -1,5 +1,5 @@
 // Rock that stands in a wall at the start is taken out, whole and for good; no other rock is.
-#include "coupler/dem/clear_start.hpp"
+#include "dem/clear_start.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,20 +8,20 @@
 #include <map>
 #include <set>
 
-#include "coupler/dem/liggghts_rock.hpp"
-#include "coupler/mesh/signed_distance.hpp"
+#include "common/mesh/signed_distance.hpp"
+#include "dem/liggghts_rock.hpp"
 #include "tests/dem/momentum.hpp"
 #include "tests/dem/scene.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 /// A trough of steel, open above: a floor and four sides 0.1 m thick about a hollow of 0.8 m. They
 /// do not touch: LIGGGHTS wants an edge to have two facets.
-TriangleMesh trough() {
-  TriangleMesh all;
+mesh::TriangleMesh trough() {
+  mesh::TriangleMesh all;
   const auto add = [&](const Vector3d& low, const Vector3d& high) {
-    const TriangleMesh part = test::box(low, high);
+    const mesh::TriangleMesh part = test::box(low, high);
     for (std::size_t i = 0; i < part.triangles.size(); ++i) all.add_loose(part.corners(i));
   };
   add({-0.5, -0.5, -0.1}, {0.5, 0.5, 0});
@@ -95,14 +95,14 @@ TEST_P(ClearStart, TakesOutTheRockInTheWallsAndNoOther) {
   setup.variables.push_back({"block", scene.stl("block", trough())});
   const Pose X_WB{from_rotation_vector({0.2, 0.1, 0.5}), {0.1, 0, 0.15}};
   LiggghtsRock rock(setup, MPI_COMM_WORLD);
-  RockState s = rock.place({X_WB});
+  core::RockState s = rock.place({X_WB});
 
   // By hand, from what was there.
-  TriangleMesh placed = trough();
+  mesh::TriangleMesh placed = trough();
   for (auto& v : placed.vertices) v = X_WB * v;
   std::set<int> rocks_in;
   for (const auto& [id, b] : before)
-    if (signed_distance(placed, b.p_W) > -b.radius_m) rocks_in.insert(b.rock);
+    if (mesh::signed_distance(placed, b.p_W) > -b.radius_m) rocks_in.insert(b.rock);
   std::set<int> expected, in_hollow;
   for (const auto& [id, b] : before) {
     if (rocks_in.count(b.rock) != 0) continue;
@@ -119,7 +119,7 @@ TEST_P(ClearStart, TakesOutTheRockInTheWallsAndNoOther) {
 
   const test::Momentum after = test::momentum(rock.liggghts());
   const auto channel = [&](const char* name) {
-    return s.channels[channel_index(rock.info(), name)];
+    return s.channels[core::channel_index(rock.info(), name)];
   };
   EXPECT_EQ(channel("rocks_removed"), rocks_in.size());
   EXPECT_NEAR(channel("mass_removed"), all.mass - after.mass, 1e-9 * all.mass);
@@ -156,4 +156,4 @@ TEST(ClearStartSetup, IsAskedForByName) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "coupler/core/frames.hpp"
+#include "common/frames.hpp"
 
 namespace dipper::test {
 

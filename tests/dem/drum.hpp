@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "coupler/dem/liggghts_rock.hpp"
+#include "dem/liggghts_rock.hpp"
 #include "tests/dem/scene.hpp"
 
 namespace dipper::test {
@@ -14,7 +14,7 @@ class Drum {
   explicit Drum(const std::string& kind, std::vector<std::pair<std::string, std::string>> more = {})
       : scene_("drum_" + kind), rock_(setup(kind, std::move(more)), MPI_COMM_WORLD) {}
 
-  LiggghtsRock& rock() { return rock_; }
+  dem::LiggghtsRock& rock() { return rock_; }
   double timestep() const { return rock_.info().timestep_s; }
 
   /// Drum and paddle, `t` seconds after the start. Two ranks meet at x = 0.
@@ -30,9 +30,9 @@ class Drum {
   }
 
  private:
-  RockSetup setup(const std::string& kind,
-                  std::vector<std::pair<std::string, std::string>> more) const {
-    RockSetup s = scene_.setup("drum.in");
+  dem::RockSetup setup(const std::string& kind,
+                       std::vector<std::pair<std::string, std::string>> more) const {
+    dem::RockSetup s = scene_.setup("drum.in");
     s.bodies = {"drum", "paddle"};
     s.variables.push_back({"rock", kind});
     s.variables.push_back(
@@ -44,7 +44,7 @@ class Drum {
   }
 
   Scene scene_;
-  LiggghtsRock rock_;
+  dem::LiggghtsRock rock_;
 };
 
 }  // namespace dipper::test

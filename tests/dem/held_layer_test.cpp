@@ -10,13 +10,13 @@
 #include <cmath>
 #include <memory>
 
-#include "coupler/dem/hold.hpp"
-#include "coupler/dem/liggghts_rock.hpp"
+#include "dem/hold.hpp"
+#include "dem/liggghts_rock.hpp"
 #include "tests/dem/momentum.hpp"
 #include "tests/dem/scene.hpp"
 #include "tests/dem/spheres.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 constexpr double kDepth = 0.3, kHalf = 0.75, kDt = 1e-4;
@@ -40,8 +40,8 @@ class Layer {
                (p.z() < kDepth || p.x() > kHalf - kDepth || std::abs(p.y()) > kHalf - kDepth);
     }
   }
-  RockState step(int steps) { return rock_.step(steps, {paddle_}); }
-  RockState step_to(double z) {
+  core::RockState step(int steps) { return rock_.step(steps, {paddle_}); }
+  core::RockState step_to(double z) {
     paddle_.p.z() = z;
     return step(100);
   }
@@ -90,9 +90,9 @@ class Layer {
 
  private:
   RockSetup setup(const std::string& kind) const {
-    TriangleMesh bin;  // inside the deck's planes, which nothing reaches
+    mesh::TriangleMesh bin;  // inside the deck's planes, which nothing reaches
     const auto plate = [&](const Vector3d& low, const Vector3d& high) {
-      const TriangleMesh part = test::box(low, high);
+      const mesh::TriangleMesh part = test::box(low, high);
       for (std::size_t i = 0; i < part.triangles.size(); ++i) bin.add_loose(part.corners(i));
     };
     const double t = 0.02, h = kHalf, top = 1.4;
@@ -198,7 +198,7 @@ TEST_P(HeldLayerOf, IsTheSameAfterACheckpointAndEndsWhereTheWallComes) {
   }
   MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
   EXPECT_EQ(most, 0);
-  RockState s;
+  core::RockState s;
   for (double z = 7; z > 0.8;) s = bed.step_to(z -= 0.02);  // 2 m/s, into the bed
   bed.rock().state_hash();
   EXPECT_LT(bed.held(), 0.7 * first) << "rock under the paddle is free";
@@ -209,4 +209,4 @@ INSTANTIATE_TEST_SUITE_P(Rock, HeldLayerOf, testing::Values("spheres", "multisph
                          [](const auto& kind) { return std::string(kind.param); });
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

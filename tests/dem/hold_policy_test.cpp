@@ -1,11 +1,11 @@
-#include "coupler/dem/hold_policy.hpp"
+#include "dem/hold_policy.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 using Flags = std::vector<std::uint8_t>;
@@ -95,4 +95,4 @@ TEST(HoldPolicy, WokenRockMustBeCalmAnew) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/dem/liggghts_rock.hpp"
+#include "dem/liggghts_rock.hpp"
 #include "tests/dem/momentum.hpp"
 #include "tests/dem/scene.hpp"
 #include "tests/dem/spheres.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 constexpr int kSteps = 100;  // a window: 0.01 s
@@ -39,8 +39,8 @@ class Bed {
     rock_.place({paddle_});
   }
 
-  RockState step() { return rock_.step(kSteps, {paddle_}); }
-  RockState step_to(double z) {
+  core::RockState step() { return rock_.step(kSteps, {paddle_}); }
+  core::RockState step_to(double z) {
     paddle_.p.z() = z;
     return step();
   }
@@ -49,7 +49,7 @@ class Bed {
     LAMMPS_NS::Fix* floor = modify->fix[modify->find_fix("floor")];
     return {floor->compute_vector(0), floor->compute_vector(1), floor->compute_vector(2)};
   }
-  double channel(const RockState& s, const std::string& name) const {
+  double channel(const core::RockState& s, const std::string& name) const {
     const auto channels = rock_.info().channels;
     for (std::size_t k = 0; k < channels.size(); ++k)
       if (channels[k].name == name) return s.channels[k];
@@ -91,7 +91,7 @@ TEST_P(Hold, KeepsStressAndPlace) {
   // Until the first rock is parked, and on until all is.
   Spheres before;
   Vector3d floor_before;
-  RockState s = bed.step(), last;
+  core::RockState s = bed.step(), last;
   int windows = 0;
   for (double parked = 0; parked == 0 && windows < 1200; ++windows) {
     before = spheres(lmp);
@@ -138,7 +138,7 @@ TEST_P(Hold, KeepsStressAndPlace) {
 
 TEST_P(Hold, EndsWhereTheWallComes) {
   Bed bed(GetParam());
-  RockState s;
+  core::RockState s;
   const double mass = test::momentum(bed.rock().liggghts()).mass;
   int windows = 0;
   do s = bed.step();
@@ -160,7 +160,7 @@ TEST_P(Hold, GivesAllRockBackToTheIntegrators) {
   LAMMPS_NS::LAMMPS& lmp = bed.rock().liggghts();
   const std::vector<int> before = groups(lmp);
   for (int cycle = 0; cycle < 20; ++cycle) {
-    RockState s;
+    core::RockState s;
     for (int k = 0; k < 13; ++k) s = bed.step();
     EXPECT_GT(bed.channel(s, "rock_parked"), 0) << "cycle " << cycle;
     bed.rock().state_hash();  // wakes all of it
@@ -172,4 +172,4 @@ INSTANTIATE_TEST_SUITE_P(Rock, Hold, testing::Values("spheres", "multispheres"),
                          [](const auto& kind) { return std::string(kind.param); });
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

@@ -4,10 +4,10 @@
 
 #include <stdexcept>
 
-#include "coupler/dem/liggghts_rock.hpp"
+#include "dem/liggghts_rock.hpp"
 #include "tests/dem/scene.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 // no_body.in has a fix `dipper` without stress, and no fix `door`.
@@ -32,4 +32,4 @@ INSTANTIATE_TEST_SUITE_P(Deck, MissingBody, testing::Values("dipper", "door"),
                          [](const auto& body) { return std::string(body.param); });
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

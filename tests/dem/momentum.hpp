@@ -7,7 +7,7 @@
 #include <modify.h>
 #include <mpi.h>
 
-#include "coupler/core/frames.hpp"
+#include "common/frames.hpp"
 
 namespace dipper::test {
 

@@ -1,8 +1,8 @@
-#include "coupler/dem/muck/muck_law.hpp"
+#include "dem/muck/muck_law.hpp"
 
 #include <gtest/gtest.h>
 
-namespace dipper::muck {
+namespace dipper::dem::muck {
 namespace {
 
 TEST(MuckLaw, PairDiameterOfEqualSpheresIsTheirs) {
@@ -58,4 +58,4 @@ TEST(MuckLaw, BondLoadSignsFollowTheOrderOfTheSpheresToTheBit) {
 }
 
 }  // namespace
-}  // namespace dipper::muck
+}  // namespace dipper::dem::muck

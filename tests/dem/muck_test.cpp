@@ -10,9 +10,9 @@
 #include <fstream>
 #include <vector>
 
-#include "coupler/dem/muck/muck_law.hpp"
+#include "dem/muck/muck_law.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ TEST(Muck, ACantileverBreaksAtItsRoot) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

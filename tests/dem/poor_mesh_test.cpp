@@ -7,14 +7,14 @@
 #include <fstream>
 #include <iterator>
 
-#include "coupler/dem/liggghts_rock.hpp"
+#include "dem/liggghts_rock.hpp"
 #include "tests/dem/scene.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 /// Two triangles on one edge that cover each other, about y = `y_m`.
-void add_fold(TriangleMesh& mesh, double y_m) {
+void add_fold(mesh::TriangleMesh& mesh, double y_m) {
   const auto at = [&](double x, double z) { return Vector3d(x, y_m, z); };
   mesh.add_loose({at(-1, 4), at(1, 4), at(-0.5, 6)});
   mesh.add_loose({at(-1, 4), at(1, 4), at(0.5, 6)});
@@ -23,7 +23,7 @@ void add_fold(TriangleMesh& mesh, double y_m) {
 TEST(PoorMesh, IsToldOnEveryRankThatHasSomeOfIt) {
   const test::Scene scene("poor_mesh");
   RockSetup setup = scene.setup("pose.in");
-  TriangleMesh folded;
+  mesh::TriangleMesh folded;
   for (const double y_m : {-2.0, 2.0}) add_fold(folded, y_m);  // a rank each, of two
   setup.variables.push_back({"dipper", scene.stl("dipper", folded)});
   setup.variables.push_back(
@@ -32,7 +32,7 @@ TEST(PoorMesh, IsToldOnEveryRankThatHasSomeOfIt) {
 
   testing::internal::CaptureStdout();
   LiggghtsRock rock(setup, MPI_COMM_WORLD);
-  const RockState placed = rock.place({Pose{}, Pose{}});
+  const core::RockState placed = rock.place({Pose{}, Pose{}});
   std::fflush(nullptr);
   const std::string said = testing::internal::GetCapturedStdout();
   std::ifstream screen(setup.screen);
@@ -43,4 +43,4 @@ TEST(PoorMesh, IsToldOnEveryRankThatHasSomeOfIt) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

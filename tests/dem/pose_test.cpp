@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupler/dem/liggghts_rock.hpp"
+#include "dem/liggghts_rock.hpp"
 #include "tests/dem/scene.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -38,7 +38,7 @@ LAMMPS_NS::TriMesh* wall_of(LAMMPS_NS::LAMMPS& lmp, const std::string& body) {
 }
 
 /// The farthest that a node of the wall is from where X_WB takes the STL file's [m]. Collective.
-double worst_node(LAMMPS_NS::LAMMPS& lmp, const std::string& body, const TriangleMesh& box,
+double worst_node(LAMMPS_NS::LAMMPS& lmp, const std::string& body, const mesh::TriangleMesh& box,
                   const Pose& X_WB) {
   LAMMPS_NS::TriMesh* wall = wall_of(lmp, body);
   double worst = 0;
@@ -59,8 +59,9 @@ double worst_node(LAMMPS_NS::LAMMPS& lmp, const std::string& body, const Triangl
 
 TEST(Pose, EndsEachOf10000WindowsWhereItWasCommandedAndDoesNotDrift) {
   const test::Scene scene("pose");
-  const TriangleMesh boxes[] = {test::box(Vector3d(-2, -2, -1.5), Vector3d(2, 2, 1.5)),
-                                test::box(Vector3d(-0.1, -1.8, -2.8), Vector3d(0.1, 1.8, 0.2))};
+  const mesh::TriangleMesh boxes[] = {
+      test::box(Vector3d(-2, -2, -1.5), Vector3d(2, 2, 1.5)),
+      test::box(Vector3d(-0.1, -1.8, -2.8), Vector3d(0.1, 1.8, 0.2))};
   RockSetup setup = scene.setup("pose.in");
   setup.bodies = {"dipper", "door"};
   setup.variables.insert(setup.variables.end(), {{"dipper", scene.stl("dipper", boxes[0])},
@@ -75,7 +76,7 @@ TEST(Pose, EndsEachOf10000WindowsWhereItWasCommandedAndDoesNotDrift) {
   };
   for (int k = 1; k <= windows; ++k) {
     const auto commanded = poses(k * window);
-    const RockState state = rock.step(steps, commanded);
+    const core::RockState state = rock.step(steps, commanded);
     ASSERT_EQ(state.step, k * steps);
     for (int b = 0; b < 2; ++b) {
       const PoseDistance d = distance(state.bodies[b].X_WB, commanded[b]);
@@ -108,7 +109,7 @@ TEST(Pose, EndsEachOf10000WindowsWhereItWasCommandedAndDoesNotDrift) {
   const double aside[] = {0.01, 0.02, -0.03};
   for (const auto& body : setup.bodies) wall_of(rock.liggghts(), body)->move(aside);
   const auto commanded = poses((windows + 1) * window);
-  const RockState state = rock.step(steps, commanded);
+  const core::RockState state = rock.step(steps, commanded);
   for (int b = 0; b < 2; ++b) {
     EXPECT_LT(distance(state.bodies[b].X_WB, commanded[b]).metres, 1e-12);
     EXPECT_LT(worst_node(rock.liggghts(), setup.bodies[b], boxes[b], commanded[b]), 1e-10);
@@ -116,4 +117,4 @@ TEST(Pose, EndsEachOf10000WindowsWhereItWasCommandedAndDoesNotDrift) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

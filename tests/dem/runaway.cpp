@@ -3,14 +3,14 @@
 
 #include <fstream>
 
-#include "coupler/dem/liggghts_rock.hpp"
+#include "dem/liggghts_rock.hpp"
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   if (argc != 2) return 2;
   std::ifstream in(argv[1]);
-  const dipper::RockSetup setup = dipper::rock_setup_from(nlohmann::json::parse(in));
-  dipper::LiggghtsRock rock(setup, MPI_COMM_WORLD);
+  const dipper::dem::RockSetup setup = dipper::dem::rock_setup_from(nlohmann::json::parse(in));
+  dipper::dem::LiggghtsRock rock(setup, MPI_COMM_WORLD);
   std::vector<dipper::Pose> X_WB(setup.bodies.size());
   for (auto& X : X_WB) X.p.z() = 8;
   rock.place(X_WB);

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "coupler/dem/rock_setup.hpp"
-#include "coupler/run/process.hpp"
-#include "tests/mesh/shapes.hpp"
+#include "coupler/launch/process.hpp"
+#include "dem/rock_setup.hpp"
+#include "tests/common/mesh/shapes.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 std::string text(const std::filesystem::path& file) {
@@ -41,9 +41,9 @@ TEST_P(Runaway, EndsTheProcessWithLiggghtssMessageOnTheScreen) {
   const std::string config = folder / "setup.json";
   std::ofstream(config) << to_json(setup);
 
-  Process process(ranks == 1 ? std::vector<std::string>{DIPPER_RUNAWAY, config}
-                             : mpirun(ranks, {DIPPER_RUNAWAY, config}),
-                  folder / "output.txt");
+  launch::Process process(ranks == 1 ? std::vector<std::string>{DIPPER_RUNAWAY, config}
+                                     : launch::mpirun(ranks, {DIPPER_RUNAWAY, config}),
+                          folder / "output.txt");
   ASSERT_TRUE(process.wait(std::chrono::seconds(60))) << text(folder / "output.txt");
   EXPECT_FALSE(process.succeeded());
   EXPECT_THAT(text(setup.screen), testing::AllOf(testing::HasSubstr("ERROR: Mesh (id dipper)"),
@@ -54,4 +54,4 @@ TEST_P(Runaway, EndsTheProcessWithLiggghtssMessageOnTheScreen) {
 INSTANTIATE_TEST_SUITE_P(Ranks, Runaway, testing::Values(1, 2));
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <string>
 
-#include "coupler/dem/rock_setup.hpp"
-#include "tests/mesh/shapes.hpp"
+#include "dem/rock_setup.hpp"
+#include "tests/common/mesh/shapes.hpp"
 
 namespace dipper::test {
 
@@ -41,7 +41,7 @@ class Scene {
   Scene& operator=(const Scene&) = delete;
 
   /// Writes NAME.stl, a mesh in the body frame; returns its path.
-  std::string stl(const std::string& name, const TriangleMesh& mesh) const {
+  std::string stl(const std::string& name, const mesh::TriangleMesh& mesh) const {
     const auto file = folder_ / (name + ".stl");
     if (rank() == 0) std::ofstream(file) << test::ascii_stl(mesh);
     MPI_Barrier(MPI_COMM_WORLD);
@@ -49,8 +49,8 @@ class Scene {
   }
 
   /// A deck of this folder, standing still; its log and screen go to the scene's folder.
-  RockSetup setup(const std::string& deck) const {
-    RockSetup s;
+  dem::RockSetup setup(const std::string& deck) const {
+    dem::RockSetup s;
     s.deck = DIPPER_DEM_TESTS "/" + deck;
     s.log = (folder_ / "log.liggghts").string();
     s.screen = (folder_ / "screen.liggghts").string();

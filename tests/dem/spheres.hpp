@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "coupler/core/frames.hpp"
+#include "common/frames.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 
 /// Centre and total force of every sphere, by id; the same on every rank.
 struct Spheres {
@@ -32,4 +32,4 @@ inline Spheres spheres(LAMMPS_NS::LAMMPS& lmp, const Vector3d& gravity = Vector3
   return s;
 }
 
-}  // namespace dipper
+}  // namespace dipper::dem

@@ -13,10 +13,10 @@
 
 #include <cmath>
 
-#include "coupler/dem/liggghts_rock.hpp"
+#include "dem/liggghts_rock.hpp"
 #include "tests/dem/scene.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 /// Sum over the plate's triangles of a property times their area. Collective.
@@ -43,7 +43,8 @@ TEST(Wear, OfASlantedImpactIsFinniesAndPressureIsTheForce) {
   double largest = 0;
   for (int window = 1; window <= 300; ++window) {
     const double time = 20 * window * dt;
-    const RockState state = rock.step(20, {Pose{Quaterniond::Identity(), {t * time, 0, n * time}}});
+    const core::RockState state =
+        rock.step(20, {Pose{Quaterniond::Identity(), {t * time, 0, n * time}}});
     const double pressed = integral(rock, "sigma_n"), force = state.bodies[0].end.force.z();
     ASSERT_NEAR(pressed, -force, 1e-9 * std::abs(force)) << "step " << state.step;
     largest = std::max(largest, pressed);
@@ -59,4 +60,4 @@ TEST(Wear, OfASlantedImpactIsFinniesAndPressureIsTheForce) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

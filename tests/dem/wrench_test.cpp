@@ -14,7 +14,7 @@
 #include "tests/dem/drum.hpp"
 #include "tests/dem/momentum.hpp"
 
-namespace dipper {
+namespace dipper::dem {
 namespace {
 
 using test::Contact;
@@ -78,7 +78,7 @@ TEST_P(WrenchOn, EachBodyIsTheSumOverItsContacts) {
   const auto run = [&](int steps) {
     step += steps;
     const std::vector<Pose> to = test::Drum::poses(static_cast<double>(step) * dt);
-    const RockState state = rock_.step(steps, to);
+    const core::RockState state = rock_.step(steps, to);
     ASSERT_EQ(list_->steps.size(), steps);
     for (int b = 0; b < 2; ++b) {
       // The trapezoid over the window, each step about where the origin then was.
@@ -133,12 +133,12 @@ TEST_P(WrenchOn, BodiesAndCouplesBalanceTheAngularMomentumOfTheRock) {
   double worst = 0, couples = 0;
   constexpr int steps = 6000;
   for (int k = 2; k <= steps; ++k) {
-    const RockState state = rock_.step(1, test::Drum::poses(k * dt));
+    const core::RockState state = rock_.step(1, test::Drum::poses(k * dt));
     const test::Momentum after = test::momentum(rock_.liggghts());
     const Wrench rock = on_rock(list_->steps.back());
     list_->steps.clear();
     Wrench bodies;
-    for (const BodyLoad& b : state.bodies) bodies = bodies + shift(b.end, -b.X_WB.p);
+    for (const core::BodyLoad& b : state.bodies) bodies = bodies + shift(b.end, -b.X_WB.p);
 
     const Vector3d weight = 0.5 * (before.moment + after.moment).cross(gravity);
     const Vector3d received = (after.angular - before.angular) / dt - weight;
@@ -164,4 +164,4 @@ INSTANTIATE_TEST_SUITE_P(Rock, WrenchOn, testing::Values("spheres", "multisphere
                          [](const auto& kind) { return std::string(kind.param); });
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::dem

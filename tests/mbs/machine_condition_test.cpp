@@ -1,27 +1,27 @@
 // Friction, losses, rope stretch and stuck mass change the drives' forces as their laws say.
-#include "coupler/motion/machine_condition.hpp"
+#include "machine/machine_condition.hpp"
 
 #include "tests/mbs/shovel_fixture.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 class MachineConditionTest : public ShovelTest {
  protected:
   /// The machine without a swing or a door: crowd out at 0.4 m/s and back, hoist in and out.
-  static Motion crowd_out_and_back() {
+  static machine::Motion crowd_out_and_back() {
     return motion("0,-4,0,0,0\n1,-4,0,0,0\n3,-4,0.8,0,0\n5,-4,0,0,0\n6,-4,0,0,0\n");
   }
-  static Motion hoist_in_and_out() {
+  static machine::Motion hoist_in_and_out() {
     return motion("0,-4,0.5,0,0\n1,-4,0.5,0,0\n3,-5,0.5,0,0\n5,-4,0.5,0,0\n6,-4,0.5,0,0\n");
   }
 
   /// Drives' channels of the machine as it is and in a condition, at the same times.
-  void compare(const Motion& m, const MachineCondition& condition,
+  void compare(const machine::Motion& m, const machine::MachineCondition& condition,
                const std::function<void(double t, std::map<std::string, double>&,
                                         std::map<std::string, double>&)>& look) {
     Shovel plain(machine, m, Pose{}, rake);
-    Shovel worn(in_condition(machine, condition), m, Pose{}, rake);
+    Shovel worn(machine::in_condition(machine, condition), m, Pose{}, rake);
     for (int i = 1; i <= 300; ++i) {
       auto a = named(plain, plain.step(20 * i * kMillisecond, no_rock, true));
       auto b = named(worn, worn.step(20 * i * kMillisecond, no_rock, true));
@@ -32,7 +32,7 @@ class MachineConditionTest : public ShovelTest {
 };
 
 TEST_F(MachineConditionTest, CrowdFrictionAddsItselfAgainstTheCrowdsMotion) {
-  MachineCondition c;
+  machine::MachineCondition c;
   c.crowd_friction_N = 6e4;
   double out = 0, back = 0;
   compare(crowd_out_and_back(), c, [&](double t, auto& a, auto& b) {
@@ -47,7 +47,7 @@ TEST_F(MachineConditionTest, CrowdFrictionAddsItselfAgainstTheCrowdsMotion) {
 }
 
 TEST_F(MachineConditionTest, HoistLossRaisesTheWinchsForceHaulingInAndLowersItPayingOut) {
-  MachineCondition c;
+  machine::MachineCondition c;
   c.hoist_loss = 0.05;
   double in = 0, out = 0;
   compare(hoist_in_and_out(), c, [&](double t, auto& a, auto& b) {
@@ -63,26 +63,26 @@ TEST_F(MachineConditionTest, HoistLossRaisesTheWinchsForceHaulingInAndLowersItPa
 
 // Two ropes of stiffness k = EA / (f L) carry T each: they stretch by T / k.
 TEST_F(MachineConditionTest, RopesOfTwiceTheComplianceStretchTwiceAsFar) {
-  MachineCondition c;
+  machine::MachineCondition c;
   c.rope_compliance = 2;
   Shovel plain(machine, still(), Pose{}, rake);
-  Shovel worn(in_condition(machine, c), still(), Pose{}, rake);
+  Shovel worn(machine::in_condition(machine, c), still(), Pose{}, rake);
   auto a = named(plain, plain.state()), b = named(worn, worn.state());
-  const ShovelKinematics rigid(machine, Pose{}, rake);
+  const machine::ShovelKinematics rigid(machine, Pose{}, rake);
   const double unloaded = rigid.saddle_angle(-4, 0.5);
   EXPECT_NEAR((b["saddle_pitch"] - unloaded) / (a["saddle_pitch"] - unloaded), 2, 0.02);
 }
 
 // Virtual work: at rest the hoist force changes by m g times dz/dl of the mass.
 TEST_F(MachineConditionTest, StuckMassHangsOnTheRopes) {
-  MachineCondition c;
+  machine::MachineCondition c;
   c.added_mass_kg = 5000;
   c.added_center_m = machine.dipper.mass_center;
   Shovel plain(machine, still(), Pose{}, rake);
-  Shovel worn(in_condition(machine, c), still(), Pose{}, rake);
+  Shovel worn(machine::in_condition(machine, c), still(), Pose{}, rake);
   auto a = named(plain, plain.state()), b = named(worn, worn.state());
   // The same as a rock of that weight hung at the same place.
-  const MachineState s = plain.state();
+  const core::MachineState s = plain.state();
   const Pose& X_WB = s.bodies[0].X_WB;
   const Vector3d at = X_WB.R * machine.dipper.mass_center;
   const Vector3d weight(0, 0, -5000 * 9.81);
@@ -96,16 +96,17 @@ TEST_F(MachineConditionTest, StuckMassHangsOnTheRopes) {
 }
 
 TEST(MachineCondition, AddedMassMovesTheCentreAndAddsItsInertia) {
-  MachineData m = load_machine(std::string(DIPPER_SOURCE) + "/mbs/bucyrus495.yaml");
+  machine::MachineData m =
+      machine::load_machine(std::string(DIPPER_SOURCE) + "/mbs/bucyrus495.yaml");
   m.rope.axial_stiffness = 1;
   m.dipper.mass = 3;
   m.dipper.mass_center = {1, 0, 0};
   m.dipper.inertia = {1, 2, 3};
-  MachineCondition c;
+  machine::MachineCondition c;
   c.added_mass_kg = 1;
   c.added_center_m = {5, 0, 0};
   c.added_inertia_kg_m2 = {0.1, 0.2, 0.3};
-  const MachineData d = in_condition(m, c);
+  const machine::MachineData d = machine::in_condition(m, c);
   EXPECT_DOUBLE_EQ(d.dipper.mass, 4);
   EXPECT_TRUE(d.dipper.mass_center.isApprox(Vector3d(2, 0, 0)));
   // 3 (2 - 1)^2 + 1 (5 - 2)^2 = 12 about y and z.
@@ -113,4 +114,4 @@ TEST(MachineCondition, AddedMassMovesTheCentreAndAddsItsInertia) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -8,7 +8,7 @@
 
 #include "mbs/stepper.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 constexpr double kG = 9.81;
@@ -177,4 +177,4 @@ TEST(Rope, OnlyTheElasticPartStretches) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::mbs

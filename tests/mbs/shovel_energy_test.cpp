@@ -1,7 +1,7 @@
 // The machine's energy books.
 #include "tests/mbs/shovel_fixture.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 // A free swing of the saddle on undamped ropes: pushed for 0.2 s, then left alone.
@@ -10,7 +10,7 @@ TEST_F(ShovelTest, FreeSwingConservesEnergy) {
   machine.rope.damping = 0;
   Shovel shovel(machine, still(), Pose{}, rake);
   const std::vector<Wrench> push = {Wrench{Vector3d::Zero(), Vector3d(0, 0, 4e5)}, Wrench{}};
-  MachineState s = shovel.step(200 * kMillisecond, push, true);
+  core::MachineState s = shovel.step(200 * kMillisecond, push, true);
   auto c = named(shovel, s);
   const double start = c["kinetic_energy"] + c["potential_energy"];
   double least = c["kinetic_energy"], most = least;
@@ -26,7 +26,7 @@ TEST_F(ShovelTest, FreeSwingConservesEnergy) {
 
 // Drives + rock - damping = change of energy, over the whole of cases/quick with a rough load.
 TEST_F(ShovelTest, PowersBalanceOverACycle) {
-  const Motion m = quick();
+  const machine::Motion m = quick();
   Shovel shovel(machine, m, Pose{}, rake);
   std::map<std::string, double> c;
   double traded = 0;
@@ -44,7 +44,7 @@ TEST_F(ShovelTest, PowersBalanceOverACycle) {
 
 // The powers of the channels are those the works are made of.
 TEST_F(ShovelTest, PowersOfTheChannelsAreTheRatesOfTheWorks) {
-  const Motion m = quick();
+  const machine::Motion m = quick();
   Shovel shovel(machine, m, Pose{}, rake);
   const std::vector<Wrench> F = {Wrench{Vector3d(0, -1e5, 0), Vector3d(-2e5, 0, -3e5)}, Wrench{}};
   std::map<std::string, double> a, b = named(shovel, shovel.step(5'100 * kMillisecond, F, true));
@@ -81,4 +81,4 @@ TEST_F(ShovelTest, RopesGoSlackAndCatchWithTheBooksInOrder) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::mbs

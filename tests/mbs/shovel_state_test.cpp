@@ -9,7 +9,7 @@
 
 #include "tests/mbs/shovel_fixture.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 using testing::ElementsAre;
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 /// Every number of a machine state, to compare bit by bit.
-std::vector<double> bits(const MachineState& s) {
+std::vector<double> bits(const core::MachineState& s) {
   std::vector<double> v = s.channels;
   for (const BodyState& b : s.bodies) {
     v.insert(v.end(), b.X_WB.R.coeffs().data(), b.X_WB.R.coeffs().data() + 4);
@@ -27,7 +27,7 @@ std::vector<double> bits(const MachineState& s) {
   return v;
 }
 
-bool same(const MachineState& a, const MachineState& b) {
+bool same(const core::MachineState& a, const core::MachineState& b) {
   const auto x = bits(a), y = bits(b);
   return a.t_ns == b.t_ns && x.size() == y.size() &&
          std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
@@ -49,20 +49,20 @@ class ShovelState : public ShovelTest {
 };
 
 TEST_F(ShovelState, AnnouncesBodiesAndChannels) {
-  const ServerInfo info = shovel.info();
+  const core::ServerInfo info = shovel.info();
   EXPECT_THAT(info.bodies, ElementsAre("dipper", "door"));
   EXPECT_THAT(info.version, HasSubstr("Simbody 3.7"));
-  const MachineState s = shovel.state();
+  const core::MachineState s = shovel.state();
   EXPECT_EQ(s.t_ns, 0);
   EXPECT_EQ(s.bodies.size(), info.bodies.size());
   EXPECT_EQ(s.channels.size(), info.channels.size());
   std::map<std::string, int> seen;
-  for (const Channel& c : info.channels) EXPECT_EQ(++seen[c.name], 1) << c.name;
+  for (const core::Channel& c : info.channels) EXPECT_EQ(++seen[c.name], 1) << c.name;
 }
 
 TEST_F(ShovelState, APredictionLeavesTheCommittedStateAsItWas) {
   for (int i = 1; i <= 300; ++i) shovel.step(window(i), load(i), true);
-  const MachineState before = shovel.state();
+  const core::MachineState before = shovel.state();
   shovel.step(window(301), load(-900), false);
   shovel.step(window(305), load(7), false);
   EXPECT_TRUE(same(shovel.state(), before));
@@ -72,15 +72,15 @@ TEST_F(ShovelState, PredictionsDoNotChangeTheRun) {
   Shovel plain(machine, quick(), Pose{}, rake);
   for (int i = 1; i <= 600; ++i) {
     shovel.step(window(i), load(i + 3), false);
-    const MachineState a = shovel.step(window(i), load(i), true);
-    const MachineState b = plain.step(window(i), load(i), true);
+    const core::MachineState a = shovel.step(window(i), load(i), true);
+    const core::MachineState b = plain.step(window(i), load(i), true);
     ASSERT_TRUE(same(a, b)) << i;
   }
 }
 
 TEST_F(ShovelState, APredictionWithTheSameWrenchIsTheCommit) {
   for (int i = 1; i <= 200; ++i) {
-    const MachineState predicted = shovel.step(window(i), load(i), false);
+    const core::MachineState predicted = shovel.step(window(i), load(i), false);
     ASSERT_TRUE(same(predicted, shovel.step(window(i), load(i), true))) << i;
   }
 }
@@ -146,4 +146,4 @@ TEST_F(ShovelState, RefusesAForeignOrBrokenFile) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::mbs

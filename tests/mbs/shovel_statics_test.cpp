@@ -1,10 +1,10 @@
 // Forces at rest and in prescribed motion, against balances worked by hand.
 #include <gmock/gmock.h>
 
-#include "coupler/motion/sheave_path.hpp"
+#include "machine/sheave_path.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 constexpr double kG = 9.81;
@@ -17,9 +17,9 @@ struct HandBalance {
   Vector3d handle_W;  ///< unit vector along the handle
 };
 
-HandBalance balance(const MachineData& m, const ShovelKinematics& k, const Drives& d,
-                    double saddle) {
-  const ShovelPose X = k.pose(d, saddle);
+HandBalance balance(const machine::MachineData& m, const machine::ShovelKinematics& k,
+                    const machine::Drives& d, double saddle) {
+  const machine::ShovelPose X = k.pose(d, saddle);
   const Vector3d p_WS = m.saddle.position;
   HandBalance b{};
   b.handle_W = Vector3d(std::cos(saddle), 0, std::sin(saddle));
@@ -34,8 +34,8 @@ HandBalance balance(const MachineData& m, const ShovelKinematics& k, const Drive
   const Vector3d p_WL = X.X_WB * m.dipper.bail;
   const Vector3d to_bail = p_WL - m.boom.point;
   const Vector3d to_drum = m.rope.drum - m.boom.point;
-  const SheavePath path =
-      sheave_path({to_drum.x(), to_drum.z()}, {to_bail.x(), to_bail.z()}, m.boom.sheave_radius);
+  const machine::SheavePath path = machine::sheave_path(
+      {to_drum.x(), to_drum.z()}, {to_bail.x(), to_bail.z()}, m.boom.sheave_radius);
   b.rope_W = Vector3d(path.toward_b.x(), 0, path.toward_b.y());
   // About -y, so that lifting is positive.
   b.arm = (p_WL - p_WS).x() * b.rope_W.z() - (p_WL - p_WS).z() * b.rope_W.x();
@@ -47,8 +47,8 @@ TEST_F(ShovelTest, StartsInStaticBalance) {
                            "0,-10.5,1,0,60\n1,-10.5,1,0,60\n"}) {
     Shovel shovel(machine, motion(rows), Pose{}, rake);
     auto c = named(shovel, shovel.state());
-    const Drives flat{c["hoist"], c["crowd"], 0,
-                      c["door"]};  // the balance does not depend on swing
+    const machine::Drives flat{c["hoist"], c["crowd"], 0,
+                               c["door"]};  // the balance does not depend on swing
     const HandBalance b = balance(machine, {machine, Pose{}, rake}, flat, c["saddle_pitch"]);
     const double tension = -b.moment / b.arm;
     EXPECT_NEAR(c["rope_tension_left"] + c["rope_tension_right"], tension, 1e-6 * tension);
@@ -59,8 +59,8 @@ TEST_F(ShovelTest, StartsInStaticBalance) {
     EXPECT_NEAR(c["crowd_force"], crowd, 1e-6 * b.weight);
     EXPECT_NEAR(c["swing_torque"], 0, 1e-3);
     // The door's weight about its hinge.
-    const ShovelKinematics k(machine, Pose{}, rake);
-    const ShovelPose X = k.pose(flat, c["saddle_pitch"]);
+    const machine::ShovelKinematics k(machine, Pose{}, rake);
+    const machine::ShovelPose X = k.pose(flat, c["saddle_pitch"]);
     const Vector3d p = X.X_WD * machine.door.mass_center - X.X_WD.p;
     EXPECT_NEAR(c["door_torque"], -machine.door.mass * kG * p.x(), 1e-6 * machine.door.mass * kG);
   }
@@ -69,7 +69,7 @@ TEST_F(ShovelTest, StartsInStaticBalance) {
 TEST_F(ShovelTest, NothingBouncesAtTheStart) {
   Shovel shovel(machine, still(), Pose{}, rake);
   const Vector3d start = shovel.state().bodies[0].X_WB.p;
-  MachineState s;
+  core::MachineState s;
   for (int i = 1; i <= 500; ++i) s = shovel.step(2 * i * kMillisecond, no_rock, true);
   EXPECT_LT((s.bodies[0].X_WB.p - start).norm(), 1e-9);
   EXPECT_LT(s.bodies[0].V_WB_W.v.norm(), 1e-9);
@@ -79,19 +79,19 @@ TEST_F(ShovelTest, NothingBouncesAtTheStart) {
 // the ropes' and gravity's component, plus what the turning handle needs (here none at t -> 0+).
 TEST_F(ShovelTest, CrowdReactionIsMassTimesAccelerationPlusWeight) {
   // x = t^2/2 (1 - ...) starts with c2 > 0: read the acceleration off the motion itself.
-  const Motion m = motion("0,-4,0.5,0,0\n1,-4,0.9,0,0\n2,-4,1.3,0,0\n");
+  const machine::Motion m = motion("0,-4,0.5,0,0\n1,-4,0.9,0,0\n2,-4,1.3,0,0\n");
   const double a = m.at(0.0).acceleration.crowd;
   ASSERT_GT(a, 0.5);
   Shovel shovel(machine, m, Pose{}, rake);
   auto c = named(shovel, shovel.state());
-  const Drives d{c["hoist"], c["crowd"], 0, 0};
+  const machine::Drives d{c["hoist"], c["crowd"], 0, 0};
   const HandBalance b = balance(machine, {machine, Pose{}, rake}, d, c["saddle_pitch"]);
   const double tension = -b.moment / b.arm;
   const double statics = b.weight * b.handle_W.z() - tension * b.rope_W.dot(b.handle_W);
   // Everything on the slider turns about the saddle with alpha, which the crowd's inertia force
   // excites; both follow from the 2 x 2 mass matrix in (angle, crowd).
-  const ShovelKinematics k(machine, Pose{}, rake);
-  const ShovelPose X = k.pose(d, c["saddle_pitch"]);
+  const machine::ShovelKinematics k(machine, Pose{}, rake);
+  const machine::ShovelPose X = k.pose(d, c["saddle_pitch"]);
   const Vector3d p_WE = X.X_WB * machine.dipper.handle_end;
   struct Part {
     double mass;
@@ -123,14 +123,14 @@ TEST_F(ShovelTest, AWrenchShowsInRopeTensionAndCrowdForce) {
   auto before = named(shovel, shovel.state());
   const Vector3d force(-2.0e5, 0, -3.0e5);
   const Vector3d at_B(4.6, 0, -1.5);  // on the teeth
-  MachineState s = shovel.state();
+  core::MachineState s = shovel.state();
   for (int i = 1; i <= 4000; ++i) {
     const Vector3d lever = s.bodies[0].X_WB.R * at_B;
     s = shovel.step(2 * i * kMillisecond, {Wrench{lever.cross(force), force}, Wrench{}}, true);
   }
   auto c = named(shovel, s);
   EXPECT_LT(std::abs(c["saddle_rate"]), 1e-9);
-  const Drives d{c["hoist"], c["crowd"], 0, 0};
+  const machine::Drives d{c["hoist"], c["crowd"], 0, 0};
   HandBalance b = balance(machine, {machine, Pose{}, rake}, d, c["saddle_pitch"]);
   const Vector3d r = s.bodies[0].X_WB * at_B - machine.saddle.position;
   const double tension = -(b.moment + r.x() * force.z() - r.z() * force.x()) / b.arm;
@@ -146,13 +146,13 @@ TEST_F(ShovelTest, AWrenchShowsInRopeTensionAndCrowdForce) {
 TEST_F(ShovelTest, AgreesWithTheRigidRopeKinematics) {
   machine.rope.axial_stiffness *= 1000;
   machine.rope.damping *= 30;
-  const Motion m = quick();
+  const machine::Motion m = quick();
   const Pose base{from_rotation_vector({0, 0, 0.1}), Vector3d(-0.5, 0.2, 0.1)};
-  const ShovelKinematics rigid(machine, base, rake);
+  const machine::ShovelKinematics rigid(machine, base, rake);
   Shovel shovel(machine, m, base, rake, 500'000);
   for (std::int64_t t = 10; t <= 27'000; t += 10) {
-    const MachineState s = shovel.step(t * kMillisecond, no_rock, true);
-    const ShovelPose X = rigid.pose(m.value(s.t_ns));
+    const core::MachineState s = shovel.step(t * kMillisecond, no_rock, true);
+    const machine::ShovelPose X = rigid.pose(m.value(s.t_ns));
     const PoseDistance body = distance(s.bodies[0].X_WB, X.X_WB);
     const PoseDistance door = distance(s.bodies[1].X_WB, X.X_WD);
     ASSERT_LT(body.metres, 1e-4) << t;
@@ -164,11 +164,11 @@ TEST_F(ShovelTest, AgreesWithTheRigidRopeKinematics) {
 
 // With the real ropes the bail hangs lower by their stretch, no more.
 TEST_F(ShovelTest, RealRopesStretchByCentimetres) {
-  const Motion m = quick();
-  const ShovelKinematics rigid(machine, Pose{}, rake);
+  const machine::Motion m = quick();
+  const machine::ShovelKinematics rigid(machine, Pose{}, rake);
   Shovel shovel(machine, m, Pose{}, rake);
   for (std::int64_t t = 10; t <= 27'000; t += 10) {
-    const MachineState s = shovel.step(t * kMillisecond, no_rock, true);
+    const core::MachineState s = shovel.step(t * kMillisecond, no_rock, true);
     auto c = named(shovel, s);
     const double stretch = c["rope_tension_left"] * machine.rope.elastic_fraction *
                            (machine.rope.length_at_zero_hoist + c["hoist"]) /
@@ -179,4 +179,4 @@ TEST_F(ShovelTest, RealRopesStretchByCentimetres) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::mbs

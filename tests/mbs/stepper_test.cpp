@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace dipper {
+namespace dipper::mbs {
 namespace {
 
 /// IFToMM benchmark A01: 1 kg on a massless 1 m rod, released horizontal, g = 9.81 m/s^2.
@@ -94,4 +94,4 @@ TEST_F(Pendulum, IntegratesPowers) {
 }
 
 }  // namespace
-}  // namespace dipper
+}  // namespace dipper::mbs

@@ -50,9 +50,9 @@ if (style.includes('</style')) throw new Error('style.css: holds a closing tag')
 writeFileSync(process.argv[3], `// Written by analysis/report/web/build.mjs.
 #include "analysis/report/web_bundle.hpp"
 
-namespace dipper {
+namespace dipper::analysis::report {
 
 ${literal('kReportScript', script)}
 ${literal('kReportStyle', style)}
-}  // namespace dipper
+}  // namespace dipper::analysis::report
 `);

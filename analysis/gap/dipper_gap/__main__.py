@@ -1,0 +1,133 @@
+"""dipper gap CASE --measured FOLDER [--out DIR]
+
+Exit status: 0 an answer was reached; 2 bad input, nothing started; 3 a run failed; 4 interrupted: the same
+command goes on from the runs already made.
+"""
+import argparse
+import hashlib
+import os
+import signal
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import yaml
+
+from .effects import read_catalogue
+from .findings import BadInput
+from .gap_json import as_json, write_json
+from .measured import read_measured
+from .patch import write_patched_case
+from .report import write_report
+from .simulator import JOBS, DipperSimulator, RunFailed
+from .workflow import NEED_PASSES, Workflow
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(prog="dipper gap", description=__doc__.split("\n")[0])
+    parser.add_argument("case", metavar="CASE", type=Path, help="a folder with a case.yaml")
+    parser.add_argument("--measured", metavar="FOLDER", type=Path, required=True,
+                        help="channels.yaml, passes.csv and signals.csv of the mine")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="where the answer goes (default: runs/gap-CASE)")
+    return parser.parse_args(words)
+
+
+def cache_folder():
+    base = os.environ.get("XDG_CACHE_HOME")
+    return (Path(base) if base else Path.home() / ".cache") / "dipper" / "gap"
+
+
+def program():
+    return os.environ.get("DIPPER", str(ROOT / "build/release/bin/dipper"))
+
+
+def read_case(folder):
+    file = folder / "case.yaml"
+    if not file.is_file():
+        raise BadInput([f"{folder}: case.yaml is not there; name a case's folder"])
+    try:
+        data = yaml.safe_load(file.read_text())
+    except yaml.YAMLError as e:
+        raise BadInput([f"{file}: not YAML: {e}"]) from None
+    if (data or {}).get("effects"):
+        raise BadInput([f"{file}: effects: the case has some already; give the case without them"])
+    return data
+
+
+def usable(catalogue, simulator):
+    """The effects this case can take at the strengths to be run, and a line for each that it cannot."""
+    def fault(effect):
+        return next(filter(None, (simulator.check([(effect.name, s)]) for s in effect.strengths(False))), "")
+
+    kept, left_out = {}, []
+    with ThreadPoolExecutor(JOBS) as pool:
+        faults = list(pool.map(fault, catalogue.values()))
+    for (name, effect), bad in zip(catalogue.items(), faults):
+        if bad:
+            left_out.append(f"effect {name} is left out, as the case cannot take it: {bad.splitlines()[0]}")
+            say(f"gap: {left_out[-1]}")
+        else:
+            kept[name] = effect
+    return kept, left_out
+
+
+def measured_hash(folder):
+    digest = hashlib.sha256()
+    for file in sorted(folder.iterdir()):
+        if file.is_file():
+            digest.update(file.name.encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
+
+
+def say(text):
+    print(text, flush=True)
+
+
+def main(words=None):
+    args = arguments(words)
+    try:
+        data = read_case(args.case)
+        catalogue = read_catalogue(ROOT / "analysis/effects", args.case / "effects")
+        measured = read_measured(args.measured, NEED_PASSES)
+    except BadInput as e:
+        for finding in e.findings:
+            print(finding, file=sys.stderr)
+        print(f"{len(e.findings)} error{'s' if len(e.findings) > 1 else ''}", file=sys.stderr)
+        return 2
+    for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
+        signal.signal(number, signal.default_int_handler)
+    simulator = DipperSimulator(args.case, catalogue, program(), cache_folder())
+    bad = simulator.check()
+    if bad:
+        print(bad, file=sys.stderr)
+        return 2
+    catalogue, left_out = usable(catalogue, simulator)
+    out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
+    try:
+        flow = Workflow(measured, simulator, catalogue, int(data.get("seed", 1)), say)
+        flow.out.warnings += left_out
+        out = flow.run()
+    except KeyboardInterrupt:
+        print("gap: interrupted; the same command goes on from the runs already made", file=sys.stderr)
+        return 4
+    except RunFailed as e:
+        print(f"gap: {e}", file=sys.stderr)
+        return 3
+    except ValueError as e:
+        print(f"gap: {e}", file=sys.stderr)
+        return 2
+    out_folder.mkdir(parents=True, exist_ok=True)
+    answer = as_json(out, catalogue, {"case": simulator.identity(), "measured": measured_hash(args.measured)})
+    write_json(answer, out_folder / "gap.json")
+    if out.effects:
+        write_patched_case(args.case, out.effects, out_folder / "case")
+    write_report(out, answer, catalogue, out_folder / "report.html", args.case.resolve().name)
+    say(f"gap: {out_folder / 'report.html'}, {out_folder / 'gap.json'}"
+        + (f", {out_folder / 'case'}" if out.effects else ""))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,212 @@
+#include "analysis/io/dump_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "analysis/io/line_reader.hpp"
+#include "analysis/io/vtk_file.hpp"
+
+namespace dipper::analysis::io {
+namespace fs = std::filesystem;
+namespace {
+
+/// rocks_1670.dump is "rocks", dump.1670 is "dump": what comes before the step.
+std::string stem_of(const fs::path& file) {
+  std::string name = file.filename().string();
+  const auto step = step_in_name(file);
+  if (!step) {
+    const auto in_extension = step_in_name(fs::path(file.extension().string().substr(1)));
+    return in_extension ? file.stem().string() : name.substr(0, name.rfind('.'));
+  }
+  name = file.stem().string();
+  name.erase(name.find_last_of("0123456789") + 1);
+  while (!name.empty() && name.back() >= '0' && name.back() <= '9') name.pop_back();
+  while (!name.empty() && (name.back() == '_' || name.back() == '.' || name.back() == '-'))
+    name.pop_back();
+  return name.empty() ? "dump" : name;
+}
+
+bool is_text_dump(const fs::path& file) {
+  char head[14] = {};
+  const auto stream = open_file(file);
+  return std::fread(head, 1, sizeof head, stream.get()) == sizeof head &&
+         std::string_view(head, sizeof head) == "ITEM: TIMESTEP";
+}
+
+using Groups = std::map<std::string, std::vector<fs::path>>;
+
+const Groups::value_type& only(const Groups& groups, const fs::path& folder) {
+  const auto rocks = groups.find("rocks");
+  if (groups.size() == 1 || rocks != groups.end())
+    return rocks != groups.end() ? *rocks : *groups.begin();
+  std::string names;
+  for (const auto& [name, files] : groups) names += (names.empty() ? "" : ", ") + name;
+  throw input_error(
+      folder, 0,
+      fmt::format("particles of several dumps ({}); leave the files of one of them", names));
+}
+
+struct Found {
+  Groups text, vtk;
+  decltype(DumpFolder::walls) walls;
+};
+
+/// Whether a VTK file without its rows read is a wall. One file of a group stands for all.
+Found find_dumps(const fs::path& folder) {
+  Found found;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::map<std::string, bool> is_wall;
+  for (const fs::path& file : files) {
+    const std::string ext = file.extension().string();
+    const std::string stem = stem_of(file);
+    if (ext == ".vtp" || ext == ".vtk") {
+      const auto step = step_in_name(file);
+      if (!step) continue;  // a still picture, not a frame
+      auto known = is_wall.find(stem + ext);
+      if (known == is_wall.end())
+        known = is_wall.emplace(stem + ext, index_vtk(file).polygon_count > 0).first;
+      if (known->second) {
+        found.walls[stem][*step] = file;
+      } else {
+        found.vtk[stem].push_back(file);
+      }
+    } else if (ext != ".series" && ext != ".vtr" && ext != ".pvd" && is_text_dump(file)) {
+      found.text[stem].push_back(file);
+    }
+  }
+  return found;
+}
+
+/// The value of one key of a run's case.txt.
+std::optional<double> case_number(const fs::path& file, const std::string& key) {
+  std::ifstream in(file);
+  double value = 0;
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind(key + "=", 0) == 0 &&
+        parse_number(std::string_view(line).substr(key.size() + 1), value))
+      return value;
+  return std::nullopt;
+}
+
+std::vector<fs::path> series_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".series") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Every file a *.series lists must be there. Returns the time step of the first that tells it.
+std::optional<double> check_series(const fs::path& folder) {
+  std::optional<double> timestep_s;
+  for (const fs::path& file : series_files(folder)) {
+    std::ifstream in(file);
+    const auto json = nlohmann::json::parse(in, nullptr, false);
+    if (!json.is_object() || !json.contains("files") || !json["files"].is_array())
+      throw input_error(file, 1, "not a list of files in JSON: it was cut short");
+    for (const auto& entry : json["files"]) {
+      const fs::path name = entry.value("name", "");
+      if (!fs::exists(folder / name))
+        throw input_error(file, 0, fmt::format("lists {}, which is missing", name.string()));
+      const auto step = step_in_name(name);
+      const double time = entry.value("time", 0.0);
+      if (!timestep_s && step && *step > 0 && time > 0)
+        timestep_s = time / static_cast<double>(*step);
+    }
+  }
+  return timestep_s;
+}
+
+void check_names(const std::vector<DumpFrame>& frames) {
+  std::map<fs::path, int> in_file;
+  for (const DumpFrame& f : frames) ++in_file[f.file];
+  for (const DumpFrame& f : frames) {
+    const auto named = step_in_name(f.file);
+    if (in_file[f.file] == 1 && named && *named != f.step && f.file.extension() != ".lammpstrj")
+      throw input_error(f.file, 2,
+                        fmt::format("holds step {}, but its name says {}; a dump of "
+                                    "another run?",
+                                    f.step, *named));
+  }
+}
+
+/// Steps that are evenly spaced but for a gap have a frame missing.
+void check_spacing(const std::vector<DumpFrame>& frames, const fs::path& folder) {
+  if (frames.size() < 3) return;
+  std::int64_t least = frames[1].step - frames[0].step;
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    least = std::min(least, frames[i].step - frames[i - 1].step);
+  std::vector<std::int64_t> missing;
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    const std::int64_t gap = frames[i].step - frames[i - 1].step;
+    if (gap % least != 0) return;  // not evenly spaced: nothing to tell
+    if (gap > least) missing.push_back(frames[i - 1].step + least);
+  }
+  if (missing.empty()) return;
+  // A dump whose interval was changed on purpose has many wide gaps, not a few.
+  if (2 * missing.size() > frames.size()) return;
+  throw input_error(folder, 0,
+                    fmt::format("the frame of step {} is missing: {} is every {} steps", missing[0],
+                                stem_of(frames[0].file), least));
+}
+
+void check_walls(const DumpFolder& d) {
+  for (const auto& [name, steps] : d.walls) {
+    if (steps.size() < 2) continue;  // a wall that stands still, dumped once
+    for (const DumpFrame& f : d.frames)
+      if (steps.count(f.step) == 0)
+        throw input_error(d.folder, 0,
+                          fmt::format("the frame of step {} is missing from the wall {}; {} has it",
+                                      f.step, name, f.file.filename().string()));
+  }
+}
+
+}  // namespace
+
+std::size_t DumpFolder::nearest(double t) const {
+  const auto after = std::lower_bound(time_s.begin(), time_s.end(), t);
+  if (after == time_s.begin()) return 0;
+  const auto i = static_cast<std::size_t>(after - time_s.begin());
+  if (after == time_s.end()) return i - 1;
+  return t - time_s[i - 1] <= time_s[i] - t ? i - 1 : i;
+}
+
+DumpFolder open_dump_folder(const fs::path& folder, std::optional<double> timestep_s) {
+  DumpFolder d;
+  d.folder = fs::is_directory(folder / "dumps") ? folder / "dumps" : folder;
+  if (!fs::is_directory(d.folder)) throw input_error(d.folder, 0, "not a folder");
+  Found found = find_dumps(d.folder);
+  if (found.text.empty() && found.vtk.empty())
+    throw input_error(d.folder, 0,
+                      "no particle dumps; text dumps of `dump custom`, or .vtp or .vtk files of "
+                      "`dump custom/vtk`, belong there");
+  const auto& group = only(found.text.empty() ? found.vtk : found.text, d.folder);
+  d.particles = group.first;
+  d.walls = std::move(found.walls);
+  d.frames = DumpReader(group.second).frames();
+  check_names(d.frames);
+  const auto listed_s = check_series(d.folder);
+  check_spacing(d.frames, d.folder);
+  check_walls(d);
+  if (!timestep_s) timestep_s = case_number(folder / "case.txt", "dem.timestep_s");
+  if (!timestep_s) timestep_s = listed_s;
+  if (timestep_s && *timestep_s <= 0)
+    throw input_error(d.folder, 0, "the time step is not positive");
+  d.timestep_s = timestep_s.value_or(0);
+  for (const DumpFrame& f : d.frames) {
+    if (!timestep_s && !f.time_s)
+      throw input_error(f.file, f.line,
+                        "the time step is not known: there is no case.txt and no *.series; say it "
+                        "with --timestep");
+    d.time_s.push_back(timestep_s ? static_cast<double>(f.step) * *timestep_s : *f.time_s);
+  }
+  return d;
+}
+
+}  // namespace dipper::analysis::io

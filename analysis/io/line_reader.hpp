@@ -1,0 +1,47 @@
+// Lines of a large text file, with their numbers.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "analysis/io/byte_reader.hpp"
+#include "common/input_error.hpp"
+
+namespace dipper::analysis::io {
+
+/// "FILE:LINE: MESSAGE", or "FILE: MESSAGE" with line 0.
+InputError input_error(const std::filesystem::path& file, long line, const std::string& message);
+
+/// Reads a file line by line; the buffer grows for a line longer than it. Throws InputError when
+/// the file cannot be read.
+class LineReader : private ByteReader {
+ public:
+  using ByteReader::ByteReader;  // `offset` is the start of line `line` (1-based)
+  using ByteReader::file;
+  using ByteReader::offset;  // of the line that comes next
+
+  /// The next line without its end; valid until the next call. False at the end of the file.
+  bool next(std::string_view& text);
+
+  long line() const { return line_ - 1; }            ///< number of the last line given
+  bool ended_whole() const { return ended_whole_; }  ///< the last line had its newline
+
+ private:
+  bool ended_whole_ = true;
+};
+
+/// Opens a file for reading in binary; throws InputError.
+std::unique_ptr<std::FILE, int (*)(std::FILE*)> open_file(const std::filesystem::path& file);
+
+/// Takes the next word (up to blank, tab or carriage return) off the front; empty: none left.
+std::string_view take_word(std::string_view& text);
+
+/// All of a word as a number; false when it is none or not finite.
+bool parse_number(std::string_view word, double& value);
+bool parse_number(std::string_view word, std::int64_t& value);
+
+}  // namespace dipper::analysis::io

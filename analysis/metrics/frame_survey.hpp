@@ -1,0 +1,51 @@
+// One reading of all frames: sums of each, and where the rocks of each load end up.
+#pragma once
+
+#include <unordered_map>
+
+#include "analysis/run/run_folder.hpp"
+
+namespace dipper::analysis::metrics {
+
+/// What is followed of one pass.
+struct LoadToFollow {
+  std::size_t lift_frame = 0;   ///< the load is what is in the dipper then
+  std::size_t end_frame = 0;    ///< and is looked for again here
+  std::size_t start_frame = 0;  ///< of the pass
+};
+
+struct LoadFate {
+  double lifted_kg = 0;
+  double truck_kg = 0, carry_back_kg = 0, back_in_pile_kg = 0, spillage_kg = 0;  ///< add up to it
+  double truck_from_elsewhere_kg = 0;  ///< gained by the truck, but not of this load
+  std::map<int, double> class_kg;      ///< lifted, by class
+};
+
+/// The rectangle the rock covers in a frame, seen from above.
+struct Footprint {
+  Eigen::Vector2d min = Eigen::Vector2d::Constant(1e300), max = Eigen::Vector2d::Constant(-1e300);
+  void add(const Vector3d& p_W);
+  bool holds(const Vector3d& p_W) const;
+};
+
+/// Mass and size of one class of rock.
+struct ClassSums {
+  double mass_kg = 0, volume_m3 = 0;
+  std::size_t rocks = 0;
+};
+
+struct Survey {
+  std::vector<rock::FrameSums> frames;
+  std::vector<LoadFate> fates;         ///< one a load, in order
+  std::map<int, ClassSums> classes;    ///< of all rock in the first frame
+  Footprint pile;                      ///< of the rock on the ground in the first frame
+  std::size_t rocks = 0, spheres = 0;  ///< in the last frame
+};
+
+/// Reads every frame once. A rock of a load that is in no frame at its end has left the domain:
+/// it counts as spilt. `dipper` may be empty.
+Survey survey_frames(const io::DumpFolder& dumps, const rock::ClumpMasses& clumps,
+                     const rock::Places& places, const rock::PoseTrack& dipper,
+                     const std::vector<LoadToFollow>& loads);
+
+}  // namespace dipper::analysis::metrics

@@ -1,0 +1,52 @@
+#include "analysis/metrics/hung_load.hpp"
+
+#include <unordered_map>
+
+#include "common/gravity.hpp"
+
+namespace dipper::analysis::metrics {
+namespace {
+
+constexpr double kReach_m = 1.0;  // about the longest tooth, and more than any rock's radius
+
+bool rides(const rock::Rock& rock, const rock::Places& places, const BodyState& dipper) {
+  rock::Region near = *places.dipper;
+  near.min_m.array() -= kReach_m;
+  near.max_m.array() += kReach_m;
+  return near.holds(inverse(dipper.X_WB) * rock.p_W) &&
+         (rock.v_W - rock::velocity_at(dipper, rock.p_W)).norm() <= rock::kFlowSpeed_m_s;
+}
+
+}  // namespace
+
+std::optional<HungLoad> hung_load(const io::DumpFolder& dumps, const rock::ClumpMasses& clumps,
+                                  const rock::Places& places, const rock::PoseTrack& dipper,
+                                  double from_s, double to_s) {
+  std::vector<std::size_t> frames;
+  for (std::size_t k = 0; k < dumps.frames.size(); ++k)
+    if (dumps.time_s[k] >= from_s && dumps.time_s[k] <= to_s && dumps.frames[k].has("vz"))
+      frames.push_back(k);
+  if (frames.empty()) return std::nullopt;
+  HungLoad load;
+  std::unordered_map<std::int64_t, double> first_vz;  // of the rock inside or riding
+  double momentum = 0;
+  for (const std::size_t k : frames) {
+    const BodyState body = dipper.at(dumps.time_s[k]);
+    rock::for_each_rock(dumps.frames[k], clumps, [&](const rock::Rock& rock) {
+      const rock::Place place = rock::place_of(places, body.X_WB, rock.p_W);
+      const bool riding = place == rock::Place::elsewhere && rides(rock, places, body);
+      if (riding) load.riding_kg += rock.mass_kg / static_cast<double>(frames.size());
+      if (k == frames.front() && (riding || place == rock::Place::dipper))
+        first_vz[rock.key] = rock.v_W.z();
+      const auto then = first_vz.find(rock.key);
+      if (k == frames.back() && then != first_vz.end())
+        momentum += rock.mass_kg * (rock.v_W.z() - then->second);
+    });
+  }
+  if (frames.size() > 1)
+    load.accelerating_kg =
+        momentum / (dumps.time_s[frames.back()] - dumps.time_s[frames.front()]) / kGravity_m_s2;
+  return load;
+}
+
+}  // namespace dipper::analysis::metrics

@@ -1,0 +1,42 @@
+// The tables of metrics.json, each from what was measured for it.
+#pragma once
+
+#include "analysis/metrics/frame_survey.hpp"
+#include "analysis/metrics/hung_load.hpp"
+#include "analysis/metrics/metrics.hpp"
+#include "analysis/metrics/pass_signals.hpp"
+#include "analysis/metrics/pile_surface.hpp"
+#include "analysis/rock/struck_volume.hpp"
+
+namespace dipper::analysis::metrics {
+
+using json = nlohmann::ordered_json;
+
+/// One pass as the signals and the dumps have it.
+struct PassFacts {
+  signals::Pass pass;
+  std::vector<signals::Phase> phases;
+  LoadToFollow load;
+  LoadFate fate;
+  double load_volume_m3 = 0;  ///< 0: not known
+  double load_in_volume_kg = 0;
+  std::vector<rock::Stage> stages;
+  std::optional<StillWeight> still;
+  std::optional<HungLoad> hung;
+
+  const signals::Phase* phase(const std::string& name) const;
+};
+
+json run_table(const run::RunFolder& run, const io::DumpFolder& dumps, const Survey& survey);
+json passes_table(const run::RunFolder& run, const std::vector<PassFacts>& passes,
+                  double struck_m3);
+json phases_table(const run::RunFolder& run, const std::vector<PassFacts>& passes);
+json stages_table(const io::DumpFolder& dumps, const Survey& survey,
+                  const std::vector<PassFacts>& passes);
+json frames_table(const io::DumpFolder& dumps, const Survey& survey, const rock::Places& places);
+json pile_table(const PileSurface& before, const PileSurface& after);
+json sizes_table(const run::RunFolder& run, const Survey& survey,
+                 const std::vector<PassFacts>& passes);
+json walls_table(const std::vector<rock::WallField>& fields);
+
+}  // namespace dipper::analysis::metrics

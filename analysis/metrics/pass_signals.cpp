@@ -1,0 +1,68 @@
+#include "analysis/metrics/pass_signals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "common/gravity.hpp"
+
+namespace dipper::analysis::metrics {
+namespace {
+
+constexpr double kWindow_s = 1.0;  // as passes.cpp takes the payload over
+constexpr double kStill_m_s = 0.05;
+constexpr double kLatched_rad = 1e-5;  // beyond, the door gives way and the weight comes off it
+
+}  // namespace
+
+Effort effort(const run::RunSignals& s, double t_start_s, double t_end_s) {
+  const auto& t = s.pass.time_s;
+  const auto row = [&](double at) {
+    return static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), at - 1e-9) - t.begin());
+  };
+  const std::size_t a = row(t_start_s), b = std::min(row(t_end_s), t.size() - 1);
+  if (b <= a) throw std::invalid_argument("fewer than two rows of the record in a phase");
+  const auto force = [&](std::size_t i) {
+    return std::hypot(s.pass.crowd_force_N[i], s.pass.hoist_force_N[i]);
+  };
+  const auto integral = [&](auto value) {
+    double sum = 0;
+    for (std::size_t i = a; i < b; ++i) sum += 0.5 * (value(i) + value(i + 1)) * (t[i + 1] - t[i]);
+    return sum;
+  };
+  const auto work = [&](const std::vector<double>& power) {
+    return integral([&](std::size_t i) { return power[i]; });
+  };
+  Effort e;
+  e.dig_force_mean_N = integral(force) / (t[b] - t[a]);
+  for (std::size_t i = a; i <= b; ++i) e.dig_force_peak_N = std::max(e.dig_force_peak_N, force(i));
+  e.hoist_work_J = work(s.hoist_power_W);
+  e.crowd_work_J = work(s.crowd_power_W);
+  e.swing_work_J = work(s.swing_power_W);
+  e.rock_work_J = s.rock_work_J[b] - s.rock_work_J[a];
+  e.mass_gain_kg = s.pass.dipper_mass_kg[b] - s.pass.dipper_mass_kg[a];
+  return e;
+}
+
+std::optional<StillWeight> weigh_still(const run::RunSignals& s, const signals::Pass& pass) {
+  const auto& t = s.pass.time_s;
+  const rock::PoseTrack& dipper = s.walls.at("dipper");
+  StillWeight w;
+  double sum = 0;
+  std::size_t still = 0, all = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (t[i] < pass.t_dump_s - kWindow_s || t[i] > pass.t_dump_s) continue;
+    ++all;
+    if (std::abs(s.pass.door_rad[i]) > kLatched_rad) continue;
+    if (std::abs(dipper.at(t[i]).V_WB_W.v.z()) > kStill_m_s) continue;
+    if (still == 0) w.from_s = t[i];
+    w.to_s = t[i];
+    sum += s.weight_N[i];
+    ++still;
+  }
+  if (still == 0 || 2 * still < all) return std::nullopt;
+  w.mass_kg = sum / static_cast<double>(still) / kGravity_m_s2;
+  return w;
+}
+
+}  // namespace dipper::analysis::metrics

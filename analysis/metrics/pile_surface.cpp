@@ -1,0 +1,100 @@
+#include "analysis/metrics/pile_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace dipper::analysis::metrics {
+namespace {
+
+using Visit = std::function<void(const Vector3d&, double)>;
+constexpr std::size_t kMany = 300'000;
+
+void for_each_sphere(const io::DumpFrame& frame, const Visit& visit) {
+  io::DumpReader::read(frame, {"x", "y", "z", "radius"}, [&](const io::ParticleChunk& c) {
+    for (std::size_t i = 0; i < c.rows; ++i)
+      visit({c.columns[0][i], c.columns[1][i], c.columns[2][i]}, c.columns[3][i]);
+  });
+}
+
+/// The highest top in each column of a coarse grid, to leave out what lies deep below.
+class Tops {
+ public:
+  Tops(const Footprint& f, double cell) : min_(f.min), cell_(cell) {
+    n_ = ((f.max - f.min) / cell).array().ceil().cast<int>() + 1;
+    top_.assign(static_cast<std::size_t>(n_.x()) * static_cast<std::size_t>(n_.y()), -1e300);
+  }
+  double& of(const Vector3d& p) {
+    const Eigen::Vector2i i = ((p.head<2>() - min_) / cell_).cast<int>();
+    return top_[static_cast<std::size_t>(i.y()) * static_cast<std::size_t>(n_.x()) +
+                static_cast<std::size_t>(i.x())];
+  }
+
+ private:
+  Eigen::Vector2d min_;
+  Eigen::Vector2i n_;
+  double cell_;
+  std::vector<double> top_;
+};
+
+}  // namespace
+
+std::vector<rock::Ball> balls_in(const io::DumpFrame& frame, const rock::Region& region,
+                                 const Pose& X_WB) {
+  std::vector<rock::Ball> balls;
+  const Pose X_BW = inverse(X_WB);
+  for_each_sphere(frame, [&](const Vector3d& p, double r) {
+    const Vector3d p_B = X_BW * p;
+    if (region.holds(p_B)) balls.push_back({p_B, r});
+  });
+  return balls;
+}
+
+double height_at(const rock::SurfaceProfile& profile, double x) {
+  const auto& xs = profile.x_m;
+  const auto after = std::lower_bound(xs.begin(), xs.end(), x);
+  const auto i = static_cast<std::size_t>(after - xs.begin());
+  if (i == 0) return profile.z_m.front();
+  if (i == xs.size()) return profile.z_m.back();
+  const double share = (x - xs[i - 1]) / (xs[i] - xs[i - 1]);
+  return (1 - share) * profile.z_m[i - 1] + share * profile.z_m[i];
+}
+
+PileSurface pile_surface(const io::DumpFrame& frame, const rock::Places& places, const Pose& X_WB,
+                         const Footprint& footprint, double floor_m) {
+  const auto pile = [&](const Visit& visit) {
+    for_each_sphere(frame, [&](const Vector3d& p, double r) {
+      if (footprint.holds(p) && rock::place_of(places, X_WB, p) == rock::Place::elsewhere)
+        visit(p, r);
+    });
+  };
+  double largest = 0;
+  if (frame.particles > kMany)
+    pile([&](const Vector3d&, double r) { largest = std::max(largest, r); });
+  std::vector<rock::Ball> balls;
+  if (largest > 0) {
+    Tops tops(footprint, 2 * largest);
+    pile([&](const Vector3d& p, double r) { tops.of(p) = std::max(tops.of(p), p.z() + r); });
+    pile([&](const Vector3d& p, double r) {
+      if (p.z() + r > tops.of(p) - 6 * largest) balls.push_back({p, r});
+    });
+  } else {
+    pile([&](const Vector3d& p, double r) { balls.push_back({p, r}); });
+  }
+  PileSurface s;
+  if (balls.empty()) return s;
+  rock::SurfaceOptions options;
+  options.floor_m = floor_m;
+  double grain = 0;
+  for (const rock::Ball& b : balls) grain = std::max(grain, 2 * b.radius_m);
+  s.profile = rock::surface_profile(balls, options);
+  try {
+    rock::PileAngleOptions flank;
+    flank.floor_m = floor_m;
+    s.angle = rock::pile_angle(s.profile, grain, flank);
+  } catch (const std::invalid_argument&) {  // flat, or fewer bins than a line needs
+  }
+  return s;
+}
+
+}  // namespace dipper::analysis::metrics

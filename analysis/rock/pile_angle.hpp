@@ -1,0 +1,46 @@
+// The angle at which a pile's flank stands.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "analysis/rock/surface_profile.hpp"
+
+namespace dipper::analysis::rock {
+
+struct PileAngleOptions {
+  // Where to look: a heap with two flanks, or a pile that goes on behind its crest, is measured on
+  // the part named here.
+  double x_min_m = -std::numeric_limits<double>::infinity();
+  double x_max_m = std::numeric_limits<double>::infinity();
+  double floor_m = 0;  ///< ground level
+  // The flank is what lies between these shares of the height: the toe runs out flat, the crest is
+  // rounded.
+  double lower_share = 0.2;
+  double upper_share = 0.8;
+};
+
+/// A straight line through the flank, z = z0 + slope (x - x0).
+struct PileAngle {
+  double angle_deg = 0;  ///< from the ground, 0 ... 90, whichever way the flank faces
+  double sigma_deg = 0;  ///< standard error: how far another sample of the same roughness might be
+  double slope = 0;      ///< dz/dx, with its sign
+  double x0_m = 0, z0_m = 0;        ///< a point of the line: the flank's middle
+  double x_from_m = 0, x_to_m = 0;  ///< the flank
+  double rms_m = 0;                 ///< of the profile about the line
+  double height_m = 0;              ///< of the pile over the floor
+};
+
+/// Finds the flank (from where the smoothed profile last leaves the lower height to where it first
+/// reaches the upper), fits it by the median of the slopes of all pairs of bins (Theil 1950, Sen
+/// 1968: up to 29 % of the bins may be anything), and estimates the error by a block bootstrap:
+/// residuals of neighbouring bins belong to one rock, so they are drawn again in blocks of
+/// `grain_m`, the size of the largest rocks. Deterministic. Throws std::invalid_argument when there
+/// is no flank of at least 5 bins.
+PileAngle pile_angle(const SurfaceProfile& profile, double grain_m,
+                     const PileAngleOptions& options = {});
+
+/// The same from the balls, with grain_m twice the largest radius.
+PileAngle pile_angle(const std::vector<Ball>& balls, const PileAngleOptions& options = {});
+
+}  // namespace dipper::analysis::rock

@@ -1,0 +1,45 @@
+// A box in a frame of its own, and how a body moves.
+#pragma once
+
+#include <vector>
+
+#include "common/frames.hpp"
+
+namespace dipper::analysis::rock {
+
+/// What is in it counts: the dipper's cavity with the heap on it, a truck's bed.
+struct Region {
+  Vector3d min_m = Vector3d::Zero(), max_m = Vector3d::Zero();  ///< in the region's frame S
+
+  bool holds(const Vector3d& p_S) const {
+    return (p_S.array() >= min_m.array()).all() && (p_S.array() <= max_m.array()).all();
+  }
+};
+
+/// A body's poses against time, and its twists where they are known.
+class PoseTrack {
+ public:
+  PoseTrack() = default;
+  /// Times rise. Without twists they are taken from the poses.
+  PoseTrack(std::vector<double> time_s, std::vector<Pose> X_WB, std::vector<Twist> V_WB_W = {});
+
+  bool empty() const { return time_s_.empty(); }
+  double start_s() const { return time_s_.front(); }
+  double end_s() const { return time_s_.back(); }
+
+  /// Between two times the body moves at constant twist; before the first and after the last it is
+  /// where it was then.
+  BodyState at(double t) const;
+
+ private:
+  std::vector<double> time_s_;
+  std::vector<Pose> X_WB_;
+  std::vector<Twist> V_WB_W_;
+};
+
+/// The velocity of a point of a body, in W [m/s].
+inline Vector3d velocity_at(const BodyState& body, const Vector3d& p_W) {
+  return body.V_WB_W.v + body.V_WB_W.w.cross(p_W - body.X_WB.p);
+}
+
+}  // namespace dipper::analysis::rock

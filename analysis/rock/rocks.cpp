@@ -1,0 +1,168 @@
+#include "analysis/rock/rocks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <unordered_map>
+
+#include "analysis/io/line_reader.hpp"
+
+namespace dipper::analysis::rock {
+namespace {
+
+/// The columns of a frame that a rock is made of, with their places in a chunk.
+class Columns {
+ public:
+  explicit Columns(const io::DumpFrame& frame) : frame_(frame) {
+    x_ = add("x");
+    add("y");
+    add("z");
+    radius_ = add("radius");
+    id_ = add("id");
+    type_ = maybe("type");
+    clump_ = maybe("id_multisphere");
+    mass_ = maybe("mass");
+    density_ = maybe("density");
+    if (frame.has("vx") && frame.has("vy") && frame.has("vz")) {
+      v_ = add("vx");
+      add("vy");
+      add("vz");
+    }
+  }
+
+  const std::vector<std::string>& names() const { return names_; }
+  bool weighs() const { return mass_ >= 0 || density_ >= 0; }
+
+  double radius(const io::ParticleChunk& c, std::size_t i) const { return at(c, radius_, i, 0); }
+  std::int64_t id(const io::ParticleChunk& c, std::size_t i) const {
+    return whole(at(c, id_, i, 0));
+  }
+  int type(const io::ParticleChunk& c, std::size_t i) const {
+    return static_cast<int>(whole(at(c, type_, i, 1)));
+  }
+  std::int64_t clump(const io::ParticleChunk& c, std::size_t i) const {
+    return whole(at(c, clump_, i, -1));
+  }
+  double density(const io::ParticleChunk& c, std::size_t i) const { return at(c, density_, i, 0); }
+  double mass(const io::ParticleChunk& c, std::size_t i, double volume) const {
+    return mass_ >= 0 ? at(c, mass_, i, 0) : density(c, i) * volume;
+  }
+  Eigen::Vector3d p(const io::ParticleChunk& c, std::size_t i) const { return vector(c, x_, i); }
+  Eigen::Vector3d v(const io::ParticleChunk& c, std::size_t i) const {
+    return v_ >= 0 ? vector(c, v_, i) : Eigen::Vector3d::Zero();
+  }
+
+ private:
+  int add(const std::string& name) {
+    names_.push_back(name);
+    return static_cast<int>(names_.size()) - 1;
+  }
+  int maybe(const std::string& name) { return frame_.has(name) ? add(name) : -1; }
+  static std::int64_t whole(double v) { return static_cast<std::int64_t>(std::llround(v)); }
+  static double at(const io::ParticleChunk& c, int column, std::size_t i, double otherwise) {
+    return column >= 0 ? c.columns[static_cast<std::size_t>(column)][i] : otherwise;
+  }
+  static Eigen::Vector3d vector(const io::ParticleChunk& c, int column, std::size_t i) {
+    const auto k = static_cast<std::size_t>(column);
+    return {c.columns[k][i], c.columns[k + 1][i], c.columns[k + 2][i]};
+  }
+
+  const io::DumpFrame& frame_;
+  std::vector<std::string> names_;
+  int x_ = -1, radius_ = -1, id_ = -1, type_ = -1, clump_ = -1, mass_ = -1, density_ = -1, v_ = -1;
+};
+
+struct Clump {
+  int type = 1;
+  double volume_m3 = 0, mass_kg = 0, density_kg_m3 = 0;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero();  // times volume
+};
+
+}  // namespace
+
+ClumpMasses read_clump_masses(const std::filesystem::path& rocks_in) {
+  ClumpMasses masses;
+  io::LineReader in(rocks_in);
+  std::string_view text;
+  int type = 0;  // of the multisphere template being read
+  while (in.next(text)) {
+    std::string_view last;
+    for (auto word = io::take_word(text); !word.empty(); last = word, word = io::take_word(text)) {
+      if (word == "fix" || word == "particletemplate/sphere") type = 0;
+      std::int64_t n = 0;
+      if (last == "atom_type" && io::parse_number(word, n)) type = static_cast<int>(n);
+      double kg = 0;
+      if (last != "mass" || type == 0) continue;
+      if (!io::parse_number(word, kg) || kg <= 0)
+        throw io::input_error(rocks_in, in.line(),
+                              fmt::format("mass '{}' is not a mass in kg", word));
+      masses[type] = kg;
+    }
+  }
+  return masses;
+}
+
+std::string mass_source(const io::DumpFrame& frame, const ClumpMasses& clumps) {
+  if (!clumps.empty()) return "deck";
+  return frame.has("mass") ? "mass column" : "spheres";
+}
+
+void for_each_rock(const io::DumpFrame& frame, const ClumpMasses& masses,
+                   const std::function<void(const Rock&)>& visit) {
+  const Columns columns(frame);
+  if (!columns.weighs())
+    throw io::input_error(
+        frame.file, frame.line,
+        "particles without mass or density; add one of them to the dump's columns");
+  std::unordered_map<std::int64_t, Clump> clumps;
+  io::DumpReader::read(frame, columns.names(), [&](const io::ParticleChunk& chunk) {
+    for (std::size_t i = 0; i < chunk.rows; ++i) {
+      const double r = columns.radius(chunk, i);
+      if (r <= 0)
+        throw io::input_error(frame.file, frame.line,
+                              fmt::format("particle {} has radius {}", columns.id(chunk, i), r));
+      const double volume = 4.0 / 3.0 * M_PI * r * r * r;
+      const double mass = columns.mass(chunk, i, volume);
+      if (const std::int64_t id = columns.clump(chunk, i); id >= 0) {
+        Clump& c = clumps[id];
+        c.type = columns.type(chunk, i);
+        c.density_kg_m3 = columns.density(chunk, i);
+        c.volume_m3 += volume;
+        c.mass_kg += mass;
+        c.p += volume * columns.p(chunk, i);
+        c.v += volume * columns.v(chunk, i);
+        continue;
+      }
+      Rock rock;
+      rock.key = columns.id(chunk, i);
+      rock.type = columns.type(chunk, i);
+      rock.mass_kg = mass;
+      rock.density_kg_m3 = columns.density(chunk, i);
+      rock.p_W = columns.p(chunk, i);
+      rock.v_W = columns.v(chunk, i);
+      visit(rock);
+    }
+  });
+  for (const auto& [id, c] : clumps) {
+    Rock rock;
+    rock.key = -1 - id;
+    rock.type = c.type;
+    rock.mass_kg = c.mass_kg;
+    rock.density_kg_m3 = c.density_kg_m3;
+    rock.p_W = c.p / c.volume_m3;
+    rock.v_W = c.v / c.volume_m3;
+    if (!masses.empty()) {
+      const auto at = masses.find(c.type);
+      if (at == masses.end())
+        throw io::input_error(
+            frame.file, frame.line,
+            fmt::format("rock {} is of type {}, which the deck has no clump of: a "
+                        "dump of another run?",
+                        id, c.type));
+      rock.mass_kg = at->second;
+    }
+    visit(rock);
+  }
+}
+
+}  // namespace dipper::analysis::rock

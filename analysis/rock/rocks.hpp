@@ -1,0 +1,36 @@
+// Rocks from the spheres of a dump: a clump of spheres is one rock with one mass.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "analysis/io/dump_reader.hpp"
+
+namespace dipper::analysis::rock {
+
+struct Rock {
+  std::int64_t key = 0;  ///< a sphere's id, or -1 - id_multisphere: the same rock in every frame
+  int type = 1;          ///< size class, from 1
+  double mass_kg = 0;
+  double density_kg_m3 = 0;                       ///< of solid rock; 0: not known
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< volume-weighted middle of its spheres
+  Eigen::Vector3d v_W = Eigen::Vector3d::Zero();  ///< of that point; zero when not dumped
+};
+
+/// Where masses of clumps come from: by size class, from a run's deck. Empty for other dumps.
+using ClumpMasses = std::map<int, double>;
+
+/// Reads the templates of a deck's rocks.in. Throws InputError naming file and line.
+ClumpMasses read_clump_masses(const std::filesystem::path& rocks_in);
+
+/// How masses were found, as metrics.json says it: "deck", "mass column" or "spheres".
+std::string mass_source(const io::DumpFrame& frame, const ClumpMasses& clumps);
+
+/// Hands every rock of a frame to `visit`: single spheres as they are read, then the clumps, which
+/// are all that is kept in memory. Throws InputError: particles without radius, id, or without both
+/// mass and density; a clump of a class the deck does not have.
+void for_each_rock(const io::DumpFrame& frame, const ClumpMasses& clumps,
+                   const std::function<void(const Rock&)>& visit);
+
+}  // namespace dipper::analysis::rock

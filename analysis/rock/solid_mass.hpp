@@ -1,0 +1,19 @@
+// How much rock is inside a box.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "analysis/rock/ball.hpp"
+
+namespace dipper::analysis::rock {
+
+/// Mass [kg] of the parts of the balls that lie in `box`, on a grid of cubes of `cell_m`: balls
+/// that straddle a face count with what is inside, and where the balls of one rock overlap the
+/// space counts once. `density_kg_m3` is each ball's: for a rock of several balls, its mass by the
+/// volume of their union. Error about cell/box side squared. Throws std::invalid_argument for lists
+/// of different lengths, an empty box, a cell that is not > 0.
+double mass_inside(const std::vector<Ball>& balls, const std::vector<double>& density_kg_m3,
+                   const Eigen::AlignedBox3d& box, double cell_m);
+
+}  // namespace dipper::analysis::rock

@@ -1,0 +1,226 @@
+#include "analysis/run/run_folder.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <fstream>
+#include <sstream>
+
+#include "analysis/io/line_reader.hpp"
+#include "analysis/io/vtk_file.hpp"
+#include "common/mesh/mesh_check.hpp"
+#include "common/mesh/stl.hpp"
+#include "common/record/record.hpp"
+
+namespace dipper::analysis::run {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw io::input_error(file, 0, "cannot be read; it belongs to a run's folder");
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
+
+json json_of(const fs::path& file) {
+  json j = json::parse(bytes_of(file), nullptr, false);
+  if (!j.is_object()) throw io::input_error(file, 1, "not a JSON object: it was cut short");
+  return j;
+}
+
+Vector3d vector(const json& j) {
+  const auto v = j.get<std::array<double, 3>>();
+  return {v[0], v[1], v[2]};
+}
+
+/// The regions the rock side has weighed in, as it was told.
+void read_scales(const fs::path& file, rock::Places& places) {
+  const json settings = json_of(file);
+  try {
+    for (const json& s : settings.at("settings").at("scales")) {
+      const rock::Region region{vector(s.at("min_m")), vector(s.at("max_m"))};
+      if (s.at("name") == "mass_in_dipper") places.dipper = region;
+      if (s.at("name") != "mass_in_truck") continue;
+      places.truck = region;
+      const auto q = s.at("R_WS").get<std::array<double, 4>>();
+      places.X_WT = {Quaterniond(q[0], q[1], q[2], q[3]), vector(s.at("p_WS"))};
+    }
+  } catch (const json::exception& e) {
+    throw io::input_error(file, 0, e.what());
+  }
+}
+
+/// `variable NAME index VALUE` of a deck's case.in.
+std::map<std::string, std::string> deck_variables(const fs::path& file) {
+  std::map<std::string, std::string> values;
+  io::LineReader in(file);
+  std::string_view text;
+  while (in.next(text)) {
+    if (io::take_word(text) != "variable") continue;
+    const std::string name(io::take_word(text));
+    io::take_word(text);
+    values[name] = io::take_word(text);
+  }
+  return values;
+}
+
+/// A wall's mesh in its own frame from its first dump, for a run whose STL files are elsewhere.
+mesh::TriangleMesh from_dump(const fs::path& file, const Pose& X_WB) {
+  mesh::TriangleMesh mesh = io::read_wall_dump(io::index_vtk(file)).mesh;
+  for (auto& v : mesh.vertices) v = inverse(X_WB) * v;
+  return mesh;
+}
+
+void read_meshes(RunFolder& run, const fs::path& deck) {
+  const auto variables = deck_variables(deck);
+  for (const char* name : {"dipper", "door", "truck"}) {
+    const auto at = variables.find(std::string(name) + "_mesh");
+    const fs::path file = at == variables.end() ? fs::path() : fs::path(at->second);
+    if (!file.empty() && fs::exists(file)) {
+      run.mesh_files[name] = file;
+      run.meshes[name] = mesh::read_stl(file);
+      continue;
+    }
+    const fs::path dump = run.folder / "dumps" / (std::string(name) + "_0.vtk");
+    const auto track = run.signals.walls.find(name);
+    const Pose X_WB = track == run.signals.walls.end() ? run.places.X_WT : track->second.at(0).X_WB;
+    if (fs::exists(dump)) run.meshes[name] = from_dump(dump, X_WB);
+  }
+}
+
+/// The dipper with its door where it is at the start: shut.
+mesh::TriangleMesh vessel_of(const RunFolder& run) {
+  mesh::TriangleMesh vessel = run.meshes.at("dipper");
+  if (run.meshes.count("door") == 0) return vessel;
+  const Pose X_BD =
+      inverse(run.signals.walls.at("dipper").at(0).X_WB) * run.signals.walls.at("door").at(0).X_WB;
+  const mesh::TriangleMesh& door = run.meshes.at("door");
+  for (std::size_t t = 0; t < door.triangles.size(); ++t) {
+    mesh::Triangle corners = door.corners(t);
+    for (auto& c : corners) c = X_BD * c;
+    vessel.add_loose(corners);
+  }
+  return vessel;
+}
+
+/// What the YAML file beside a dipper's mesh says of it.
+void read_beside(RunFolder& run, fs::path file) {
+  file.replace_extension(".yaml");
+  run.places.lip_x_m = run.places.dipper->max_m.x();
+  if (!fs::exists(file)) return;
+  try {
+    const YAML::Node y = YAML::LoadFile(file);
+    run.struck_given_m3 = y["struck_volume_m3"].as<double>(0);
+    run.places.lip_x_m -= y["heap_height_m"].as<double>(0);
+  } catch (const YAML::Exception& e) {
+    throw io::input_error(file, e.mark.line + 1, e.msg);
+  }
+}
+
+}  // namespace
+
+double RunFolder::number(const std::string& key, double otherwise) const {
+  const auto at = case_values.find(key);
+  double value = 0;
+  return at != case_values.end() && io::parse_number(at->second, value) ? value : otherwise;
+}
+
+std::string RunFolder::text(const std::string& key) const {
+  const auto at = case_values.find(key);
+  if (at == case_values.end()) return "";
+  const std::string& v = at->second;
+  return v.size() >= 2 && v.front() == '"' ? v.substr(1, v.size() - 2) : v;
+}
+
+RunFolder read_run_folder(const fs::path& folder) {
+  RunFolder run;
+  run.folder = folder;
+  run.is_run = true;
+  run.case_text = bytes_of(folder / "case.txt");
+  std::istringstream lines(run.case_text);
+  for (std::string line; std::getline(lines, line);)
+    if (const auto equals = line.find('='); equals != std::string::npos)
+      run.case_values[line.substr(0, equals)] = line.substr(equals + 1);
+  if (fs::exists(folder / "summary.json")) run.summary = json_of(folder / "summary.json");
+  const fs::path record = folder / "record.h5";
+  run.signals = read_signals(record);
+  run.case_hash = record::read_attribute(record, "case_hash");
+  run.version = record::read_attribute(record, "version");
+  run.rock_version = record::read_attribute(record, "rock_version");
+  run.machine_version = record::read_attribute(record, "machine_version");
+  run.dipper = run.signals.walls.at("dipper");
+  run.bulk_density_kg_m3 = run.number("rock.bulk_density_kg_m3");
+  read_scales(folder / "logs" / "dem.json", run.places);
+  run.clumps = rock::read_clump_masses(folder / "deck" / "rocks.in");
+  read_meshes(run, folder / "deck" / "case.in");
+  if (run.meshes.count("dipper") != 0) run.vessel = vessel_of(run);
+  if (run.places.dipper) read_beside(run, run.mesh_files["dipper"]);
+  return run;
+}
+
+mesh::TriangleMesh read_sound_mesh(const fs::path& file) {
+  mesh::TriangleMesh mesh;
+  try {
+    mesh = mesh::read_stl(file);
+  } catch (const mesh::StlError& e) {
+    throw io::input_error(file, e.line, e.message);
+  }
+  if (const auto faults = mesh::check_mesh(mesh); !faults.empty())
+    throw io::input_error(
+        file, 0,
+        fmt::format(
+            "does not enclose a volume: {}{}", faults[0].message,
+            faults.size() > 1 ? fmt::format(" (and {} more faults)", faults.size() - 1) : ""));
+  return mesh;
+}
+
+RunFolder read_foreign_folder(const fs::path& folder, const std::optional<ForeignDipper>& dipper) {
+  RunFolder run;
+  run.folder = folder;
+  if (!dipper) return run;
+  run.meshes["dipper"] = run.vessel = read_sound_mesh(dipper->mesh);
+  run.mesh_files["dipper"] = dipper->mesh;
+  run.dipper = read_poses(dipper->poses);
+  return run;
+}
+
+rock::PoseTrack read_poses(const fs::path& file) {
+  io::LineReader in(file);
+  std::string_view text;
+  const std::string header = "time_s,x_m,y_m,z_m,qw,qx,qy,qz";
+  if (!in.next(text) || text != header)
+    throw io::input_error(file, 1, fmt::format("the first line is {}", header));
+  std::vector<double> time_s;
+  std::vector<Pose> X_WB;
+  while (in.next(text)) {
+    std::array<double, 8> v{};
+    std::string line(text);
+    for (char& c : line)
+      if (c == ',') c = ' ';
+    std::string_view words = line;
+    for (double& value : v)
+      if (!io::parse_number(io::take_word(words), value))
+        throw io::input_error(file, in.line(),
+                              fmt::format("eight numbers belong here: {}", header));
+    if (!io::take_word(words).empty())
+      throw io::input_error(file, in.line(), "more than eight numbers");
+    if (!time_s.empty() && v[0] <= time_s.back())
+      throw io::input_error(file, in.line(), "time_s does not rise");
+    const Quaterniond R(v[4], v[5], v[6], v[7]);
+    if (std::abs(R.norm() - 1) > 1e-3)
+      throw io::input_error(
+          file, in.line(),
+          fmt::format("qw ... qz is no rotation: its length is {:.4g}, not 1", R.norm()));
+    time_s.push_back(v[0]);
+    X_WB.push_back({R.normalized(), {v[1], v[2], v[3]}});
+  }
+  if (time_s.empty()) throw io::input_error(file, 2, "no poses");
+  return {time_s, X_WB};
+}
+
+}  // namespace dipper::analysis::run

@@ -1,0 +1,76 @@
+// A run's folder as `dipper run` left it, or what a user gives beside a folder of dumps.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "analysis/io/dump_folder.hpp"
+#include "analysis/rock/zones.hpp"
+#include "analysis/signals/passes.hpp"
+#include "analysis/signals/phases.hpp"
+
+namespace dipper::analysis::run {
+
+/// The record's channels that metrics are made from; one value a row.
+struct RunSignals {
+  signals::PassSignals pass;
+  signals::DriveSignals drive;
+  std::vector<double> hoist_power_W, crowd_power_W,
+      swing_power_W;                             ///< the drives', into the machine
+  std::vector<double> rock_work_J;               ///< the rock's on the walls, from the start
+  std::vector<double> weight_N;                  ///< down, of the rock on dipper and door together
+  std::vector<double> rock_kg;                   ///< all there is
+  std::map<std::string, rock::PoseTrack> walls;  ///< bodies' poses as the rock met them, by name
+};
+
+/// What is known besides the dumps.
+struct RunFolder {
+  std::filesystem::path folder;
+  bool is_run = false;                             ///< of Dipper: there is a record
+  std::map<std::string, std::string> case_values;  ///< of case.txt, by key
+  std::string case_text;
+  nlohmann::json summary;  ///< of summary.json; null: the run has not ended
+  std::string case_hash, rock_version, machine_version, version;
+  RunSignals signals;
+  rock::ClumpMasses clumps;
+  rock::Places places;
+  rock::PoseTrack dipper;                            ///< empty: not known
+  std::map<std::string, mesh::TriangleMesh> meshes;  ///< in their own frames: dipper, door, truck
+  std::map<std::string, std::filesystem::path> mesh_files;
+  mesh::TriangleMesh vessel;      ///< dipper with its door shut, in B
+  double struck_given_m3 = 0;     ///< by the file beside the mesh; 0: none
+  double bulk_density_kg_m3 = 0;  ///< of the pile, from the case; 0: not known
+
+  /// A number of the case, or a text without its quotes.
+  double number(const std::string& key, double otherwise = 0) const;
+  std::string text(const std::string& key) const;
+};
+
+/// What a user says of dumps that are no run's.
+struct ForeignDipper {
+  std::filesystem::path mesh;   ///< STL in B
+  std::filesystem::path poses;  ///< CSV: time_s,x_m,y_m,z_m,qw,qx,qy,qz
+};
+
+/// Reads a run's folder. Throws InputError naming file and line.
+RunFolder read_run_folder(const std::filesystem::path& folder);
+
+/// Of a folder without a record. Throws InputError, also for a mesh that does not enclose a volume.
+RunFolder read_foreign_folder(const std::filesystem::path& folder,
+                              const std::optional<ForeignDipper>& dipper);
+
+/// Poses from a CSV file with a header line. Throws InputError naming file and line.
+rock::PoseTrack read_poses(const std::filesystem::path& file);
+
+/// Whether these dumps are of this run: the box is the case's domain, types are the case's classes,
+/// all rock weighs what the record says, walls are where the record has them. Throws InputError
+/// naming file and line.
+void check_dumps_are_of(const RunFolder& run, const io::DumpFolder& dumps);
+
+/// The channels of record.h5.
+RunSignals read_signals(const std::filesystem::path& record);
+
+/// A closed, sound mesh: throws InputError naming the file and the first facet that is wrong.
+mesh::TriangleMesh read_sound_mesh(const std::filesystem::path& file);
+
+}  // namespace dipper::analysis::run

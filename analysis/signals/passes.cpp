@@ -1,0 +1,71 @@
+#include "analysis/signals/passes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace dipper::analysis::signals {
+namespace {
+
+constexpr double kDoorOpen_rad = 0.02;    // about 1 degree: more than a drive's ripple
+constexpr double kFirstContact_N = 20e3;  // the weight of a 2 t rock: more than a stray stone
+constexpr double kPayloadWindow_s = 1.0;
+
+Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::size_t end) {
+  Pass p;
+  std::size_t dig = begin;
+  while (dig < dump && s.dipper_force_N[dig] < kFirstContact_N) ++dig;
+  p.t_start_s = s.time_s[begin];
+  p.t_dig_s = s.time_s[dig];
+  p.t_dump_s = s.time_s[dump];
+  p.t_end_s = s.time_s[end];
+  std::size_t n = 0;
+  for (std::size_t i = dump; s.time_s[i] >= p.t_dump_s - kPayloadWindow_s; --i) {
+    p.payload_kg += s.dipper_mass_kg[i];
+    ++n;
+    if (i == begin) break;
+  }
+  p.payload_kg /= static_cast<double>(n);
+  p.truck_kg = s.truck_mass_kg[end] - s.truck_mass_kg[begin];
+  double impulse = 0;  // time-weighted: sync steps need not be equal
+  for (std::size_t i = dig; i < dump; ++i) {
+    const double force = std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]);
+    impulse += force * (s.time_s[i + 1] - s.time_s[i]);
+    p.dig_force_peak_N = std::max(p.dig_force_peak_N, force);
+  }
+  if (p.t_dump_s > p.t_dig_s) p.dig_force_mean_N = impulse / (p.t_dump_s - p.t_dig_s);
+  return p;
+}
+
+}  // namespace
+
+std::vector<Pass> find_passes(const PassSignals& s) {
+  const std::size_t n = s.time_s.size();
+  for (const auto* v : {&s.door_rad, &s.dipper_force_N, &s.hoist_force_N, &s.crowd_force_N,
+                        &s.dipper_mass_kg, &s.truck_mass_kg}) {
+    if (v->size() != n) throw std::invalid_argument("pass signals of different lengths");
+  }
+  std::vector<Pass> passes;
+  const auto open = [&](std::size_t i) { return std::abs(s.door_rad[i]) > kDoorOpen_rad; };
+  std::size_t begin = 0;
+  while (begin + 1 < n) {
+    std::size_t dump = begin;
+    while (dump + 1 < n && !open(dump)) ++dump;
+    std::size_t end = dump;
+    while (end + 1 < n && open(end)) ++end;
+    // What follows the last dump without any digging is the way home, not a pass.
+    const double* force_N = s.dipper_force_N.data();
+    const bool dug = std::any_of(force_N + begin, force_N + dump + 1,
+                                 [](double f) { return f >= kFirstContact_N; });
+    if (!dug && !passes.empty() && end + 1 >= n) {
+      passes.back().truck_kg += s.truck_mass_kg[end] - s.truck_mass_kg[begin];
+      break;
+    }
+    passes.push_back(measure(s, begin, dump, end));
+    passes.back().pass = static_cast<int>(passes.size());
+    begin = end;
+  }
+  return passes;
+}
+
+}  // namespace dipper::analysis::signals

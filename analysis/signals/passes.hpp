@@ -1,0 +1,35 @@
+// Passes of the shovel, found in the signals of a run: what was loaded, and what it took.
+#pragma once
+
+#include <vector>
+
+namespace dipper::analysis::signals {
+
+/// A run's signals, one value a sync step, all of the same length.
+struct PassSignals {
+  std::vector<double> time_s;
+  std::vector<double> door_rad;        ///< 0: closed
+  std::vector<double> dipper_force_N;  ///< magnitude of the rock's force on the dipper
+  std::vector<double> hoist_force_N;
+  std::vector<double> crowd_force_N;
+  std::vector<double> dipper_mass_kg;  ///< rock inside the dipper
+  std::vector<double> truck_mass_kg;   ///< rock in the truck's bed
+};
+
+struct Pass {
+  int pass = 0;                 ///< from 1
+  double t_start_s = 0;         ///< the last pass's end, or the run's start
+  double t_dig_s = 0;           ///< the dipper first meets rock
+  double t_dump_s = 0;          ///< the door starts to open, above the truck
+  double t_end_s = 0;           ///< the door has closed again, or the run ended
+  double payload_kg = 0;        ///< in the dipper, mean over the last second before the door opens
+  double truck_kg = 0;          ///< gained by the truck during the pass
+  double dig_force_mean_N = 0;  ///< sqrt(crowd² + hoist²), t_dig to t_dump (paper, Eq. 11)
+  double dig_force_peak_N = 0;
+};
+
+/// One pass for every time the door opens; a run that ends before a dump has its last pass open,
+/// with t_dump_s = t_end_s. Throws std::invalid_argument when lengths differ.
+std::vector<Pass> find_passes(const PassSignals& s);
+
+}  // namespace dipper::analysis::signals

@@ -1,0 +1,94 @@
+#include "analysis/signals/phases.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace dipper::analysis::signals {
+namespace {
+
+constexpr double kNever = -1;
+
+/// First time from reading `begin` to before `end` at which x, straight between readings, is at or
+/// past `level`.
+double crossing(const std::vector<double>& t, const std::vector<double>& x, std::size_t begin,
+                std::size_t end, double level, bool rising) {
+  const auto past = [&](std::size_t i) { return rising ? x[i] >= level : x[i] <= level; };
+  std::size_t k = begin;
+  while (k < end && !past(k)) ++k;
+  if (k == end) return kNever;
+  if (k == begin) return t[k];
+  return t[k - 1] + (t[k] - t[k - 1]) * (level - x[k - 1]) / (x[k] - x[k - 1]);
+}
+
+}  // namespace
+
+std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t_end_s,
+                               const PhaseRules& rules) {
+  if (s.crowd_m.size() != s.time_s.size() || s.swing_rad.size() != s.time_s.size())
+    throw std::invalid_argument("drive signals of different lengths");
+  std::vector<double> t, crowd, turned;
+  for (std::size_t i = 0; i < s.time_s.size(); ++i) {
+    if (s.time_s[i] < t_start_s || s.time_s[i] > t_end_s) continue;
+    t.push_back(s.time_s[i]);
+    crowd.push_back(s.crowd_m[i]);
+    turned.push_back(s.swing_rad[i]);
+  }
+  if (t.size() < 2) throw std::invalid_argument("fewer than two readings in a pass");
+  // The shovel faces the rock where it is when the crowd is nearly all out. A pass may begin while
+  // it still swings back, and need not end at the same heading.
+  const std::size_t n = t.size();
+  const auto [least, most] = std::minmax_element(crowd.begin(), crowd.end());
+  const double nearly = *least + rules.breakout_from * (*most - *least);
+  std::size_t out = 0;
+  while (crowd[out] < nearly) ++out;
+  const double heading = turned[out];
+  for (double& a : turned) a = std::abs(a - heading);
+  const double swing = *std::max_element(turned.begin() + static_cast<long>(out), turned.end());
+  const bool swings = swing > rules.least_swing_rad;
+  const auto faces = [&](std::size_t i) {
+    return !swings || turned[i] <= rules.swing_from * swing;
+  };
+
+  // The dig: while it faces the rock. Its stroke is from the crowd's least value to the largest
+  // after it.
+  std::size_t begin = out, dug = out;
+  while (begin > 0 && faces(begin - 1)) --begin;
+  while (dug < n && faces(dug)) ++dug;
+  const auto from_here = crowd.begin() + static_cast<long>(begin);
+  const auto furthest = std::max_element(from_here, crowd.begin() + static_cast<long>(dug));
+  const auto in = std::min_element(from_here, furthest + 1);
+  const auto start = static_cast<std::size_t>(in - crowd.begin());
+  const double stroke = *furthest - *in;
+  const auto at_stroke = [&](double share) {
+    return crossing(t, crowd, start, dug, *in + share * stroke, true);
+  };
+  double arrive = kNever, depart = kNever, leave_dig = kNever;
+  if (swings) {
+    leave_dig = crossing(t, turned, out, n, rules.swing_from * swing, true);
+    arrive = crossing(t, turned, out, n, rules.dump_from * swing, true);
+    std::size_t there = out;
+    while (turned[there] <= rules.dump_from * swing) ++there;
+    depart = crossing(t, turned, there, n, rules.dump_from * swing, false);
+  }
+  const std::array<double, 6> marks = {at_stroke(rules.penetrate_from),
+                                       at_stroke(rules.fill_from),
+                                       at_stroke(rules.breakout_from),
+                                       leave_dig,
+                                       arrive,
+                                       depart};
+  constexpr std::array<const char*, 7> names = {"approach", "penetrate", "fill",  "breakout",
+                                                "swing",    "dump",      "return"};
+  std::vector<Phase> phases;
+  double from = t.front();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    double end = k < marks.size() && marks[k] != kNever ? marks[k] : t.back();
+    end = std::max(end, from);
+    if (end - from > 1e-9) phases.push_back({names[k], from, end});
+    from = end;
+  }
+  return phases;
+}
+
+}  // namespace dipper::analysis::signals

@@ -1,0 +1,122 @@
+#include "common/cache_entry.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "common/sha256.hpp"
+
+namespace dipper {
+namespace fs = std::filesystem;
+namespace {
+
+/// The right to write an entry: a lock on a file beside it. The kernel drops it with the process,
+/// however that ends.
+class EntryLock {
+ public:
+  explicit EntryLock(const fs::path& entry) : file_(entry.string() + ".lock") {}
+  EntryLock(const EntryLock&) = delete;
+  EntryLock& operator=(const EntryLock&) = delete;
+  ~EntryLock() {
+    if (fd_ < 0) return;
+    unlink(file_.c_str());  // while it is still ours; see try_lock
+    close(fd_);
+  }
+
+  bool try_lock() {
+    const int fd = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (fd < 0) throw std::system_error(errno, std::generic_category(), file_.string());
+    if (flock(fd, LOCK_EX | LOCK_NB) != 0) {
+      const int why = errno;
+      close(fd);
+      if (why == EWOULDBLOCK || why == EINTR) return false;
+      throw std::system_error(why, std::generic_category(), file_.string());
+    }
+    // The last owner may have removed the file between our opening and locking it: a lock on a file
+    // without a name keeps nobody out.
+    struct stat held {
+    }, named{};
+    if (fstat(fd, &held) != 0 || stat(file_.c_str(), &named) != 0 || held.st_ino != named.st_ino) {
+      close(fd);
+      return false;
+    }
+    fd_ = fd;
+    return true;
+  }
+
+ private:
+  fs::path file_;
+  int fd_ = -1;
+};
+
+/// Names of parts are ENTRY.PID.part.
+fs::path entry_of(const fs::path& part) {
+  return fs::path(part).replace_extension().replace_extension();
+}
+
+/// Removes the parts in the folder that nobody is writing.
+void sweep(const fs::path& folder, const fs::path& locked_entry) {
+  std::vector<fs::path> parts;
+  for (const auto& f : fs::directory_iterator(folder))
+    if (f.path().extension() == ".part") parts.push_back(f.path());
+  for (const fs::path& part : parts) {
+    const fs::path entry = entry_of(part);
+    EntryLock lock(entry);
+    std::error_code ignored;  // another may be sweeping too
+    if (entry == locked_entry || lock.try_lock()) fs::remove_all(part, ignored);
+  }
+}
+
+}  // namespace
+
+std::string deck_hash(std::string what, const std::vector<fs::path>& files, const fs::path& deck) {
+  const auto add = [&](const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    what.append(std::istreambuf_iterator<char>(in), {});
+  };
+  for (const fs::path& file : files) add(file);
+  std::set<fs::path> sorted;
+  for (const auto& f : fs::directory_iterator(deck))
+    if (f.path().filename() != "case.in") sorted.insert(f.path());
+  for (const fs::path& file : sorted) {
+    what += file.filename().string() + '\n';
+    add(file);
+  }
+  return sha256(what);
+}
+
+bool make_once(const fs::path& entry, const std::function<void(const fs::path& part)>& write,
+               const std::function<void()>& while_waiting) {
+  if (fs::exists(entry)) return false;
+  fs::create_directories(entry.parent_path());
+  EntryLock lock(entry);
+  while (!lock.try_lock()) {
+    while_waiting();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  if (fs::exists(entry)) return false;  // the writer we waited for has made it
+  sweep(entry.parent_path(), entry);
+  const fs::path part = entry.string() + '.' + std::to_string(getpid()) + ".part";
+  try {
+    fs::create_directory(part);
+    write(part);
+    fs::rename(part, entry);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(part, ignored);
+    throw;
+  }
+  return true;
+}
+
+}  // namespace dipper

@@ -1,0 +1,12 @@
+// How far inside or outside a mesh a point lies.
+#pragma once
+
+#include "common/mesh/triangle_mesh.hpp"
+
+namespace dipper::mesh {
+
+/// Distance [m] of p to the surface of a closed mesh; positive inside (winding number), negative
+/// outside.
+double signed_distance(const TriangleMesh& mesh, const Eigen::Vector3d& p);
+
+}  // namespace dipper::mesh

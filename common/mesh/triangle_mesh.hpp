@@ -1,0 +1,48 @@
+// A triangle mesh and what it measures.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace dipper::mesh {
+
+/// Corners [m], counter-clockwise seen from outside.
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+/// Triangles over shared vertices [m]; the right-hand rule gives the outside.
+struct TriangleMesh {
+  std::vector<Eigen::Vector3d> vertices;
+  std::vector<std::array<std::size_t, 3>> triangles;  ///< in the order of the file's facets
+
+  Triangle corners(std::size_t triangle) const;
+
+  /// Adds three vertices, shared with no other triangle: for surfaces that are only written.
+  void add_loose(const Triangle& triangle);
+};
+
+/// An axis-aligned box [m]. Empty (min > max) until something is added.
+struct BoundingBox {
+  Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
+
+  /// A cube of half side `margin` about `point`.
+  void add(const Eigen::Vector3d& point, double margin = 0);
+};
+
+double facet_area(const TriangleMesh& mesh, std::size_t triangle);  ///< [m2]
+double area(const TriangleMesh& mesh);                              ///< [m2]
+
+/// Signed volume [m3] of the tetrahedron between a triangle and `apex`: positive when the apex is
+/// on the triangle's inside.
+double tetrahedron_volume(const Triangle& triangle, const Eigen::Vector3d& apex);
+
+/// Signed volume [m3] by the divergence theorem, the sum of those tetrahedra: negative when the
+/// facets face inwards, without meaning when the mesh is open.
+double volume(const TriangleMesh& mesh);
+
+BoundingBox bounding_box(const TriangleMesh& mesh);
+
+}  // namespace dipper::mesh

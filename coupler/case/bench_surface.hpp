@@ -1,0 +1,53 @@
+// The bench's surface as it was scanned: an open mesh, seen from above.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "common/mesh/triangle_mesh.hpp"
+#include "coupler/case/outline_file.hpp"
+
+namespace dipper::cases {
+
+/// z(x, y) in W of a mesh that lies over the bench from its least x, the toe, to its largest, the
+/// rear wall. Which side of a facet is outside does not matter, and upright facets are steps.
+class BenchSurface {
+ public:
+  explicit BenchSurface(mesh::TriangleMesh mesh);
+
+  /// Of the facet over or under this place, else of the nearest within kReach_m. The ground's 0 in
+  /// front of the toe, far from any facet, and where a facet is lower; as at the edge behind the
+  /// rear and beside the mesh.
+  double height(double x_m, double y_m) const;
+
+  /// Over x, the height that `share` of the strip |y| <= half_width is not above: 1 the highest,
+  /// 0.5 the median.
+  BenchOutline section(double half_width_m, double share) const;
+
+  /// Why this is no surface of that strip: places no facet is over, places that two are over at
+  /// different heights (both looked for every kStep_m, and the second at facets' middles),
+  /// and places under the ground.
+  std::vector<std::string> faults(double half_width_m) const;
+
+  const mesh::TriangleMesh& mesh() const { return mesh_; }
+
+  static constexpr double kStep_m = 0.1;    ///< less than a rock
+  static constexpr double kReach_m = 0.1;   ///< beyond an edge, over gaps between the steps
+  static constexpr double kFloor_m = 0.25;  ///< what a scanned floor may dip under the ground
+
+ private:
+  struct Hit {
+    double inside_m;  ///< to the nearest edge, seen from above; negative outside
+    double z_m;
+  };
+  std::vector<Hit> hits(double x_m, double y_m) const;  ///< the facets in reach
+  std::array<std::size_t, 2> cell(double x_m, double y_m) const;
+
+  mesh::TriangleMesh mesh_;
+  mesh::BoundingBox box_;
+  std::size_t cells_ = 1;  ///< along a side of the grid over the box
+  std::vector<std::vector<std::size_t>> facets_in_;
+};
+
+}  // namespace dipper::cases

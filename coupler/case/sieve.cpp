@@ -1,0 +1,142 @@
+#include "coupler/case/sieve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include "common/input_error.hpp"
+
+namespace dipper::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string trimmed(const std::string& s) {
+  const auto first = s.find_first_not_of(" \t\r");
+  return first == std::string::npos ? "" : s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::optional<double> number(const std::string& word) {
+  double value = 0;
+  const auto end = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || end.ec != std::errc{} || end.ptr != word.data() + word.size() ||
+      !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+struct Row {
+  SieveCurve::Point point;
+  int line;
+};
+
+}  // namespace
+
+double SieveCurve::passing_percent(double size) const {
+  if (size <= smallest_m()) return points_.front().passing_percent;
+  if (size >= largest_m()) return points_.back().passing_percent;
+  const auto above = std::find_if(points_.begin(), points_.end(),
+                                  [&](const Point& p) { return p.size_m >= size; });
+  const Point &b = *above, &a = *(above - 1);
+  const double t = std::log(size / a.size_m) / std::log(b.size_m / a.size_m);
+  return a.passing_percent + t * (b.passing_percent - a.passing_percent);
+}
+
+double SieveCurve::size_m(double passing, double low_m, double high_m) const {
+  double lo = std::log(low_m), hi = std::log(high_m);
+  for (int k = 0; k < 60; ++k) {
+    const double mid = (lo + hi) / 2;
+    (passing_percent(std::exp(mid)) < passing ? lo : hi) = mid;
+  }
+  return std::exp((lo + hi) / 2);
+}
+
+SieveCurve read_sieve(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw InputError({file.string() + ": cannot be opened"});
+  std::vector<std::string> faults;
+  const auto fault = [&](int line, const std::string& what) {
+    faults.push_back(fmt::format("{}:{}: {}", file.string(), line, what));
+  };
+  std::vector<Row> rows;
+  bool header = false;
+  int at = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++at;
+    line = trimmed(line);
+    if (line.empty() || line[0] == '#') continue;
+    const auto comma = line.find(',');
+    const std::string left = trimmed(line.substr(0, comma)),
+                      right = comma == std::string::npos ? "" : trimmed(line.substr(comma + 1));
+    if (!header) {
+      header = true;
+      if (left == "size_m" && right == "passing_percent") continue;
+      fault(at, fmt::format("header is \"{}\"; it must be \"size_m,passing_percent\"", line));
+      break;
+    }
+    const auto size = number(left), passing = number(right);
+    if (!size || !passing) {
+      fault(at, fmt::format("\"{}\"; two numbers belong here: size_m,passing_percent", line));
+    } else if (*size <= 0) {
+      fault(at, fmt::format("size_m is {:g}; it must be above 0", *size));
+    } else if (*passing < 0 || *passing > 100) {
+      fault(at, fmt::format("passing_percent is {:g}; it must be 0 ... 100", *passing));
+    } else {
+      rows.push_back({{*size, *passing}, at});
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.point.size_m < b.point.size_m; });
+  std::vector<SieveCurve::Point> points;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    points.push_back(rows[i].point);
+    if (i == 0) continue;
+    const Row &a = rows[i - 1], &b = rows[i];
+    if (a.point.size_m == b.point.size_m) {
+      fault(b.line, fmt::format("size_m {:g} is in line {} already", b.point.size_m, a.line));
+    } else if (b.point.passing_percent < a.point.passing_percent) {
+      fault(
+          b.line,
+          fmt::format("passing_percent {:g} at {:g} m is below the {:g} at {:g} m of line {}; what "
+                      "passes a sieve passes every larger one",
+                      b.point.passing_percent, b.point.size_m, a.point.passing_percent,
+                      a.point.size_m, a.line));
+    }
+  }
+  if (faults.empty() && points.size() < 2)
+    fault(at, fmt::format("{} points; a curve has at least two", points.size()));
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return SieveCurve(std::move(points));
+}
+
+std::vector<SizeClass> size_classes(const SieveCurve& curve, const SieveCase& how) {
+  const double low = how.min_size_m > 0 ? how.min_size_m : curve.smallest_m(),
+               high = how.max_size_m > 0 ? how.max_size_m : curve.largest_m();
+  if (low >= high)
+    throw std::invalid_argument(fmt::format(
+        "nothing between the smallest size, {:g} m, and the largest, {:g} m", low, high));
+  const auto bound = [&](int k) { return low * std::pow(high / low, double(k) / how.classes); };
+  std::vector<SizeClass> out;
+  for (int k = 0; k < how.classes; ++k) {
+    const double a = bound(k), b = k + 1 == how.classes ? high : bound(k + 1);
+    const double from = curve.passing_percent(a), to = curve.passing_percent(b);
+    const double mass = (k + 1 == how.classes ? 100 : to) - (k == 0 ? 0 : from);
+    if (mass <= 0) continue;
+    SizeClass c;
+    c.size_m = to > from ? curve.size_m((from + to) / 2, a, b) : std::sqrt(a * b);
+    c.name = fmt::format("s{}_{:.0f}", k + 1, 1000 * c.size_m);
+    c.mass_percent = mass;
+    c.shapes = c.size_m < how.spheres_below_m || how.shapes.empty()
+                   ? std::vector<std::string>{"sphere"}
+                   : how.shapes;
+    out.push_back(c);
+  }
+  return out;
+}
+
+}  // namespace dipper::cases

@@ -1,0 +1,45 @@
+// A sieve curve, and the size classes that stand for it.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper::cases {
+
+/// Share of the rock's mass that passes a sieve, against the sieve's size; both rise.
+class SieveCurve {
+ public:
+  struct Point {
+    double size_m;
+    double passing_percent;
+  };
+  explicit SieveCurve(std::vector<Point> points) : points_(std::move(points)) {}
+
+  double smallest_m() const { return points_.front().size_m; }
+  double largest_m() const { return points_.back().size_m; }
+  /// Straight between points over the logarithm of the size; held beyond its ends.
+  double passing_percent(double size_m) const;
+  /// The size within [low_m, high_m] that a share of the mass passes: the inverse of the above.
+  double size_m(double passing_percent, double low_m, double high_m) const;
+
+ private:
+  std::vector<Point> points_;
+};
+
+/// Reads a CSV with the columns size_m, passing_percent (a header line, `#` comments, sizes rising
+/// or falling). Throws InputError naming file and line: a word that is no number, a size that is
+/// not above zero or given twice, a share outside 0 ... 100 or one that falls while the size rises,
+/// fewer than two points.
+SieveCurve read_sieve(const std::filesystem::path& file);
+
+/// Classes whose bounds are evenly spaced over log size between the truncation's ends (0: the
+/// curve's). The mass of a class is what the curve has between its bounds, its size the one that
+/// halves that mass. What the truncation cuts keeps its mass: finer rock is counted in the smallest
+/// class, coarser in the largest, so that the curve is unchanged at every bound. A class without
+/// mass is left out. Names are sK_MM: the K-th, of MM mm. Throws std::invalid_argument: nothing
+/// between the truncation's ends.
+std::vector<SizeClass> size_classes(const SieveCurve& curve, const SieveCase& how);
+
+}  // namespace dipper::cases

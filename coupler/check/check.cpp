@@ -1,0 +1,41 @@
+// check_case: what only the parts together tell.
+#include "coupler/check/check.hpp"
+
+#include <map>
+
+#include "coupler/case/case.hpp"
+#include "coupler/check/check_parts.hpp"
+
+namespace dipper::check {
+
+bool file_exists(const cases::Case& c, const std::string& key, const std::filesystem::path& file,
+                 Findings& findings) {
+  if (std::filesystem::is_regular_file(file)) return true;
+  findings.push_back(cases::finding_at(c, key, "no such file: " + file.string()));
+  return false;
+}
+
+std::vector<cases::Finding> check_case(const cases::Case& c) {
+  std::vector<cases::Finding> findings;
+  std::map<std::string, mesh::TriangleMesh> bodies;
+  for (const auto& [name, file] : c.bodies) {
+    if (auto body = load_sound_mesh(c, "bodies." + name, file, findings)) {
+      bodies.emplace(name, std::move(*body));
+    }
+  }
+  if (const auto dipper = bodies.find("dipper"); dipper != bodies.end()) {
+    check_tooth_wear(c, dipper->second, findings);
+  }
+  if (const auto truck = load_sound_mesh(c, "truck.mesh", c.truck.mesh, findings)) {
+    check_truck_in_domain(c, *truck, findings);
+  }
+  check_mesh_facts(c, findings);
+  check_pile_in_domain(c, findings);
+  if (const auto motion = check_motion(c, bodies, findings)) {
+    check_windows(c, *motion, findings);
+  }
+  check_rock(c, findings);
+  return findings;
+}
+
+}  // namespace dipper::check

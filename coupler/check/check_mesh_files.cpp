@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "common/mesh/mesh_check.hpp"
+#include "common/mesh/stl.hpp"
+#include "common/mesh/tooth_wear.hpp"
+#include "coupler/case/bench_surface.hpp"
+#include "coupler/case/mesh_facts.hpp"
+#include "coupler/case/outline_file.hpp"
+#include "coupler/check/check_parts.hpp"
+#include "coupler/deck/liggghts_path.hpp"
+#include "coupler/deck/pile_shape.hpp"
+
+namespace fs = std::filesystem;
+
+namespace dipper::check {
+namespace {
+
+constexpr std::size_t faults_shown = 10;  // a file: the first few tell what is wrong with it
+
+// "reaches y = 28.3 m, 0.3 m beyond the domain's 28", once a side of the box that is passed.
+void check_box(const cases::Case& c, const std::string& key, const std::string& what,
+               const mesh::BoundingBox& box, Findings& findings) {
+  for (int i = 0; i < 3; ++i) {
+    const auto report = [&](double reached, double limit, const char* corner) {
+      findings.push_back(cases::finding_at(
+          c, key,
+          fmt::format("{} reaches {} = {:.4g} m, {:.3g} m outside of {}'s {:g}", what, "xyz"[i],
+                      reached, std::abs(reached - limit), corner, limit)));
+    };
+    if (box.min[i] < c.domain.min_m[i]) report(box.min[i], c.domain.min_m[i], "domain.min_m");
+    if (box.max[i] > c.domain.max_m[i]) report(box.max[i], c.domain.max_m[i], "domain.max_m");
+  }
+}
+
+// The first point of the profile beyond each side of the box.
+void check_profile_points(const cases::Case& c, Findings& findings) {
+  std::vector<int> lines;
+  const cases::BenchOutline points = cases::read_outline(c.pile.profile, &lines);
+  std::set<std::string> told;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const int i : {0, 1}) {
+      const double at = points[k][i];
+      const int axis = i == 0 ? 0 : 2;
+      const double low = c.domain.min_m[axis], high = c.domain.max_m[axis];
+      if (at >= low && at <= high) continue;
+      const std::string corner = at < low ? "domain.min_m" : "domain.max_m";
+      if (!told.insert(corner + "xz"[i]).second) continue;
+      findings.push_back({c.pile.profile, lines[k], "pile.profile",
+                          fmt::format("{}_m is {:g}, outside of {}'s {:g}; end the profile there "
+                                      "or make the domain larger",
+                                      "xz"[i], at, corner, at < low ? low : high)});
+    }
+}
+
+}  // namespace
+
+std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const std::string& key,
+                                                  const fs::path& file, Findings& findings) {
+  if (!file_exists(c, key, file, findings)) return std::nullopt;
+  if (!deck::liggghts_takes(file))
+    findings.push_back(cases::finding_at(
+        c, key,
+        fmt::format("{}: {}; rename it or its folder", file.string(), deck::kLiggghtsRefuses)));
+  try {
+    mesh::TriangleMesh mesh = mesh::read_stl(file);
+    const auto faults = mesh::check_mesh(mesh);
+    for (std::size_t i = 0; i < faults.size() && i < faults_shown; ++i) {
+      findings.push_back({file, 0, key, faults[i].message});
+    }
+    if (faults.size() > faults_shown) {
+      findings.push_back(
+          {file, 0, key, fmt::format("and {} faults more", faults.size() - faults_shown)});
+    }
+    return mesh;
+  } catch (const mesh::StlError& e) {
+    const std::string where = e.byte >= 0 ? fmt::format("at byte {}: ", e.byte) : "";
+    findings.push_back({file, e.line, key, where + e.message});
+    return std::nullopt;
+  }
+}
+
+// A mesh that is not there is told by itself: its name is wrong, not the other's.
+void check_mesh_facts(const cases::Case& c, Findings& findings) {
+  const auto dipper = c.bodies.find("dipper");
+  if (dipper != c.bodies.end() && fs::is_regular_file(dipper->second)) {
+    cases::read_dipper_facts(c, findings);
+  }
+  if (fs::is_regular_file(c.truck.mesh)) cases::read_truck_bed(c, findings);
+}
+
+void check_tooth_wear(const cases::Case& c, const mesh::TriangleMesh& dipper, Findings& findings) {
+  if (c.machine.tooth_wear_m == 0) return;
+  try {
+    mesh::wear_teeth(dipper, c.machine.tooth_wear_m);
+  } catch (const std::invalid_argument& e) {
+    findings.push_back(cases::finding_at(c, "machine.tooth_wear_m", e.what()));
+  }
+}
+
+void check_truck_in_domain(const cases::Case& c, const mesh::TriangleMesh& truck,
+                           Findings& findings) {
+  mesh::TriangleMesh placed = truck;
+  const Eigen::AngleAxisd turn(c.truck.heading_deg * M_PI / 180, Eigen::Vector3d::UnitZ());
+  for (Eigen::Vector3d& v : placed.vertices) v = c.truck.position_m + turn * v;
+  check_box(c, "truck.position_m", "the truck", mesh::bounding_box(placed), findings);
+}
+
+// The bench from the toe to its rear wall, and the rock above it before it falls.
+void check_pile_in_domain(const cases::Case& c, Findings& findings) {
+  const deck::PileShape shape = deck::pile_shape(c);
+  const double half = c.pile.width_m / 2;
+  mesh::BoundingBox box{{shape.toe_x_m, -half, 0}, {shape.rear_x_m, half, shape.height_m}};
+  if (c.pile.surface) {
+    for (const std::string& fault : c.pile.surface->faults(half))
+      findings.push_back({c.pile.profile, 0, "pile.profile", fault});
+  } else if (!c.pile.profile.empty()) {
+    check_profile_points(c, findings);
+    for (const int i : {0, 2}) {  // told by those
+      box.min[i] = std::max(box.min[i], c.domain.min_m[i]);
+      box.max[i] = std::min(box.max[i], c.domain.max_m[i]);
+    }
+  }
+  check_box(c, c.pile.surface ? "pile.profile" : "pile", "the pile", box, findings);
+  const double top = shape.pour_height_m;
+  if (shape.height_m <= c.domain.max_m.z() && top > c.domain.max_m.z()) {
+    findings.push_back(cases::finding_at(
+        c, "domain.max_m",
+        fmt::format("z = {:g} is too low: the rock for this pile is poured up to z = {:.4g} m",
+                    c.domain.max_m.z(), top)));
+  }
+}
+
+}  // namespace dipper::check

@@ -1,0 +1,55 @@
+// The parts of check_case, one a subject. Internal to it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/mesh/triangle_mesh.hpp"
+#include "coupler/case/case.hpp"
+#include "machine/kinematics.hpp"
+#include "machine/motion.hpp"
+
+namespace dipper::check {
+
+using Findings = std::vector<cases::Finding>;
+
+/// False, and a finding, when the file of a key does not exist.
+bool file_exists(const cases::Case& c, const std::string& key, const std::filesystem::path& file,
+                 Findings& findings);
+
+/// Reads the STL of a key and reports every fault. Empty when the file cannot be read.
+std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const std::string& key,
+                                                  const std::filesystem::path& file,
+                                                  Findings& findings);
+
+/// The YAML files beside the dipper's and the truck's mesh.
+void check_mesh_facts(const cases::Case& c, Findings& findings);
+
+/// Teeth long enough for machine.tooth_wear_m.
+void check_tooth_wear(const cases::Case& c, const mesh::TriangleMesh& dipper, Findings& findings);
+
+/// Truck and pile inside the domain.
+void check_truck_in_domain(const cases::Case& c, const mesh::TriangleMesh& truck,
+                           Findings& findings);
+void check_pile_in_domain(const cases::Case& c, Findings& findings);
+
+/// Motion and machine: readable, within limits, and the bodies' meshes inside the domain all the
+/// time. Empty when the motion cannot be read.
+std::optional<machine::Motion> check_motion(const cases::Case& c,
+                                            const std::map<std::string, mesh::TriangleMesh>& bodies,
+                                            Findings& findings);
+
+/// The slab of collapse.height_m: a rock of it at least, inside the domain, during the motion, and
+/// not where the bodies are just then.
+void check_collapse(const cases::Case& c, const machine::ShovelKinematics& shovel,
+                    const machine::Motion& motion,
+                    const std::map<std::string, mesh::TriangleMesh>& bodies, Findings& findings);
+
+/// Windows against the simulated time.
+void check_windows(const cases::Case& c, const machine::Motion& motion, Findings& findings);
+
+/// Shapes that exist, a rock at least in every class, a stable DEM step.
+void check_rock(const cases::Case& c, Findings& findings);
+
+}  // namespace dipper::check

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "common/mesh/stl.hpp"
+#include "coupler/check/check_parts.hpp"
+#include "coupler/deck/contact_table.hpp"
+#include "coupler/deck/deck.hpp"
+#include "coupler/deck/shape_library.hpp"
+#include "coupler/deck/stable_timestep.hpp"
+
+namespace fs = std::filesystem;
+
+namespace dipper::check {
+namespace {
+
+bool is_mixed(const cases::SizeClass& size) {
+  const auto spheres = std::count(size.shapes.begin(), size.shapes.end(), "sphere");
+  return spheres > 0 && spheres < static_cast<std::ptrdiff_t>(size.shapes.size());
+}
+
+// A scan may have thousands of faults; the first few tell what is wrong with it.
+void check_shape(const cases::Case& c, const std::string& shape, Findings& findings) {
+  constexpr std::size_t shown = 10;
+  const fs::path stl = c.rock.shape_folder / (shape + ".stl");
+  const std::string key = "rock.shape_folder";
+  try {
+    if (!deck::is_made_from_mesh(c.rock.shape_folder, shape)) {
+      deck::read_rock_shape(c.rock.shape_folder / (shape + ".yaml"));
+      return;
+    }
+    const auto faults = deck::rock_faults(mesh::read_stl(stl));
+    for (std::size_t i = 0; i < faults.size() && i < shown; ++i)
+      findings.push_back({stl, 0, key, faults[i]});
+    if (faults.size() > shown)
+      findings.push_back({stl, 0, key, fmt::format("and {} faults more", faults.size() - shown)});
+  } catch (const mesh::StlError& e) {
+    findings.push_back({stl, e.line, key, e.message});
+  } catch (const std::exception& e) {
+    const fs::path yaml = c.rock.shape_folder / (shape + ".yaml");
+    const std::string said = e.what(), before = yaml.string() + ": ";
+    findings.push_back(
+        {yaml, 0, key, said.rfind(before, 0) == 0 ? said.substr(before.size()) : said});
+  }
+}
+
+void check_shapes(const cases::Case& c, Findings& findings) {
+  if (!fs::is_directory(c.rock.shape_folder)) {
+    findings.push_back(cases::finding_at(c, "rock.shape_folder",
+                                         "no such folder: " + c.rock.shape_folder.string()));
+    return;
+  }
+  std::set<std::string> known = deck::shape_names(c.rock.shape_folder);
+  known.insert("sphere");
+  std::set<std::string> looked_at;
+  for (std::size_t i = 0; i < c.rock.classes.size(); ++i) {
+    const cases::SizeClass& size = c.rock.classes[i];
+    for (std::size_t j = 0; j < size.shapes.size(); ++j) {
+      const std::string& shape = size.shapes[j];
+      if (shape == "sphere") continue;
+      if (!known.count(shape)) {
+        findings.push_back(cases::finding_at(
+            c, fmt::format("rock.classes.{}.shapes.{}", i, j),
+            fmt::format("no shape '{}'; there are {}", shape, fmt::join(known, ", "))));
+        continue;
+      }
+      if (looked_at.insert(shape).second) check_shape(c, shape, findings);
+    }
+    if (is_mixed(size)) {
+      findings.push_back(
+          cases::finding_at(c, fmt::format("rock.classes.{}.shapes", i),
+                            "mixes spheres and other shapes, whose friction differs; make "
+                            "two classes of it"));
+    }
+  }
+}
+
+}  // namespace
+
+void check_rock(const cases::Case& c, Findings& findings) {
+  check_shapes(c, findings);
+  // The deck refuses a mixed class, which is reported above; with one shape it counts the rest.
+  cases::Case unmixed = c;
+  for (cases::SizeClass& size : unmixed.rock.classes) {
+    if (is_mixed(size)) size.shapes.resize(1);
+  }
+
+  const std::vector<deck::ClassCount> counts = deck::rock_counts(unmixed);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i].rocks >= 1) continue;
+    // The number goes with the share and with one over the cube of the size.
+    const double percent = c.rock.classes[i].mass_percent / counts[i].rocks;
+    findings.push_back(cases::finding_at(
+        c, fmt::format("rock.classes.{}.mass_percent", i),
+        fmt::format("the pile holds {:.2g} rocks of {}; for one write {}a size_m below {:.2g}, or "
+                    "a larger pile",
+                    counts[i].rocks, counts[i].name,
+                    percent < 100 ? fmt::format("at least {:.2g} percent, ", percent) : "",
+                    c.rock.classes[i].size_m * std::cbrt(counts[i].rocks))));
+  }
+
+  const bool needs_voids =
+      c.rock.fines_fraction > 0 || c.contact.cohesion_Pa > 0 || c.contact.adhesion_Pa > 0;
+  if (needs_voids && deck::porosity(c) <= 0) {
+    findings.push_back(cases::finding_at(
+        c, "rock.bulk_density_kg_m3",
+        fmt::format("{:g} leaves no voids in rock of {:g} kg/m3; fines and moisture need some",
+                    c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
+  }
+
+  const double limit_s = deck::stable_timestep(unmixed);
+  if (c.dem.timestep_s > limit_s) {
+    findings.push_back(cases::finding_at(
+        c, "dem.timestep_s",
+        fmt::format("{:g} s is above the stability limit of {:.3g} s for this rock and contact",
+                    c.dem.timestep_s, limit_s)));
+  }
+}
+
+}  // namespace dipper::check

@@ -1,3 +1,0 @@
-// LIGGGHTS's headers read this list of their cohesion models; its build makes it, Debian leaves it
-// out. Here: ours. Read several times, hence no include guard.
-#include "coupler/dem/muck/cohesion_model_muck.h"

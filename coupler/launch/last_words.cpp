@@ -1,0 +1,46 @@
+#include "coupler/launch/last_words.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+namespace dipper::launch {
+namespace {
+
+std::vector<std::string> lines(const std::filesystem::path& file) {
+  std::vector<std::string> all;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.empty()) all.push_back(line);
+  }
+  return all;
+}
+
+/// The last line that contains `word`, or "".
+std::string last_with(const std::vector<std::string>& all, const std::string& word) {
+  const auto found = std::find_if(all.rbegin(), all.rend(), [&](const std::string& line) {
+    return line.find(word) != std::string::npos;
+  });
+  return found == all.rend() ? "" : *found;
+}
+
+}  // namespace
+
+std::string last_words(const std::filesystem::path& log, const std::filesystem::path& screen) {
+  if (!screen.empty()) {
+    const std::string error = last_with(lines(screen), "ERROR");
+    if (!error.empty()) return error;
+  }
+  const auto all = lines(log);
+  for (const char* word :
+       {"ERROR", "dipper-dem:", "dipper-mbs:", "exited on signal", "cannot start"}) {
+    const std::string line = last_with(all, word);
+    if (!line.empty()) return line;
+  }
+  const auto plain = std::find_if(all.rbegin(), all.rend(), [](const std::string& line) {
+    return line.rfind("---", 0) != 0 && line.find("mpirun") == std::string::npos;
+  });
+  return plain == all.rend() ? "" : *plain;
+}
+
+}  // namespace dipper::launch

@@ -1,0 +1,102 @@
+#include "coupler/launch/process.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <thread>
+
+namespace dipper::launch {
+
+Process::Process(const std::vector<std::string>& command, const std::filesystem::path& log) {
+  std::vector<std::string> words = command;
+  std::vector<char*> argv;
+  for (auto& w : words) argv.push_back(w.data());
+  argv.push_back(nullptr);
+  const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (out < 0) throw std::runtime_error("cannot write " + log.string() + ": " + strerror(errno));
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ == 0) {
+    // Its own group, so that Ctrl-C reaches the launcher only, which then ends things in order.
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(127);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    const int in = open("/dev/null", O_RDONLY);
+    dup2(in, 0);
+    dup2(out, 1);
+    dup2(out, 2);
+    execvp(argv[0], argv.data());
+    dprintf(2, "cannot start %s: %s\n", argv[0], strerror(errno));
+    _exit(127);
+  }
+  close(out);
+  if (pid_ < 0) throw std::runtime_error("cannot start " + command[0] + ": " + strerror(errno));
+  running_ = true;
+}
+
+Process::~Process() { end(); }
+
+std::optional<std::string> Process::ended() {
+  if (running_) {
+    rusage usage{};
+    if (wait4(pid_, &status_, WNOHANG, &usage) != pid_) return std::nullopt;
+    running_ = false;
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    cpu_s_ = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  }
+  if (WIFSIGNALED(status_)) {
+    return fmt::format("killed by signal {} ({})", WTERMSIG(status_), strsignal(WTERMSIG(status_)));
+  }
+  return fmt::format("exit status {}", WEXITSTATUS(status_));
+}
+
+bool Process::succeeded() { return ended() && WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
+
+bool Process::wait(std::chrono::milliseconds patience) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (!ended()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+void Process::end() {
+  if (ended()) return;
+  kill(pid_, SIGTERM);  // mpirun passes it on to its ranks
+  if (wait(std::chrono::milliseconds(1500))) return;
+  kill(-pid_, SIGKILL);
+  wait(std::chrono::milliseconds(1500));
+}
+
+std::vector<std::string> mpirun(int ranks, std::vector<std::string> program) {
+  // Two ranks unbound tend to stay on one core. A single rank is left to the scheduler, so that two
+  // runs of one rank share a machine.
+  const std::string binding = ranks > 1 ? "core:overload-allowed" : "none";
+  // A rank that yields while it waits gives a whole slice of the scheduler (3 ms) to any other work
+  // on its core, thousands of times a second of the run: it yields only where ranks share cores.
+  const std::string yield =
+      static_cast<unsigned>(ranks) > std::thread::hardware_concurrency() ? "1" : "0";
+  std::vector<std::string> command = {"mpirun", "--oversubscribe",     "--bind-to", binding,
+                                      "--mca",  "mpi_yield_when_idle", yield,       "--mca",
+                                      "btl",    "self,vader"};
+  if (geteuid() == 0) command.push_back("--allow-run-as-root");
+  command.insert(command.end(), {"-np", std::to_string(ranks)});
+  command.insert(command.end(), program.begin(), program.end());
+  return command;
+}
+
+}  // namespace dipper::launch

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dipper::launch {
+
+/// A program this run has started. It cannot outlive the launcher: not when the launcher ends, not
+/// when it is killed. stdout and stderr go to `log`.
+class Process {
+ public:
+  /// Throws std::runtime_error when the program cannot be started.
+  Process(const std::vector<std::string>& command, const std::filesystem::path& log);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Nothing while it runs; then how it ended: "exit status 3", "killed by signal 9 (Killed)".
+  std::optional<std::string> ended();
+  bool succeeded();
+
+  /// Waits for the end; false after `patience`.
+  bool wait(std::chrono::milliseconds patience);
+
+  /// Asks, then forces.
+  void end();
+
+  /// CPU time [s] of the program and what it waited for; once ended.
+  double cpu_s() const { return cpu_s_; }
+
+ private:
+  pid_t pid_ = -1;
+  bool running_ = false;
+  int status_ = 0;
+  double cpu_s_ = 0;
+};
+
+/// "mpirun -np N ..." for a program, with what one machine needs: more ranks than cores allowed,
+/// and then idle ranks that yield.
+std::vector<std::string> mpirun(int ranks, std::vector<std::string> program);
+
+}  // namespace dipper::launch

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "coupler/launch/process.hpp"
+#include "coupler/transport/remote.hpp"
+
+namespace dipper::sides {
+
+/// What both sides are started with.
+struct SidesSetup {
+  std::string run_id;
+  std::string case_hash;
+  int ranks = 1;
+  double timeout_s = 60;
+  nlohmann::json dem, mbs;            ///< each side's settings
+  std::filesystem::path logs;         ///< folder
+  std::filesystem::path dem_screen;   ///< where LIGGGHTS writes its errors
+  std::filesystem::path message_log;  ///< every message of the run, as an LCM log
+};
+
+/// The two processes of a run and the links to them. Whoever waits on a link also watches both
+/// processes: when one ends, PeerError says which and what it said last.
+class Sides {
+ public:
+  explicit Sides(const SidesSetup& setup);
+  ~Sides();
+
+  transport::RemoteMachine& machine() { return *machine_; }
+  transport::RemoteRock& rock() { return *rock_; }
+  const core::LinkCounts& machine_link() const { return mbs_link_->counts(); }
+  const core::LinkCounts& rock_link() const { return dem_link_->counts(); }
+
+  /// Tells both to stop and waits; CPU times are known afterwards.
+  void stop();
+  /// Ends whatever still runs.
+  void end();
+  double dem_cpu_s() const { return dem_->cpu_s(); }
+  double mbs_cpu_s() const { return mbs_->cpu_s(); }
+
+ private:
+  void watch();
+  void check(launch::Process& process, const std::string& side, const std::filesystem::path& log,
+             const std::filesystem::path& screen);
+
+  SidesSetup setup_;
+  std::unique_ptr<transport::Transport> from_dem_, from_mbs_;
+  std::unique_ptr<launch::Process> dem_, mbs_;
+  std::unique_ptr<transport::Link> dem_link_, mbs_link_;
+  std::unique_ptr<transport::RemoteMachine> machine_;
+  std::unique_ptr<transport::RemoteRock> rock_;
+};
+
+}  // namespace dipper::sides

@@ -1,0 +1,89 @@
+#include "coupler/sides/sides_setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "coupler/deck/collapse.hpp"
+#include "coupler/deck/pile_shape.hpp"
+#include "coupler/launch/installation.hpp"
+#include "dem/rock_setup.hpp"
+
+namespace dipper::sides {
+namespace fs = std::filesystem;
+namespace {
+
+/// Frames fall on ends of sync steps, where the record has a row.
+long dump_steps(const cases::Case& c) {
+  const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
+  return std::max(1L, std::lround(c.output.dump_every_s / window_s)) * c.coupling.sync_steps;
+}
+
+}  // namespace
+
+MeshFacts read_mesh_facts(const cases::Case& c) {
+  std::vector<cases::Finding> findings;
+  const MeshFacts facts{cases::read_dipper_facts(c, findings), cases::read_truck_bed(c, findings)};
+  if (!findings.empty()) throw std::runtime_error(cases::to_string(findings.front()));
+  return facts;
+}
+
+nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const fs::path& deck,
+                            const fs::path& dumps, const fs::path& logs, const fs::path& restart,
+                            const std::optional<std::vector<dem::WallMemory>>& resumed) {
+  dem::RockSetup setup;
+  setup.deck = (launch::source_folder() / "dem_in" / "dig.in").string();
+  setup.log = (logs / "dem.liggghts").string();
+  setup.screen = (logs / "dem.screen").string();
+  setup.resumed = resumed;
+  setup.variables = {{"deck", deck.string()},
+                     {"pile", restart.string()},
+                     {"out", dumps.string()},
+                     {"run_steps", "0"},
+                     {"dump_steps", std::to_string(dump_steps(c))},
+                     // The bodies are placed by their own poses, from their own frames.
+                     {"dipper_x", "0"},
+                     {"dipper_y", "0"},
+                     {"dipper_z", "0"},
+                     {"door_z", "0"}};
+  setup.bodies = {"dipper", "door"};
+  if (c.pile.clear_machine == "on") setup.cleared = {"dipper", "door", "truck"};
+  if (c.dem.hold_below_m_s > 0) setup.hold.emplace().below_m_s = c.dem.hold_below_m_s;
+  if (c.pile.held_layer_m > 0)
+    setup.layer =
+        dem::HeldLayer{c.pile.held_layer_m, deck::pile_shape(c).rear_x_m, c.pile.width_m / 2};
+  Pose X_WT;
+  X_WT.p = c.truck.position_m;
+  X_WT.R = from_rotation_vector({0, 0, c.truck.heading_deg * M_PI / 180});
+  setup.scales = {
+      {"mass_in_dipper", "dipper", Pose{}, facts.dipper.load.min, facts.dipper.load.max},
+      {"mass_in_truck", "", X_WT, facts.truck_bed.min, facts.truck_bed.max}};
+  if (c.crust.tensile_strength_Pa > 0) {
+    setup.crust = dem::CrustZone{c.crust.above_m, c.crust.thickness_m};
+  }
+  if (c.collapse.height_m > 0) {
+    const deck::CollapseSlab slab = deck::collapse_slab(c);
+    // The check has refused a case whose slab never comes loose.
+    const double at_s = deck::collapse_time_s(c, machine::Motion::load(c.machine.motion)).value();
+    setup.fall = dem::RockFall{(launch::source_folder() / "dem_in" / "collapse.in").string(),
+                               std::llround(at_s / c.dem.timestep_s), slab.mass_kg};
+    for (const auto& v : deck::collapse_variables(slab)) setup.variables.push_back(v);
+  }
+  return dem::to_json(setup);
+}
+
+nlohmann::json mbs_settings(const cases::Case& c, const DipperLayers& layers) {
+  const auto list = [](const Eigen::Vector3d& v) { return std::array{v.x(), v.y(), v.z()}; };
+  return {{"model", c.machine.model.string()},
+          {"motion", c.machine.motion.string()},
+          {"base_position_m", list(c.machine.base_position_m)},
+          {"rake_angle_deg", c.machine.rake_angle_deg},
+          {"crowd_friction_N", c.machine.crowd_friction_N},
+          {"hoist_loss", c.machine.hoist_loss},
+          {"rope_compliance", c.machine.rope_compliance},
+          {"added_mass_kg", layers.mass_kg},
+          {"added_center_m", list(layers.center_m)},
+          {"added_inertia_kg_m2", list(layers.inertia_kg_m2.diagonal())}};
+}
+
+}  // namespace dipper::sides

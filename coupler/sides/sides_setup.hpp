@@ -1,0 +1,36 @@
+// From a case to what each side is started with.
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "common/mesh/triangle_mesh.hpp"
+#include "coupler/case/case.hpp"
+#include "coupler/case/mesh_facts.hpp"
+#include "coupler/sides/dipper_layers.hpp"
+#include "dem/rock_setup.hpp"
+
+namespace dipper::sides {
+
+/// What the YAML files beside the dipper's and the truck's mesh say.
+struct MeshFacts {
+  cases::DipperFacts dipper;
+  mesh::BoundingBox truck_bed;  ///< in T
+};
+
+/// Reads them. Throws std::runtime_error with the first finding, of which a checked case has none.
+MeshFacts read_mesh_facts(const cases::Case& c);
+
+/// dipper-dem's settings. `resumed`: when `restart` is a checkpoint and not a settled pile, what
+/// the walls remember.
+nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts,
+                            const std::filesystem::path& deck, const std::filesystem::path& dumps,
+                            const std::filesystem::path& logs, const std::filesystem::path& restart,
+                            const std::optional<std::vector<dem::WallMemory>>& resumed);
+
+/// dipper-mbs's settings.
+nlohmann::json mbs_settings(const cases::Case& c, const DipperLayers& layers);
+
+}  // namespace dipper::sides

@@ -1,0 +1,338 @@
+#include "dem/hold.hpp"
+
+#include <atom.h>
+#include <fix_multisphere.h>
+#include <fix_nve_sphere.h>
+#include <fmt/format.h>
+#include <group.h>
+#include <input.h>
+#include <integrate.h>
+#include <lammps.h>
+#include <modify.h>
+#include <neighbor.h>
+#include <output.h>
+#include <update.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace dipper::dem {
+namespace {
+
+constexpr double kStruck = 5;      // times the change of load that wakes: an impact
+constexpr double kGravity = 9.81;  // m/s2, as in the deck; only the scale of "out of balance"
+
+Vector3d vector(const double* p) { return Eigen::Map<const Vector3d>(p); }
+
+}  // namespace
+
+void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer) {
+  lmp.input->one(fmt::format("group {} subtract all all", kLayerGroup).c_str());
+  const int bit = lmp.group->bitmask[lmp.group->find(kLayerGroup)];
+  const RockNumbers numbers(lmp);
+  std::vector<char> within(numbers.size(), 0);
+  const auto look = [&](std::size_t rock, const Vector3d& p) {
+    within[rock] = p.z() < layer.depth_m || p.x() > layer.rear_x_m - layer.depth_m ||
+                   std::abs(p.y()) > layer.half_width_m - layer.depth_m;
+  };
+  LAMMPS_NS::Atom* atom = lmp.atom;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const std::size_t rock = numbers.of_sphere(atom->tag[i]);
+    if (rock == static_cast<std::size_t>(atom->tag[i])) look(rock, vector(atom->x[i]));
+  }
+  auto* fix = lmp.modify->find_fix_style("multisphere", 0);
+  if (auto* bodies = static_cast<LAMMPS_NS::FixMultisphere*>(fix)) {
+    auto& data = bodies->data();
+    for (int b = 0; b < data.n_body(); ++b) {
+      Vector3d x;
+      data.xcm(x.data(), b);
+      look(numbers.of_body(data.tag(b)), x);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, within.data(), static_cast<int>(within.size()), MPI_BYTE, MPI_BOR,
+                lmp.world);
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (within[numbers.of_sphere(atom->tag[i])] != 0) atom->mask[i] |= bit;
+}
+
+HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm)
+    : lmp_(lmp),
+      bodies_(
+          static_cast<LAMMPS_NS::FixMultisphere*>(lmp.modify->find_fix_style("multisphere", 0))),
+      settings_(settings),
+      comm_(comm),
+      numbers_(lmp),
+      parked_(lmp, numbers_),
+      policy_(settings, numbers_.size()),
+      flags_(numbers_.size(), 0),
+      fixed_(numbers_.size(), 0),
+      mask_(numbers_.size(), 0),
+      carried_(numbers_.size(), Vector3d::Zero()),
+      excess_(numbers_.size(), Vector3d::Zero()),
+      place_(numbers_.size(), Vector3d::Zero()),
+      placed_(numbers_.size(), -1),
+      checked_(lmp.update->ntimestep),
+      gathered_(lmp.update->ntimestep),
+      followed_(lmp.update->ntimestep) {
+  for (int k = 0; k < lmp.modify->nfix; ++k) {
+    const LAMMPS_NS::Fix* fix = lmp.modify->fix[k];
+    if (std::strcmp(fix->style, "nve/sphere") != 0) continue;
+    if (fix->igroup == 0)
+      throw std::runtime_error(
+          "rock at rest can be held only where `fix nve/sphere` has a group of its own, not all");
+    integrated_ |= fix->groupbit;
+  }
+  if (const int group = lmp.group->find(kLayerGroup); group >= 0)
+    layer_ = lmp.group->bitmask[group];
+  for (int i = 0; i < lmp_.atom->nlocal; ++i) {
+    if ((lmp_.atom->mask[i] & layer_) != 0) fixed_[numbers_.of_sphere(lmp_.atom->tag[i])] = 1;
+    largest_m_ = std::max(largest_m_, lmp_.atom->radius[i]);
+    mask_[numbers_.of_sphere(lmp_.atom->tag[i])] |= lmp_.atom->mask[i] & integrated_;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, mask_.data(), static_cast<int>(mask_.size()), MPI_INT, MPI_BOR,
+                comm_);
+  MPI_Allreduce(MPI_IN_PLACE, &largest_m_, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  MPI_Allreduce(MPI_IN_PLACE, fixed_.data(), static_cast<int>(fixed_.size()), MPI_BYTE, MPI_BOR,
+                comm_);
+  hold_layer();
+}
+
+/// Calls visit(facts, centre, radius) for every rock of this rank in LIGGGHTS.
+template <typename Visit>
+void HoldRock::for_each_rock(const Visit& visit) const {
+  const LAMMPS_NS::Atom* atom = lmp_.atom;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (bodies_ != nullptr && bodies_->belongs_to(i) >= 0) continue;
+    const Facts f{false,
+                  i,
+                  static_cast<std::size_t>(atom->tag[i]),
+                  vector(atom->v[i]),
+                  vector(atom->f[i]),
+                  atom->rmass[i] * kGravity};
+    visit(f, vector(atom->x[i]), atom->radius[i]);
+  }
+  if (bodies_ == nullptr) return;
+  auto& data = bodies_->data();
+  double** force = data.extract_double_vector("fcm");
+  for (int b = 0; b < data.n_body(); ++b) {
+    Vector3d x, v;
+    data.xcm(x.data(), b);
+    data.vcm(v.data(), b);
+    const Facts f{
+        true, b, numbers_.of_body(data.tag(b)), v, vector(force[b]), data.mass(b) * kGravity};
+    visit(f, x, data.r_bound(b));
+  }
+}
+
+void HoldRock::join(std::vector<std::uint8_t>& bytes) const {
+  MPI_Allreduce(MPI_IN_PLACE, bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, MPI_BOR,
+                comm_);
+}
+
+void HoldRock::follow_loads(double dt_s) {
+  const double part = std::min(1.0, dt_s / settings_.average_s);
+  for_each_rock([&](const Facts& f, const auto&...) {
+    if (policy_.of(f.rock) != Rest::held || fixed_[f.rock] != 0) return;
+    Vector3d& excess = excess_[f.rock];
+    excess += part * (f.force + carried_[f.rock] - excess);
+    const double limit = settings_.unbalance * f.weight;
+    if (excess.norm() > limit) flags_[f.rock] |= rest_flag::disturbed;
+    if (excess.norm() > kStruck * limit) flags_[f.rock] |= rest_flag::struck;
+  });
+}
+
+void HoldRock::look_at_motion(double dt_s) {
+  for_each_rock([&](const Facts& f, const Vector3d& x, const auto&...) {
+    // What was on another rank is judged by its speed: rock that chatters on the boundary between
+    // two would else never come to rest.
+    const bool known = placed_[f.rock] == gathered_;
+    const double way = known ? (x - place_[f.rock]).norm() : f.v_W.norm() * dt_s;
+    const bool calm = settings_.below_m_s > 0 && way <= settings_.below_m_s * dt_s;
+    place_[f.rock] = x;
+    placed_[f.rock] = lmp_.update->ntimestep;
+    if (policy_.of(f.rock) == Rest::moving && !calm) flags_[f.rock] |= rest_flag::busy;
+  });
+}
+
+void HoldRock::look(const std::vector<WallZone>& near, const std::vector<WallZone>& soon) {
+  const auto within = [](const std::vector<WallZone>& zones, const Vector3d& p, double r) {
+    return std::any_of(zones.begin(), zones.end(),
+                       [&](const WallZone& z) { return z.holds(p, r); });
+  };
+  const auto place = [&](std::size_t rock, const Vector3d& p, double r) {
+    if (!within(soon, p, r)) return;
+    flags_[rock] |= rest_flag::soon;
+    if (within(near, p, r)) flags_[rock] |= rest_flag::near;
+  };
+  for_each_rock([&](const Facts& f, const Vector3d& x, double r) { place(f.rock, x, r); });
+  for (const auto& s : parked_.spheres()) place(s.rock, s.p_W, s.radius_m);
+}
+
+Reach HoldRock::moving(const std::vector<Rest>& rest, double gap_m, double ahead_s) const {
+  const LAMMPS_NS::Atom* atom = lmp_.atom;
+  std::vector<Mover> mine;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (rest[numbers_.of_sphere(atom->tag[i])] != Rest::moving) continue;
+    const double* x = atom->x[i];
+    const double r = atom->radius[i];
+    const Vector3d way = vector(atom->v[i]) * ahead_s;
+    const int samples = static_cast<int>(std::ceil(way.norm() / (r + gap_m)));
+    mine.push_back({x[0], x[1], x[2], r, gap_m});
+    for (int k = 1; k <= samples; ++k) {
+      const Vector3d p = vector(x) + way * k / samples;
+      mine.push_back({p.x(), p.y(), p.z(), r, gap_m});
+    }
+  }
+  for (const auto& s : parked_.spheres())
+    if (rest[s.rock] == Rest::moving)
+      mine.push_back({s.p_W.x(), s.p_W.y(), s.p_W.z(), s.radius_m, gap_m});
+  int ranks = 1;
+  MPI_Comm_size(comm_, &ranks);
+  if (ranks == 1) return {std::move(mine), largest_m_};
+  const int bytes = static_cast<int>(mine.size() * sizeof(Mover));
+  std::vector<int> counts(ranks), offsets(ranks, 0);
+  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+  for (int k = 1; k < ranks; ++k) offsets[k] = offsets[k - 1] + counts[k - 1];
+  std::vector<Mover> all((offsets.back() + counts.back()) / sizeof(Mover));
+  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE,
+                 comm_);
+  return {std::move(all), largest_m_};
+}
+
+void HoldRock::expose(const std::vector<Rest>& rest, const Reach& reach) {
+  const LAMMPS_NS::Atom* atom = lmp_.atom;
+  for (auto& f : flags_) f &= static_cast<std::uint8_t>(~rest_flag::exposed);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const std::size_t rock = numbers_.of_sphere(atom->tag[i]);
+    if (rest[rock] != Rest::moving && reach.touches(vector(atom->x[i]), atom->radius[i]))
+      flags_[rock] |= rest_flag::exposed;
+  }
+  for (const auto& s : parked_.spheres())
+    if (rest[s.rock] != Rest::moving && reach.touches(s.p_W, s.radius_m))
+      flags_[s.rock] |= rest_flag::exposed;
+  join(flags_);
+}
+
+void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>& bodies) {
+  const std::int64_t now = lmp_.update->ntimestep;
+  const double dt = lmp_.update->dt;
+  follow_loads(static_cast<double>(now - std::exchange(followed_, now)) * dt);
+  // A dump shows all rock; it is written at the end of a step, within the window.
+  const bool frame = lmp_.output->next <= now + n_steps;
+  if (frame) unpark();
+  if (static_cast<double>(now - checked_) * dt < settings_.check_s) return;
+  if (!frame) checked_ = now;  // else the next window parks again
+
+  std::vector<WallZone> near, soon;
+  for (const auto& b : bodies) {
+    near.emplace_back(b.box, b.X_WB, b.V_WB_W, 2 * settings_.check_s, settings_.margin_m);
+    soon.emplace_back(b.box, b.X_WB, b.V_WB_W, settings_.ahead_s, 1.2 * settings_.margin_m);
+  }
+  look(near, soon);
+  // What moves until the next check, and some: lists reach over the skin.
+  expose(policy_.all(), moving(policy_.all(), lmp_.neighbor->skin, 2 * settings_.check_s));
+  const bool alarm = HoldPolicy::alarms(policy_.all(), flags_);
+  const double since = static_cast<double>(now - gathered_) * dt;
+  const bool gather = since >= settings_.gather_s;
+  if (gather) {
+    look_at_motion(since);
+    join(flags_);
+    policy_.observe(flags_, since);
+    gathered_ = now;
+  }
+  if (alarm || gather || park_again_) {
+    std::vector<Rest> next = policy_.decide(flags_);
+    expose(next, moving(next, settings_.layer_m, settings_.sight_s));
+    if (!frame) HoldPolicy::park(next, flags_);
+    // Lists are built anew for a change: not for a few rocks more at rest.
+    const auto in_lists = static_cast<std::size_t>(std::count_if(
+        policy_.all().begin(), policy_.all().end(), [](Rest r) { return r != Rest::parked; }));
+    if (alarm || policy_.changes(next) > in_lists / 50) {
+      for (std::size_t r = 0; r < next.size(); ++r)
+        if (next[r] == Rest::moving) fixed_[r] = 0;
+      apply(std::move(next));
+      park_again_ = frame;
+    }
+  }
+  // What is disturbed stays so until the next look at who is.
+  const std::uint8_t keep = gather ? 0 : rest_flag::disturbed;
+  for (auto& f : flags_) f &= keep;
+}
+
+void HoldRock::unpark() {
+  std::vector<Rest> all = policy_.all();
+  std::replace(all.begin(), all.end(), Rest::parked, Rest::held);
+  if (policy_.changes(all) > 0) apply(std::move(all));
+  park_again_ = true;
+}
+
+void HoldRock::release() {
+  const std::vector<Rest> all(numbers_.size(), Rest::moving);
+  if (policy_.changes(all) > 0) apply(all);
+  std::fill(flags_.begin(), flags_.end(), 0);
+}
+
+void HoldRock::hold_layer() {
+  std::vector<Rest> rest = policy_.all();
+  for (std::size_t r = 0; r < rest.size(); ++r)
+    if (fixed_[r] != 0 && rest[r] == Rest::moving) rest[r] = Rest::held;
+  if (policy_.changes(rest) > 0) apply(std::move(rest));
+}
+
+void HoldRock::apply(std::vector<Rest> rest) {
+  // A held rock's load is the sum of its contacts. As contacts leave the lists and return, what
+  // they carried is made up for, so that the sum tells what has changed since the rock came to
+  // rest.
+  std::vector<Vector3d> before(numbers_.size(), Vector3d::Zero());
+  std::vector<bool> was_held(numbers_.size(), false);
+  for_each_rock([&](const Facts& f, const auto&...) {
+    was_held[f.rock] = policy_.of(f.rock) == Rest::held;
+    before[f.rock] = f.force + carried_[f.rock];
+  });
+  lmp_.modify->setup_pre_exchange();  // contact history goes from the lists to the spheres
+  set_held(rest);
+  parked_.change(rest);
+  set_held(rest);
+  lmp_.update->integrate->setup_minimal(1);
+  for_each_rock([&](const Facts& f, const auto&...) {
+    if (rest[f.rock] != Rest::held) return;
+    const Vector3d load = was_held[f.rock] ? before[f.rock] : Vector3d::Zero();
+    carried_[f.rock] = load - f.force;
+    if (!was_held[f.rock]) excess_[f.rock].setZero();
+  });
+  policy_.adopt(std::move(rest));
+}
+
+void HoldRock::set_held(const std::vector<Rest>& rest) {
+  LAMMPS_NS::Atom* atom = lmp_.atom;
+  bool yes[] = {true, true, true}, no[] = {false, false, false};
+  double zero[] = {0, 0, 0};
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const std::size_t rock = numbers_.of_sphere(atom->tag[i]);
+    if (fixed_[rock] == 0) atom->mask[i] &= ~layer_;
+    if (rest[rock] == Rest::moving) {
+      atom->mask[i] |= mask_[rock];
+      continue;
+    }
+    atom->mask[i] &= ~integrated_;
+    std::fill_n(atom->v[i], 3, 0.0);
+    std::fill_n(atom->omega[i], 3, 0.0);
+  }
+  if (bodies_ == nullptr) return;
+  auto& data = bodies_->data();
+  for (int b = 0; b < data.n_body(); ++b) {
+    const std::size_t rock = numbers_.of_body(data.tag(b));
+    const bool moves = rest[rock] == Rest::moving;
+    if (moves && policy_.of(rock) == Rest::moving) continue;
+    data.set_fflag(b, moves ? yes : no);
+    data.set_tflag(b, moves ? yes : no);
+    data.set_v_body(b, zero);
+    data.set_omega_body(b, zero);
+    data.set_angmom_body(b, zero);
+  }
+}
+
+}  // namespace dipper::dem

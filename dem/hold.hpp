@@ -1,0 +1,106 @@
+// Holds rock at rest far from the machine, so that the cost of a step follows the rock that moves.
+#pragma once
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "dem/hold_policy.hpp"
+#include "dem/parked_rock.hpp"
+#include "dem/rock_setup.hpp"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+class FixMultisphere;
+}  // namespace LAMMPS_NS
+
+namespace dipper::dem {
+
+/// A moving body, for the check before a window.
+struct MovingBody {
+  BodyBox box;
+  Pose X_WB;
+  Twist V_WB_W;
+};
+
+/// The LIGGGHTS group of the held layer.
+inline constexpr const char* kLayerGroup = "held_layer";
+
+/// Puts the rock of the layer into the group, before the first run. Collective.
+void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer);
+
+/// All methods but the last are collective.
+///
+/// A held rock keeps its place and the forces on it are still computed; the sum of what it carried
+/// when it came to rest and what has changed since must stay below a part of its weight, or it
+/// wakes. Contact history is kept through all of it, so stress is what it was when the rock wakes.
+///
+/// Rock of the group kLayerGroup is held from the beginning, whatever its load, until a moving wall
+/// comes near; then it is rock like any other, and leaves the group. The group is saved.
+///
+/// Who else rests is not saved: after a checkpoint, in the run that goes on and in the one that
+/// resumes, all rock moves and a new HoldRock begins.
+class HoldRock {
+ public:
+  HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm);
+
+  /// Before each window of n steps.
+  void before_window(std::int64_t n_steps, const std::vector<MovingBody>& bodies);
+
+  /// Wakes all rock: before anything that wants all of it.
+  void release();
+
+  /// Holds the rock of the layer again.
+  void hold_layer();
+
+  /// Rock that is not in LIGGGHTS, on this rank. Changes only within the methods above.
+  const std::vector<ParkedRock::Mass>& parked() const { return parked_.masses(); }
+  long spheres_parked() const { return static_cast<long>(parked_.spheres().size()); }
+
+ private:
+  struct Facts {
+    bool body;
+    int index;  ///< of the sphere or of the body, on this rank
+    std::size_t rock;
+    Vector3d v_W, force;
+    double weight;
+  };
+  void unpark();
+  template <typename Visit>
+  void for_each_rock(const Visit& visit) const;
+  void look(const std::vector<WallZone>& near, const std::vector<WallZone>& soon);
+  void follow_loads(double dt_s);
+  void look_at_motion(double dt_s);
+  /// Moving rock as spheres that ask for a gap, and for `ahead_s` of their way; of all ranks.
+  Reach moving(const std::vector<Rest>& rest, double gap_m, double ahead_s) const;
+  /// Flags rock at rest that moving rock reaches.
+  void expose(const std::vector<Rest>& rest, const Reach& reach);
+  void join(std::vector<std::uint8_t>& bytes) const;
+  void apply(std::vector<Rest> rest);
+  void set_held(const std::vector<Rest>& rest);
+
+  LAMMPS_NS::LAMMPS& lmp_;
+  LAMMPS_NS::FixMultisphere* bodies_;
+  HoldSettings settings_;
+  MPI_Comm comm_;
+  RockNumbers numbers_;
+  ParkedRock parked_;
+  HoldPolicy policy_;
+  double largest_m_ = 0;  ///< radius of the largest sphere
+  int integrated_ = 0;    ///< mask bits of the groups of the spheres' integrators
+  std::vector<std::uint8_t> flags_;
+  int layer_ = 0;            ///< mask bit of the layer's group; 0: none
+  std::vector<char> fixed_;  ///< by rock: of the layer; the same on every rank
+  /// By rock: the integrators' bits of its spheres, taken from the mask while it rests. The same on
+  /// every rank: a rock that has just crossed a boundary migrates as it comes to rest.
+  std::vector<int> mask_;
+  // By rock, of rock on this rank.
+  std::vector<Vector3d> carried_;     ///< held: makes up for contacts that are not computed
+  std::vector<Vector3d> excess_;      ///< held: change of its load since it came to rest, averaged
+  std::vector<Vector3d> place_;       ///< where it was at the last look at motion ...
+  std::vector<std::int64_t> placed_;  ///< ... on this rank, at this step
+  std::int64_t checked_ = 0, gathered_ = 0, followed_ = 0;  ///< steps of the last looks
+  bool park_again_ = false;                                 ///< a dump wanted all rock in
+};
+
+}  // namespace dipper::dem

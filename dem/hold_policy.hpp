@@ -1,0 +1,118 @@
+// Which rock may stand still without being computed: the rules alone, without LIGGGHTS.
+//
+// A rock (a sphere, or a multisphere as a whole) is
+//   moving   integrated as ever;
+//   held     computed but not moved: the boundary that moving rock rests on;
+//   parked   out of the simulation, with its contact history, since nothing that moves can touch
+//   it.
+// The paper's simplified model (Svanberg et al. 2021, section 3.2, Fig. 11b) does the same once and
+// for all by hand: still particles removed, a layer of 0.5 m held.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "common/frames.hpp"
+
+namespace dipper::dem {
+
+struct HoldSettings {
+  double below_m_s = 0.01;  ///< centre slower than this, from look to look ...
+  double rest_s = 0.2;      ///< ... for this long: at rest
+  double unbalance = 2.0;   ///< change of a held rock's load, of its weight, that wakes it
+  double average_s =
+      0.1;                ///< over which the load is averaged: rock chatters, and impacts are short
+  double margin_m = 1.0;  ///< no rock rests nearer to a moving wall than this
+  double ahead_s = 0.5;   ///< nor to where the wall will be within this time
+  double check_s = 0.01;  ///< between looks at what must wake at once
+  double gather_s = 0.1;  ///< between looks at who may rest, and who is disturbed
+  double layer_m = 0.5;   ///< of held rock between moving and parked rock (the paper's)
+  double sight_s = 0.1;   ///< and on the moving rock's way over this time
+};
+
+enum class Rest : std::uint8_t { moving, held, parked };
+
+/// What is known of a rock at a check; bits, so that ranks can be joined by a bitwise or.
+namespace rest_flag {
+inline constexpr std::uint8_t busy = 1;       ///< too fast to be at rest
+inline constexpr std::uint8_t near = 2;       ///< a moving wall is within the margin
+inline constexpr std::uint8_t soon = 4;       ///< or will be
+inline constexpr std::uint8_t disturbed = 8;  ///< held, and its load has changed
+inline constexpr std::uint8_t struck = 16;    ///< the same, and cannot wait for the next look
+inline constexpr std::uint8_t exposed = 32;   ///< at rest, within reach of a rock that moves
+}  // namespace rest_flag
+
+/// A box fixed to a moving body, in its frame.
+struct BodyBox {
+  Vector3d min_m = Vector3d::Zero(), max_m = Vector3d::Zero();
+};
+
+/// Where a body's box is now and where it will be if it goes on as it moves.
+class WallZone {
+ public:
+  /// \param ahead_s  0 for now only; the way there is sampled so that samples overlap
+  WallZone(const BodyBox& box, const Pose& X_WB, const Twist& V_WB_W, double ahead_s,
+           double margin_m);
+  bool holds(const Vector3d& p_W, double radius_m) const;
+
+ private:
+  std::vector<Pose> X_BW_;
+  BodyBox box_;
+};
+
+/// A sphere of moving rock and the clear room it asks for around it.
+struct Mover {
+  double x, y, z, radius_m, gap_m;
+};
+
+/// Tells what is within the gap of a mover. Movers are sorted into cells as wide as the largest
+/// reach, so a question looks at 27 of them.
+class Reach {
+ public:
+  /// \param largest_m  radius of the largest sphere that will be asked about
+  Reach(std::vector<Mover> movers, double largest_m);
+  bool touches(const Vector3d& p, double radius_m) const;
+
+ private:
+  std::int64_t cell(int i, int j, int k) const;
+  int at(double x) const;
+  double cell_m_ = 1;
+  std::vector<Mover> movers_;
+  std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
+};
+
+/// The state of every rock, by its number; the same on every rank.
+class HoldPolicy {
+ public:
+  HoldPolicy(const HoldSettings& settings, std::size_t rocks);
+
+  Rest of(std::size_t rock) const { return rest_[rock]; }
+  const std::vector<Rest>& all() const { return rest_; }
+
+  /// Counts how long moving rock has been calm; `dt_s` since the last look.
+  void observe(const std::vector<std::uint8_t>& flags, double dt_s);
+
+  /// True when rock at rest must wake at once.
+  static bool alarms(const std::vector<Rest>& rest, const std::vector<std::uint8_t>& flags);
+
+  /// Who moves and who is held from here on: wakes what is near, soon near, disturbed; holds what
+  /// has been calm for long enough.
+  std::vector<Rest> decide(const std::vector<std::uint8_t>& flags) const;
+
+  /// Of the rock that rests in `rest`: held where exposed, else parked.
+  static void park(std::vector<Rest>& rest, const std::vector<std::uint8_t>& flags);
+
+  /// How many rocks differ.
+  std::size_t changes(const std::vector<Rest>& rest) const;
+
+  void adopt(std::vector<Rest> rest);
+
+ private:
+  HoldSettings settings_;
+  std::vector<Rest> rest_;
+  std::vector<float> calm_s_;
+};
+
+}  // namespace dipper::dem

@@ -1,0 +1,84 @@
+// dipper-dem CONFIG: the rock side of a paired run, under mpirun. Rank 0 listens; every rank does.
+#include <fmt/core.h>
+#include <mpi.h>
+#include <sys/prctl.h>
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "coupler/transport/codec.hpp"
+#include "coupler/transport/lcm_transport.hpp"
+#include "coupler/transport/peer_config.hpp"
+#include "coupler/transport/serve.hpp"
+#include "dem/liggghts_rock.hpp"
+
+namespace dipper::dem {
+namespace {
+
+/// MPI_Bcast from rank 0 without spinning: the other ranks wait between windows for as long as the
+/// machine side needs, and on a small computer that side needs the core.
+void broadcast(void* data, int bytes) {
+  MPI_Request request;
+  MPI_Ibcast(data, bytes, MPI_BYTE, 0, MPI_COMM_WORLD, &request);
+  int done = 0;
+  for (int spins = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), done == 0; ++spins) {
+    if (spins > 100) std::this_thread::sleep_for(std::chrono::microseconds(20));
+  }
+}
+
+/// Hands rank 0's bytes to every rank.
+std::string share(std::string bytes) {
+  std::int64_t size = static_cast<std::int64_t>(bytes.size());
+  broadcast(&size, sizeof size);
+  bytes.resize(size);
+  broadcast(bytes.data(), static_cast<int>(size));
+  return bytes;
+}
+
+bool is_stop(const core::Message& m) {
+  const auto* c = std::get_if<core::Command>(&m.body);
+  return c != nullptr && c->action == core::Action::stop;
+}
+
+void run(const char* config_file) {
+  const transport::PeerConfig config = transport::read_peer_config(config_file);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  LiggghtsRock rock(rock_setup_from(config.settings), MPI_COMM_WORLD);
+  if (rank != 0) {
+    while (true) {
+      const core::Message m = transport::decode(share({}));
+      if (is_stop(m)) return;
+      transport::answer(rock, m);
+    }
+  }
+  transport::LcmTransport transport(config.lcm_url, {transport::Channels::to_dem});
+  transport::serve(transport, transport::Channels::to_dem, transport::Channels::from_dem,
+                   config.identity, [&](const core::Message& m) {
+                     share(transport::encode(m));
+                     return transport::answer(rock, m);
+                   });
+}
+
+}  // namespace
+}  // namespace dipper::dem
+
+int main(int argc, char** argv) {
+  dipper::transport::die_with_parent();
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // MPI_Abort drops what a buffer holds
+  prctl(PR_SET_TIMERSLACK, 1000UL);          // ns: sleeps between windows are tens of microseconds
+  MPI_Init(&argc, &argv);
+  if (argc != 2) {
+    fmt::print(stderr, "usage: dipper-dem CONFIG   (started by `dipper run`)\n");
+    MPI_Abort(MPI_COMM_WORLD, 2);
+  }
+  try {
+    dipper::dem::run(argv[1]);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "dipper-dem: {}\n", e.what());
+    MPI_Abort(MPI_COMM_WORLD, 3);
+  }
+  MPI_Finalize();
+  return 0;
+}

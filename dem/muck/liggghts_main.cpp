@@ -1,0 +1,16 @@
+// dipper-liggghts: the `liggghts` program with the cohesion model `muck`. Takes the same arguments.
+#include <input.h>
+#include <lammps.h>
+#include <mpi.h>
+
+#include "dem/muck/register_muck.hpp"
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  dipper::dem::register_muck();
+  {
+    LAMMPS_NS::LAMMPS lammps(argc, argv, MPI_COMM_WORLD);
+    lammps.input->file();
+  }
+  MPI_Finalize();
+}

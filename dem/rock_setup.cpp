@@ -1,0 +1,107 @@
+#include "dem/rock_setup.hpp"
+
+#include <array>
+
+namespace dipper::dem {
+
+using nlohmann::json;
+
+namespace {
+
+json array(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Vector3d vector(const json& j) {
+  const auto v = j.get<std::array<double, 3>>();
+  return {v[0], v[1], v[2]};
+}
+
+}  // namespace
+
+json to_json(const RockSetup& setup) {
+  json scales = json::array();
+  for (const auto& s : setup.scales) {
+    const Quaterniond& R = s.X_WS.R;
+    scales.push_back({{"name", s.name},
+                      {"body", s.body},
+                      {"p_WS", array(s.X_WS.p)},
+                      {"R_WS", {R.w(), R.x(), R.y(), R.z()}},
+                      {"min_m", array(s.min_m)},
+                      {"max_m", array(s.max_m)}});
+  }
+  json resumed;  // null: not resumed
+  if (setup.resumed) {
+    resumed = json::array();
+    for (const auto& w : *setup.resumed) {
+      resumed.push_back(
+          {array(w.load.torque), array(w.load.force), array(w.V_WB_W.w), array(w.V_WB_W.v)});
+    }
+  }
+  json hold;  // null: off
+  if (const auto& h = setup.hold)
+    hold = {{"below_m_s", h->below_m_s}, {"rest_s", h->rest_s},   {"unbalance", h->unbalance},
+            {"average_s", h->average_s}, {"layer_m", h->layer_m}, {"margin_m", h->margin_m},
+            {"ahead_s", h->ahead_s},     {"check_s", h->check_s}, {"gather_s", h->gather_s},
+            {"sight_s", h->sight_s}};
+  json layer;  // null: none
+  if (const auto& l = setup.layer) layer = {l->depth_m, l->rear_x_m, l->half_width_m};
+  json crust;  // null: none
+  if (setup.crust) crust = {setup.crust->above_m, setup.crust->thickness_m};
+  json fall;  // null: none
+  if (const auto& f = setup.fall)
+    fall = {{"deck", f->deck}, {"at_step", f->at_step}, {"mass_kg", f->mass_kg}};
+  return {{"deck", setup.deck},     {"variables", setup.variables},
+          {"log", setup.log},       {"screen", setup.screen},
+          {"bodies", setup.bodies}, {"resumed", resumed},
+          {"scales", scales},       {"cleared", setup.cleared},
+          {"crust", crust},         {"fall", fall},
+          {"hold", hold},           {"layer", layer}};
+}
+
+RockSetup rock_setup_from(const json& j) {
+  RockSetup setup;
+  setup.deck = j.at("deck");
+  setup.variables = j.at("variables").get<decltype(setup.variables)>();
+  setup.log = j.at("log");
+  setup.screen = j.at("screen");
+  setup.bodies = j.at("bodies").get<std::vector<std::string>>();
+  if (const auto& resumed = j.at("resumed"); !resumed.is_null()) {
+    setup.resumed.emplace();
+    for (const auto& w : resumed) {
+      setup.resumed->push_back(
+          {{vector(w.at(0)), vector(w.at(1))}, {vector(w.at(2)), vector(w.at(3))}});
+    }
+  }
+  if (const auto& crust = j.at("crust"); !crust.is_null()) {
+    setup.crust = CrustZone{crust.at(0), crust.at(1)};
+  }
+  // Recordings made before these were there have no such entries.
+  setup.cleared = j.value("cleared", std::vector<std::string>{});
+  if (const auto fall = j.find("fall"); fall != j.end() && !fall->is_null()) {
+    setup.fall = RockFall{fall->at("deck"), fall->at("at_step"), fall->at("mass_kg")};
+  }
+  if (const auto layer = j.find("layer"); layer != j.end() && !layer->is_null())
+    setup.layer = HeldLayer{layer->at(0), layer->at(1), layer->at(2)};
+  if (const auto hold = j.find("hold"); hold != j.end() && !hold->is_null()) {
+    HoldSettings& h = setup.hold.emplace();
+    h.below_m_s = hold->at("below_m_s");
+    h.rest_s = hold->at("rest_s");
+    h.unbalance = hold->at("unbalance");
+    h.layer_m = hold->at("layer_m");
+    h.average_s = hold->at("average_s");
+    h.margin_m = hold->at("margin_m");
+    h.ahead_s = hold->at("ahead_s");
+    h.check_s = hold->at("check_s");
+    h.gather_s = hold->at("gather_s");
+    h.sight_s = hold->at("sight_s");
+  }
+  for (const auto& s : j.at("scales")) {
+    const auto R = s.at("R_WS").get<std::array<double, 4>>();
+    setup.scales.push_back({s.at("name"),
+                            s.at("body"),
+                            {Quaterniond(R[0], R[1], R[2], R[3]), vector(s.at("p_WS"))},
+                            vector(s.at("min_m")),
+                            vector(s.at("max_m"))});
+  }
+  return setup;
+}
+
+}  // namespace dipper::dem

@@ -1,0 +1,72 @@
+// What dipper-dem is started with: the launcher writes it, LiggghtsRock reads it.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/frames.hpp"
+#include "dem/hold_policy.hpp"
+
+namespace dipper::dem {
+
+/// What a wall remembers of its last step, beyond what LIGGGHTS's restart file holds.
+struct WallMemory {
+  Wrench load;
+  Twist V_WB_W;
+};
+
+/// A box that rock is weighed in: fixed to a body, or to the world.
+struct Scale {
+  std::string name;  ///< the channel, in kg
+  std::string body;  ///< "" for a fixed box
+  Pose X_WS;         ///< the fixed box's frame; unused with a body
+  Vector3d min_m, max_m;
+};
+
+/// Where rock is bonded when a run begins (not when it is resumed).
+struct CrustZone {
+  double above_m = 0;      ///< height in W
+  double thickness_m = 0;  ///< straight down from the surface; 0: no limit
+};
+
+/// Rock that comes into the run.
+struct RockFall {
+  std::string deck;          ///< LIGGGHTS commands that let it in with the next step
+  std::int64_t at_step = 0;  ///< in the window that begins at this step or holds it
+  double mass_kg = 0;        ///< of it, about
+};
+
+/// Where rock is held fixed from the start of a run on, until a moving wall comes near: rock whose
+/// centre is within the depth of the ground, the rear wall or a side wall. The layer of the paper's
+/// simplified model (Svanberg et al. 2021, section 3.2 and Fig. 11b), 0.5 m there.
+struct HeldLayer {
+  double depth_m = 0;
+  double rear_x_m = 0, half_width_m = 0;  ///< of the pile, in W
+};
+
+/// What dipper-dem is started with (written by the launcher as JSON).
+struct RockSetup {
+  std::string deck;                                            ///< LIGGGHTS input script
+  std::vector<std::pair<std::string, std::string>> variables;  ///< -var NAME VALUE
+  std::string log;                                             ///< LIGGGHTS log file
+  std::string screen;                                          ///< LIGGGHTS screen output
+  std::vector<std::string> bodies;                             ///< fix ids of the moving walls
+  std::vector<Scale> scales;
+  std::vector<std::string> cleared;  ///< fix ids of the walls that no rock may overlap at the start
+  std::optional<CrustZone> crust;
+  std::optional<RockFall> fall;
+  std::optional<HeldLayer> layer;
+  std::optional<HoldSettings> hold;  ///< not set: all rock is computed all the time
+  /// Set, one a body, when the deck reads a checkpoint, with the walls in place.
+  std::optional<std::vector<WallMemory>> resumed;
+};
+
+/// As JSON, and back.
+nlohmann::json to_json(const RockSetup& setup);
+RockSetup rock_setup_from(const nlohmann::json& j);
+
+}  // namespace dipper::dem

@@ -1,0 +1,55 @@
+// Where the dipper is when the ropes do not stretch: for checks before a run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/frames.hpp"
+#include "machine/machine_data.hpp"
+#include "machine/motion.hpp"
+
+namespace dipper::machine {
+
+/// The shovel's bodies at one instant.
+struct ShovelPose {
+  double saddle;  ///< rad, the handle's direction above the horizontal
+  Pose X_WB;      ///< dipper
+  Pose X_WD;      ///< door
+};
+
+/// The shovel with rigid ropes that never go slack.
+///
+/// The saddle angle is where the path drum - over the sheave - bail is as long as the rope paid
+/// out; everything else is a chain of fixed and prescribed transforms:
+/// X_WB = X_W0 Rz(swing) X_HS Ry(-saddle) Tx(reach + crowd) X_EB(rake).
+class ShovelKinematics {
+ public:
+  /// \param X_W0 pose of the crawlers' ring (H's at swing 0) in W
+  /// \param rake angle between the handle's centre line and the dipper's floor, rad
+  ShovelKinematics(const MachineData& machine, const Pose& X_W0, double rake);
+
+  /// Rope length from drum to bail [m] at a saddle angle [rad] and crowd [m].
+  double rope_path(double saddle, double crowd) const;
+
+  /// The saddle angle [rad] at which the rope just holds the bail. Throws std::domain_error, with
+  /// the reachable hoist range, if there is none between the saddle's limits.
+  double saddle_angle(double hoist, double crowd) const;
+
+  /// Throws as saddle_angle does.
+  ShovelPose pose(const Drives& drives) const;
+
+  /// The same with the saddle angle given.
+  ShovelPose pose(const Drives& drives, double saddle) const;
+
+  /// Everything the motion asks that the machine cannot do, one message a limit with the time,
+  /// the worst value and the limit; empty when all is well. Also: the dipper's outline below the
+  /// ground (z = 0 of X_W0).
+  std::vector<std::string> check(const Motion& motion) const;
+
+ private:
+  MachineData machine_;
+  Pose X_W0_;
+  Pose X_EB_;  // E: at the handle's dipper end, axes of A
+};
+
+}  // namespace dipper::machine

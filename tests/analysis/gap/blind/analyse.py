@@ -1,0 +1,154 @@
+#!/usr/bin/python3
+"""Runs `dipper gap` on the blind cases, which sees their measured folders and nothing else.
+
+usage: analyse.py limits FILE [EFFECT ...]  the model's own detection limits, {effect: strength}
+       analyse.py run FOLDER OUT [CASE ...]   results into FOLDER/results, reports into OUT
+       analyse.py nulls COUNT FILE      how often nothing is called something, COUNT times over
+"""
+import json
+import shutil
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[3]
+sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis")]
+from dipper_gap.__main__ import cache_folder, program  # noqa: E402
+from dipper_gap.decide import OMNIBUS_P, decide  # noqa: E402
+from dipper_gap.effects import read_catalogue  # noqa: E402
+from dipper_gap.localise import localise  # noqa: E402
+from dipper_gap.match import match  # noqa: E402
+from dipper_gap.null import find_tails, make_runs, phase_labels, root  # noqa: E402
+from dipper_gap.simulator import DipperSimulator, request  # noqa: E402
+from dipper_gap.workflow import FRESH_FROM, Workflow, scatter_of  # noqa: E402
+from make import TRUCKS, as_mine  # noqa: E402
+
+CASE = ROOT / "cases/screening"
+MINES, NAMED_IN = 8, 7      # the limit is where so many of the simulated mines are named
+STEPS, FINER = 14, 1.35     # strengths tried: from the effect's bound down
+NULL_SEEDS = 12
+
+
+def simulator(catalogue):
+    return DipperSimulator(CASE, catalogue, program(), cache_folder())
+
+
+def prepared(runs):
+    """The workflow made ready for mines of TRUCKS trucks: (Workflow)."""
+    catalogue = read_catalogue(ROOT / "analysis/effects")
+    sim = simulator(catalogue)
+    mine = as_mine(sim.run([request({}, s, catalogue) for s in runs]), np.random.default_rng(0))
+    flow = Workflow(mine, sim, catalogue, 1, lambda text: None)
+    flow.prepare()
+    return flow
+
+
+def simulated_mines(flow, count, rng):
+    """Residuals (count, n) of mines like the model: trucks and baseline's seeds with the tails these have."""
+    b = flow.whole
+    tails, labels, seed, noise = find_tails(b), phase_labels(b.cells), root(b.seed), root(b.noise)
+    out = []
+    for _ in range(count):
+        made = make_runs(seed, b.trucks + b.seeds, tails, labels, rng)
+        out.append(made[:b.trucks].mean(axis=0) - made[b.trucks:].mean(axis=0)
+                   + noise @ rng.standard_normal(len(b.mean)))
+    return np.array(out)[:, flow.out.training.at]
+
+
+def limits(names):
+    """{effect: strength from which NAMED_IN of MINES simulated mines are named; None where none within bounds is}.
+
+    The mines are the model's own, on the side of the upper bound; naming is without the confirmation on the hold-out.
+    """
+    flow = prepared(range(1, TRUCKS + 1))
+    part, null = flow.out.training, flow.null
+    mines = simulated_mines(flow, MINES, np.random.default_rng(1))
+
+    def named(residual, name):
+        if localise(residual, part.baseline, null, flow.directions).omnibus_p >= OMNIBUS_P:
+            return False
+        m = match(residual, part.covariance, part.signatures, part.baseline, largest=2)
+        v = decide(0.0, m, part.signatures, part.covariance, part.plain, residual, part.baseline, null)
+        return v.verdict == "named" and v.effect == name
+
+    found = {}
+    for s in part.signatures:
+        if names and s.name not in names:
+            continue
+        top = 0.95 * (s.effect.high if s.effect.high > 0 else s.effect.low)
+        needed = []
+        for k, mine in enumerate(mines):
+            g = s.g + root(s.spread) @ np.random.default_rng([2, k]).standard_normal(len(s.g))
+            low, high = -1, STEPS  # of the scale top / FINER^(STEPS - 1 - step)
+            while high - low > 1:
+                step = (low + high) // 2
+                if named(mine + top * FINER ** (step + 1.0 - STEPS) * g, s.name):
+                    high = step
+                else:
+                    low = step
+            needed.append(abs(top) * FINER ** (high + 1.0 - STEPS) if high < STEPS else np.inf)
+        limit = sorted(needed)[NAMED_IN - 1]
+        found[s.name] = float(limit) if np.isfinite(limit) else None
+        print(f"{s.name:18} named from", " ".join(f"{x:.3g}" for x in sorted(needed)), flush=True)
+    return found
+
+
+def run(folder, out, cases):
+    for case in cases or sorted(p.name for p in (folder / "measured").iterdir()):
+        words = [program(), "gap", str(CASE), "--measured", str(folder / "measured" / case), "--out", str(out / case)]
+        status = subprocess.run(words).returncode
+        if status != 0:
+            return status
+        (folder / "results" / case).mkdir(parents=True, exist_ok=True)
+        shutil.copy(out / case / "gap.json", folder / "results" / case / "gap.json")
+    return 0
+
+
+def take(flow, ready, mine):
+    """The workflow for another mine; made ready anew only where its trucks scatter otherwise."""
+    rows, training = flow.features(mine), ready.training
+    if scatter_of(rows, flow.whole, training.passes) != flow.whole.scatter:
+        other = Workflow(mine, flow.simulator, flow.catalogue, 1, flow.say)
+        other.prepare()
+        return other
+    y = rows.mean(axis=0)
+    flow.out = replace(ready, training=replace(training, y=y[training.at]),
+                       holdout=replace(ready.holdout, y=y[ready.holdout.at]))
+    return flow
+
+
+def nulls(count, file):
+    """Fresh runs of the model itself, TRUCKS of NULL_SEEDS at a time, each through its own instruments' noise."""
+    seeds = [1 + FRESH_FROM + k for k in range(NULL_SEEDS)]
+    flow = prepared(seeds[:TRUCKS])
+    runs = flow.simulator.run([request({}, s, flow.catalogue) for s in seeds])
+    rng, ready = np.random.default_rng(20), flow.out
+    with open(file, "w") as f:
+        f.write("case,verdict,omnibus_p\n")
+        for _ in range(count):
+            chosen = sorted(rng.choice(NULL_SEEDS, TRUCKS, replace=False))
+            seen = take(flow, ready, as_mine([runs[k] for k in chosen], rng))
+            seen.look()
+            f.write(f"seeds {' '.join(str(seeds[k]) for k in chosen)},{seen.out.verdict.verdict},"
+                    f"{seen.out.disagreement.omnibus_p:.4f}\n")
+
+
+def main(words):
+    if words[:1] == ["limits"] and len(words) >= 2:
+        Path(words[1]).write_text(json.dumps(limits(words[2:]), indent=1) + "\n")
+        return 0
+    if words[:1] == ["run"] and len(words) >= 3:
+        return run(Path(words[1]), Path(words[2]), words[3:])
+    if words[:1] == ["nulls"] and len(words) == 3:
+        nulls(int(words[1]), Path(words[2]))
+        return 0
+    print(__doc__, file=sys.stderr)
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

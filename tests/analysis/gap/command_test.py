@@ -1,0 +1,71 @@
+"""`dipper gap` as a command: what ends it, and how. The simulator is a script that would run for a minute."""
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+import synthetic
+from dipper_gap.measured import write_measured
+
+ANALYSIS = Path(__file__).resolve().parents[3] / "analysis/gap"
+SLOW = """#!/usr/bin/python3
+import pathlib, sys, time
+if sys.argv[1] == "run":
+    folder = pathlib.Path(__file__).parent / "started"
+    folder.mkdir(exist_ok=True)
+    (folder / str(time.monotonic_ns())).touch()
+    try: time.sleep(60)
+    except KeyboardInterrupt: sys.exit(4)
+"""
+
+
+@pytest.fixture
+def words(tmp_path):
+    program = tmp_path / "dipper"
+    program.write_text(SLOW)
+    program.chmod(0o755)
+    (tmp_path / "case").mkdir()
+    (tmp_path / "case" / "case.yaml").write_text("seed: 1\n")
+    write_measured(synthetic.with_noise(synthetic.run({}, seed=1), 1), tmp_path / "mine")
+    return [sys.executable, "-B", "-m", "dipper_gap", str(tmp_path / "case"), "--measured", str(tmp_path / "mine"), "--out",
+            str(tmp_path / "out")]
+
+
+def start(words, folder):
+    environment = {**os.environ, "PYTHONPATH": str(ANALYSIS), "DIPPER": str(folder / "dipper"),
+                   "XDG_CACHE_HOME": str(folder / "cache")}
+    return subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def left(folder):
+    """Simulators of this test that still run."""
+    found = subprocess.run(["pgrep", "-f", str(folder / "dipper")], capture_output=True, text=True)
+    return found.stdout.split()
+
+
+def test_an_interrupt_ends_it_within_seconds_and_leaves_nothing(words, tmp_path):
+    gap = start(words, tmp_path)
+    until = time.monotonic() + 30
+    while len(list(tmp_path.glob("started/*"))) < 2:
+        assert gap.poll() is None and time.monotonic() < until
+        time.sleep(0.05)
+    asked = time.monotonic()
+    gap.send_signal(signal.SIGINT)
+    out, err = gap.communicate(timeout=20)
+    assert gap.returncode == 4 and time.monotonic() - asked < 10
+    assert "goes on from the runs already made" in err
+    assert "runs, 0 of them kept" in out
+    assert not left(tmp_path) and not (tmp_path / "out").exists()
+
+
+def test_bad_measurements_start_nothing(words, tmp_path):
+    passes = tmp_path / "mine" / "passes.csv"
+    passes.write_text(passes.read_text().replace("\n2,", "\n2,-"))
+    gap = start(words, tmp_path)
+    _, err = gap.communicate(timeout=30)
+    assert gap.returncode == 2 and f"{passes}:3: t_start_s" in err and err.strip().endswith("error")
+    assert not (tmp_path / "started").exists()

@@ -1,0 +1,211 @@
+"""Runs by a program that stands in for `dipper`: kept, found again, gone on with; patched cases; catalogues."""
+import os
+import stat
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+import yaml
+
+from dipper_gap.__main__ import usable
+from dipper_gap.closure import closure
+from dipper_gap.effects import read_catalogue
+from dipper_gap.findings import BadInput
+from dipper_gap.next_experiment import propose
+from dipper_gap.patch import overlay, write_patched_case
+from dipper_gap.simulator import DipperSimulator, RunFailed, request
+
+# Writes an observed folder whose truck masses tell what was asked; fails for a seed of 13.
+PROGRAM = '''#!/usr/bin/python3
+import pathlib, sys
+words = sys.argv[1:]
+if words == ["--version"]: print("1"); sys.exit(0)
+if words[0] == "check":
+    print("one is sound: about 1000 rocks, 28 s simulated in 9000 steps and 10 windows of 1 ms, after 1000 steps")
+    sys.exit(2 if "effects.fines=0.15" in words else 0)
+log = pathlib.Path(__file__).parent / "calls"
+with open(log, "a") as f: f.write(" ".join(words) + "\\n")
+out = pathlib.Path(words[words.index("--out") + 1])
+seed = int(words[words.index("--seed") + 1]) if "--seed" in words else 0
+if seed == 13: print("no rock"); sys.exit(3)
+sets = dict(words[i + 1].split("=") for i, w in enumerate(words) if w == "--set")
+folder = out / "observed" if words[0] == "run" else out
+folder.mkdir(parents=True)
+(out / "dumps").mkdir(exist_ok=True)
+mass = 80 + seed + 10 * float(sets.get("effects.fines", 0)) + 100 * float(sets.get("observation.scale_gain", 0))
+mass += float(sets.get("effects.crowd_friction", 0))
+(folder / "channels.yaml").write_text("truck_mass_t: {unit: t, role: response, sigma: 0, common_sigma: 0}\\n")
+(folder / "passes.csv").write_text(f"pass,t_start_s,t_end_s,truck_mass_t\\n1,0,10,{mass}\\n")
+'''
+
+FINES = """title: Fines
+kind: rock
+signature: mass up
+parameter: {name: fill, unit: "-", low: 0, high: 0.4, scale: 0.1, source: test}
+overlay:
+  rock.fines_fraction: {add: 1}
+"""
+GAIN = FINES.replace("rock\n", "observation\n").replace("rock.fines_fraction", "observation.scale_gain").replace(
+    "low: 0,", "low: -0.3,")
+FRICTION = FINES.replace("rock\n", "machine\n").replace("rock.fines_fraction", "machine.crowd_friction_N")
+
+
+@pytest.fixture
+def world(tmp_path):
+    program = tmp_path / "dipper"
+    program.write_text(PROGRAM)
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    case = tmp_path / "cases" / "one"
+    case.mkdir(parents=True)
+    (tmp_path / "cases" / "rock.stl").write_text("solid")
+    (case / "case.yaml").write_text("# a comment\nseed: 1\nrock:\n  mesh: ../rock.stl  # kept\n")
+    effects = tmp_path / "effects"
+    effects.mkdir()
+    (effects / "fines.yaml").write_text(FINES)
+    (effects / "scale_gain.yaml").write_text(GAIN)
+    (effects / "crowd_friction.yaml").write_text(FRICTION)
+    catalogue = read_catalogue(effects)
+
+    def simulator():
+        return DipperSimulator(case, catalogue, program, tmp_path / "cache")
+
+    return simulator, catalogue, case, tmp_path
+
+
+def masses(results):
+    return [m.passes[0].truck_mass_t for m in results]
+
+
+def calls(folder):
+    file = folder / "calls"
+    return file.read_text().splitlines() if file.exists() else []
+
+
+def test_runs_are_made_once_and_observations_reuse_them(world):
+    simulator, catalogue, _, folder = world
+    asked = [request({}, 1, catalogue), request({"fines": 0.2}, 1, catalogue),
+             request({"scale_gain": 0.1}, 1, catalogue), request({}, 2, catalogue),
+             request({"crowd_friction": 0.25}, 1, catalogue)]
+    assert [r.how for r in asked] == ["run", "run", "observe", "run", "replay"]
+    assert simulator().plan(asked)[:2] == (3, 0)
+    said = []
+    assert masses(simulator().run(asked, said.append)) == [81, 83, 90, 82, 80.25]
+    assert len(said) == 3 and "of 3" in said[0]
+    assert sum(c.startswith("run ") for c in calls(folder)) == 3
+    assert sum(c.startswith("observe ") for c in calls(folder)) == 1
+    assert sum(c.startswith("replay ") and "--side mbs" in c for c in calls(folder)) == 1
+    before = len(calls(folder))
+    assert masses(simulator().run(asked, said.append)) == [81, 83, 90, 82, 80.25]
+    assert len(calls(folder)) == before
+    todo, kept, each = simulator().plan(asked)
+    assert (todo, kept) == (0, 3) and each > 0
+
+
+def test_instruments_and_forces_together_need_no_run(world):
+    simulator, catalogue, _, folder = world
+    both = request({"scale_gain": 0.1, "crowd_friction": 0.25}, 1, catalogue)
+    assert both.how == "replay" and request({"scale_gain": 0.1, "fines": 0.2}, 1, catalogue).how == "run"
+    simulator().run([both], lambda text: None)
+    again = [c for c in calls(folder) if c.startswith("replay ")]
+    assert len(again) == 1 and "effects.scale_gain=0.1" in again[0] and "effects.crowd_friction=0.25" in again[0]
+
+
+def test_two_analyses_at_once_make_a_run_once(world):
+    simulator, catalogue, _, folder = world
+    asked = [request({}, s, catalogue) for s in (1, 2, 3)] + [request({"scale_gain": 0.1}, 1, catalogue)]
+    with ThreadPoolExecutor(3) as pool:
+        results = list(pool.map(lambda s: s.run(asked, lambda text: None), [simulator() for _ in range(3)]))
+    assert [masses(r) for r in results] == [[81, 82, 83, 90]] * 3
+    assert sorted(c.split()[0] for c in calls(folder)) == ["observe", "run", "run", "run"]
+
+
+def test_how_long_is_guessed_from_the_size_before_the_first_run(world):
+    simulator, catalogue, _, _ = world
+    s = simulator()
+    assert s.check() == "" and s.plan([request({}, 1, catalogue)]) == (1, 0, pytest.approx(5.0))
+
+
+def test_an_effect_the_case_cannot_take_is_left_out(world):
+    simulator, catalogue, _, _ = world
+    kept, left_out = usable(catalogue, simulator())
+    assert list(kept) == ["crowd_friction", "scale_gain"] and "fines" in left_out[0]
+
+
+def test_a_changed_mesh_is_another_case(world):
+    simulator, catalogue, _, folder = world
+    simulator().run([request({}, 1, catalogue)], str)
+    (folder / "cases" / "rock.stl").write_text("another")
+    assert simulator().plan([request({}, 1, catalogue)])[:2] == (1, 0)
+
+
+def test_a_failed_run_is_named_and_the_others_are_kept(world):
+    simulator, catalogue, _, _ = world
+    asked = [request({}, s, catalogue) for s in (1, 13)]
+    with pytest.raises(RunFailed, match="seed 13.*status 3"):
+        simulator().run(asked, str)
+    assert simulator().plan(asked)[:2] == (1, 1)
+
+
+def test_the_patched_case_keeps_the_text_and_finds_its_files(world):
+    _, _, case, folder = world
+    out = write_patched_case(case, {"fines": 0.1234567}, folder / "out" / "case")
+    text = (out / "case.yaml").read_text()
+    assert "# a comment" in text and "# kept" in text
+    data = yaml.safe_load(text)
+    assert data["effects"] == {"fines": 0.123457}
+    assert os.path.samefile(out / data["rock"]["mesh"], folder / "cases" / "rock.stl")
+    assert overlay({"fines": 0.1234567}) == {"effects.fines": 0.123457}
+    assert not (out / "effects").exists()
+
+
+def test_the_patched_case_takes_the_cases_own_effect_along(world):
+    _, _, case, folder = world
+    (case / "effects").mkdir()
+    (case / "effects" / "mine.yaml").write_text(FINES)
+    (case / "effects" / "other.yaml").write_text(FINES)
+    out = write_patched_case(case, {"mine": 0.1, "fines": 0.2}, folder / "out" / "case")
+    assert [f.name for f in (out / "effects").iterdir()] == ["mine.yaml"]
+    assert read_catalogue(out / "effects")["mine"].title == "Fines"
+
+
+def test_a_bad_effect_file_is_told_whole(tmp_path):
+    (tmp_path / "x.yaml").write_text(FINES.replace("rock\n", "magic\n").replace("high: 0.4", "high: -1")
+                                     .replace("title: Fines\n", ""))
+    with pytest.raises(BadInput) as e:
+        read_catalogue(tmp_path)
+    assert len(e.value.findings) == 3
+
+
+def test_every_effect_of_the_catalogue_is_read():
+    import synthetic
+    catalogue = read_catalogue(synthetic.ROOT / "analysis/effects")
+    for e in catalogue.values():
+        for same_rock in (False, True):
+            low, high = sorted(e.strengths(same_rock))
+            assert e.low <= low < high <= e.high and 0 not in (low, high)
+
+
+def test_experiments_split_a_class():
+    best = propose({"liners": 0.5, "carry_back": 0.5})
+    assert best[0].name == "tare" and best[0].bits == pytest.approx(1.0)
+    assert propose({"liners": 1.0}) == []
+
+
+def test_closure_of_a_known_gap():
+    """A gap of known size, closed to a known part."""
+    import numpy as np
+    from dipper_gap.baseline import Baseline
+    from dipper_gap.features import Cell
+    rng = np.random.default_rng(1)
+    n, runs = 40, 8
+    cells = [Cell(1, "fill", "hoist_force_kN", str(k)) for k in range(n)]
+    values = 0.1 * rng.standard_normal((runs, n))
+    base = Baseline(cells, values.mean(axis=0), values, np.eye(n), np.zeros((0, n)), np.zeros((0, n)),
+                    0.01 * np.eye(n), np.arange(n)[None])
+    shift = np.full(n, 4.0)
+    y = shift + rng.standard_normal(n)
+    near = closure(y, base, 0.9 * shift + 0.1 * rng.standard_normal((5, n)), {"half": 0.5 * shift}, shift)
+    assert near.closure == pytest.approx(1 - 0.4**2 / 16, abs=0.05)
+    assert near.interval90[0] < near.closure < near.interval90[1]
+    assert near.p < 0.001 and near.objections() == []
+    wrong = closure(y, base, -0.5 * shift + 0.1 * rng.standard_normal((5, n)), {"half": 0.5 * shift}, shift)
+    assert wrong.closure < 0 and len(wrong.objections()) == 4

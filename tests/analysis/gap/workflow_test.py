@@ -1,0 +1,144 @@
+"""The whole chain on the synthetic shovel: found, named, added, confirmed on hold-out; and its papers."""
+import json
+import re
+from dataclasses import replace
+
+import pytest
+
+import fake_mine
+import synthetic
+from dipper_gap.baseline import LEAST_SEEDS
+from dipper_gap.gap_json import as_json, write_json
+from dipper_gap.measured import write_measured
+from dipper_gap.report import page
+from dipper_gap.workflow import Workflow, split
+from trucks import in_a_row
+
+# Fewer effects than the whole catalogue: a test needs seconds, not a minute.
+SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_gain", "cohesion", "density")}
+
+
+def analyse(truth, seed, catalogue=None):
+    mine = synthetic.with_noise(synthetic.run(truth, seed=900 + seed), seed)
+    simulator = fake_mine.FakeSimulator()
+    said = []
+    out = Workflow(mine, simulator, catalogue or SMALL, 1, said.append).run()
+    return out, as_json(out, catalogue or SMALL, {"case": "0" * 64}), simulator, said
+
+
+@pytest.fixture(scope="module")
+def fines():
+    return analyse({"fines": 0.2}, 1)
+
+
+def test_split_keeps_the_first_and_last_of_three_for_training():
+    assert split([1, 2, 3]) == ((1, 3), (2,))
+    assert split([1, 2]) == ((1,), (2,))
+    assert split([1, 2, 3, 4, 5, 6]) == ((1, 3, 4, 6), (2, 5))
+
+
+def test_a_hidden_effect_is_found_named_added_and_confirmed(fines):
+    _, a, _, _ = fines
+    assert a["verdict"] == "named" and a["effect"] == "fines"
+    assert a["parameter"]["estimate"] == pytest.approx(0.2, rel=0.35)  # its signature is of three chaotic runs
+    assert a["gap"]["holdout_closure"] > 0.6 and a["gap"]["holdout_p"] < 0.01
+    assert a["gap"]["after"] < 0.5 * a["gap"]["before"]
+    assert a["patch"] == {"effects.fines": pytest.approx(a["parameter"]["estimate"], rel=1e-5)}
+    assert any(d["channel"] == "truck_mass_t" for d in a["disagreement"])
+
+
+def test_the_json_is_the_contract(fines, tmp_path):
+    write_json(fines[1], tmp_path / "gap.json")
+    a = json.loads((tmp_path / "gap.json").read_text())
+    assert {"verdict", "effect", "class", "probability", "parameter", "disagreement", "confusable", "gap",
+            "rejected", "patch", "runs", "seeds", "hashes"} <= set(a)
+    assert set(a["parameter"]) == {"name", "unit", "estimate", "interval90"}
+    assert {"before", "after", "floor", "closure", "holdout_closure", "holdout_p"} <= set(a["gap"])
+    assert all({"pass", "phase", "channel", "z", "p_adjusted"} <= set(d) for d in a["disagreement"])
+    assert all({"effect", "distinguishability"} <= set(d) for d in a["confusable"])
+    assert all({"effect", "probability", "reason"} <= set(d) for d in a["rejected"])
+
+
+def test_observation_effects_cost_no_run_and_the_count_is_told_before(fines):
+    _, a, simulator, said = fines
+    # Baseline runs; three each of fines, crowd friction, cohesion and density; five to confirm.
+    assert len(simulator.made) == LEAST_SEEDS + 4 * 3 + 5 == a["runs"]
+    assert re.search(rf"\b{LEAST_SEEDS + 12} runs, 0 of them kept", said[0])
+
+
+def test_the_page_says_it_and_needs_nothing_else(fines):
+    out, a, _, _ = fines
+    html = page(out, a, SMALL, "synthetic")
+    assert "Fines" in html and "held out" in html and "--set effects.fines=" in html
+    assert "<script" not in html and "http-equiv" not in html and 'src="' not in html
+    assert html.count("<svg") == html.count("</svg>") >= 2 + 1 + 2 + 6
+    assert "nan" not in re.sub(r"<[^>]*>", "", html).lower().split()
+
+
+def test_nothing_hidden_is_no_gap():
+    _, a, simulator, _ = analyse({}, 3)
+    assert a["verdict"] == "no-gap" and a["patch"] == {} and a["effect"] is None
+    assert len(simulator.made) == LEAST_SEEDS + 12  # nothing to confirm
+
+
+def test_an_effect_outside_the_catalogue_is_unknown_with_an_experiment():
+    out, a, _, _ = analyse({"outside": 3}, 4)
+    assert a["verdict"] == "unknown" and a["patch"] == {}
+    assert a["next_experiment"]
+    assert "its cause is not known" in page(out, a, SMALL, "synthetic")
+
+
+def test_an_effect_that_skips_the_hold_out_is_named_but_says_so():
+    small = {n: fake_mine.CATALOGUE[n] for n in ("truck_spillage", "fines", "crowd_friction")}
+    _, a, _, _ = analyse({"truck_spillage": 15}, 5, small)
+    assert a["verdict"] == "named" and a["effect"] == "truck_spillage"
+    assert a["gap"]["holdout_closure"] is None and "does not act on the hold-out" in a["reasons"][0]
+
+
+def test_a_second_effect_shows_beside_the_first():
+    _, a, _, _ = analyse({"fines": 0.25, "crowd_friction": 120}, 6)
+    assert a["verdict"] == "named"
+    named = {a["effect"], a["second"]["effect"]}
+    assert named == {"fines", "crowd_friction"} and not named & {r["effect"] for r in a["rejected"]}
+
+
+def test_masses_alone_cannot_tell(tmp_path):
+    """The paper's table: 85, 80, 68 t measured; a model at 83.6, 77.6, 73.6 t. p is not decisive."""
+    runs = synthetic.run(seed=1)
+    mine = replace(runs, channels={"truck_mass_t": runs.channels["truck_mass_t"]}, signals={},
+                   time_s=runs.time_s[:0], passes=tuple(replace(p, truck_mass_t=m) for p, m in
+                                                        zip(runs.passes, (85.0 - 3.6, 80.0 + 2.4, 68.0 + 6.4))))
+    write_measured(mine, tmp_path / "m")
+    out = Workflow(mine, MassOnly(), SMALL, 1, lambda _: None).run()
+    assert out.verdict.verdict != "named"
+
+
+def test_several_trucks_show_what_one_does_not():
+    """An effect that one truck leaves in noise; its strength comes out, and the trucks are counted."""
+    weak = {"fines": 0.06}
+    trucks = [synthetic.run(weak, seed=950 + k) for k in range(6)]
+    simulator = fake_mine.FakeSimulator()
+    few, many = (analyse_mine(synthetic.with_noise(in_a_row(t), 8), simulator) for t in (trucks[:1], trucks))
+    assert few["verdict"] == "no-gap" and few["trucks"] == 1
+    assert many["verdict"] == "named" and many["effect"] == "fines" and many["trucks"] == 6
+    assert many["parameter"]["estimate"] == pytest.approx(0.06, rel=0.5)  # d 4, and a signature of three runs
+
+
+def analyse_mine(mine, simulator):
+    return as_json(Workflow(mine, simulator, SMALL, 1, lambda text: None).run(), SMALL, {"case": "0" * 64})
+
+
+class MassOnly(fake_mine.FakeSimulator):
+    def _one(self, r):
+        m = super()._one(r)
+        return replace(m, signals={}, time_s=m.time_s[:0])
+
+
+def test_a_mine_may_log_less_than_the_model():
+    """Masses alone: a scale's gain may be found, a force's effect not, and nothing breaks."""
+    mine = synthetic.with_noise(synthetic.run({"crowd_friction": 300}, seed=905), 5)
+    only = {n: c for n, c in mine.channels.items() if n == "truck_mass_t"}
+    out = Workflow(mine.seen_by(only), fake_mine.FakeSimulator(), SMALL, 1, lambda text: None).run()
+    assert {c.channel for c in out.training.baseline.cells} == {"truck_mass_t"}
+    assert out.verdict.verdict == "no-gap"
+    page(out, as_json(out, SMALL, {"case": "0" * 64}), SMALL, "synthetic")

@@ -1,0 +1,38 @@
+// Writes a report of a synthetic dig: make_page FILE.html SPHERES FRAMES SECONDS
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include "analysis/report/report_page.hpp"
+#include "tests/analysis/report/synthetic_dig.hpp"
+
+int main(int argc, char** argv) {
+  if (argc != 5) {
+    std::cerr << "usage: make_page FILE.html SPHERES FRAMES SECONDS\n";
+    return 2;
+  }
+  using namespace dipper;
+  using namespace dipper::analysis::report;
+  const double T = std::atof(argv[4]);
+  const test::SyntheticDig dig(static_cast<std::size_t>(std::atol(argv[2])),
+                               static_cast<std::size_t>(std::atol(argv[3])), T);
+  ReportInput input;
+  input.replay = &dig;
+  ReportCurve hoist{"machine/hoist_force", "N", {}}, crowd{"machine/crowd_force", "N", {}},
+      load{"rock/mass_in_dipper", "kg", {}};
+  for (int i = 0; i <= 5000; ++i) {
+    const double t = T * i / 5000;
+    input.time_s.push_back(t);
+    hoist.values.push_back(1e6 * (1 + std::sin(40 * t / T)) * std::sin(M_PI * t / T));
+    crowd.values.push_back(4e5 * std::cos(23 * t / T));
+    load.values.push_back(66e3 * t / T);
+  }
+  input.curves = {hoist, crowd, load};
+  input.case_text = "title=\"A synthetic dig\"\nrock.density_kg_m3=3215\n";
+  input.metrics = {{"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
+                   {"phases",
+                    {{{"phase", "reach"}, {"t_start_s", 0}, {"t_end_s", 0.2 * T}},
+                     {{"phase", "dig"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
+  write_report_page("A synthetic dig", input, argv[1]);
+}

@@ -1,0 +1,72 @@
+#include "analysis/signals/passes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace dipper::analysis::signals {
+namespace {
+
+/// Two passes of 20 s at 10 Hz: dig from 2 s with hoist 3 MN and crowd 4 MN (5 MN together, 10 MN
+/// for the last second of digging), 80 t then 70 t in the dipper, dumped from 15 s to 18 s.
+PassSignals two_passes() {
+  PassSignals s;
+  for (int i = 0; i <= 400; ++i) {
+    const double t = 0.1 * i, in_pass = i < 200 ? t : t - 20;
+    const double payload = i < 200 ? 80e3 : 70e3;
+    const bool dig = in_pass >= 2 && in_pass < 15, dumped = in_pass >= 16;
+    const bool peak = in_pass >= 9 && in_pass < 10;
+    s.time_s.push_back(t);
+    s.door_rad.push_back(in_pass >= 15 && in_pass < 18 ? 1.0 : 0.0);
+    s.dipper_force_N.push_back(dig ? 1e6 : 0);
+    s.hoist_force_N.push_back(dig ? (peak ? 6e6 : 3e6) : 0.5e6);
+    s.crowd_force_N.push_back(dig ? (peak ? -8e6 : -4e6) : 0.1e6);
+    s.dipper_mass_kg.push_back(dig && in_pass > 12 ? payload : 0);
+    s.truck_mass_kg.push_back((i >= 200 ? 80e3 : 0) + (dumped ? payload : 0));
+  }
+  return s;
+}
+
+TEST(Passes, FindsWhatWasLoadedAndWhatItTook) {
+  const auto passes = find_passes(two_passes());
+  ASSERT_EQ(passes.size(), 2u);
+  const Pass& p = passes[0];
+  EXPECT_EQ(p.pass, 1);
+  EXPECT_NEAR(p.t_dig_s, 2, 1e-9);
+  EXPECT_NEAR(p.t_dump_s, 15, 1e-9);
+  EXPECT_NEAR(p.t_end_s, 18, 1e-9);
+  EXPECT_NEAR(p.truck_kg, 80e3, 1e-6);
+  EXPECT_NEAR(p.dig_force_mean_N, (12 * 5e6 + 1 * 10e6) / 13, 1e-3);
+  EXPECT_NEAR(p.dig_force_peak_N, 10e6, 1e-6);
+  EXPECT_NEAR(passes[1].t_start_s, 18, 1e-9);
+  EXPECT_NEAR(passes[1].truck_kg, 70e3, 1e-6);
+}
+
+TEST(Passes, PayloadIsTheMeanOfTheLastSecondBeforeTheDoorOpens) {
+  PassSignals s = two_passes();
+  for (std::size_t i = 140; i <= 150; ++i) s.dipper_mass_kg[i] = 75e3;
+  EXPECT_NEAR(find_passes(s)[0].payload_kg, 75e3, 1e-6);
+}
+
+TEST(Passes, ARunThatEndsBeforeTheDumpHasAnOpenPass) {
+  PassSignals s = two_passes();
+  for (auto* v : {&s.time_s, &s.door_rad, &s.dipper_force_N, &s.hoist_force_N, &s.crowd_force_N,
+                  &s.dipper_mass_kg, &s.truck_mass_kg}) {
+    v->resize(130);
+  }
+  const auto passes = find_passes(s);
+  ASSERT_EQ(passes.size(), 1u);
+  EXPECT_NEAR(passes[0].t_dump_s, 12.9, 1e-9);
+  EXPECT_NEAR(passes[0].truck_kg, 0, 1e-9);
+}
+
+TEST(Passes, SignalsOfDifferentLengthsAreRefused) {
+  PassSignals s = two_passes();
+  s.door_rad.pop_back();
+  EXPECT_THROW(find_passes(s), std::invalid_argument);
+}
+
+TEST(Passes, AnEmptyRunHasNone) { EXPECT_TRUE(find_passes({}).empty()); }
+
+}  // namespace
+}  // namespace dipper::analysis::signals

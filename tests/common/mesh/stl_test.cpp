@@ -1,0 +1,152 @@
+#include "common/mesh/stl.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/common/mesh/shapes.hpp"
+
+namespace dipper::mesh {
+namespace {
+
+using test::ascii_stl;
+using test::binary_stl;
+
+const TriangleMesh cuboid = test::box({1, 2, 3}, {2, 4, 6});
+
+StlError fault_of(const std::string& bytes) {
+  try {
+    parse_stl(bytes);
+  } catch (const StlError& e) {
+    return e;
+  }
+  ADD_FAILURE() << "no StlError";
+  return {"", -1, -1};
+}
+
+std::string replace(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(Stl, AsciiAndBinaryGiveTheSameWeldedBox) {
+  for (const std::string& bytes : {ascii_stl(cuboid), binary_stl(cuboid)}) {
+    const TriangleMesh mesh = parse_stl(bytes);
+    EXPECT_EQ(mesh.vertices.size(), 8U);
+    EXPECT_EQ(mesh.triangles.size(), 12U);
+    EXPECT_NEAR(volume(mesh), 1 * 2 * 3, 1e-12);
+    EXPECT_NEAR(area(mesh), 2 * (1 * 2 + 1 * 3 + 2 * 3), 1e-12);
+    EXPECT_EQ(bounding_box(mesh).min, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(bounding_box(mesh).max, Eigen::Vector3d(2, 4, 6));
+  }
+}
+
+TEST(Stl, VolumeFarFromTheOriginKeepsItsDigits) {
+  const Eigen::Vector3d far(1e6, -1e6, 1e6);
+  EXPECT_NEAR(volume(test::box(far, far + Eigen::Vector3d(1, 2, 3))), 6, 1e-9);
+}
+
+TEST(Stl, WeldsAcrossTheEdgeOfACell) {
+  // 1.5 um: rounding to micrometres would put 1.4999e-6 and 1.5001e-6 in two places.
+  std::string text = ascii_stl(cuboid);
+  text = replace(text, "vertex 2 2 3", "vertex 2.0000004 1.9999996 3");
+  EXPECT_EQ(parse_stl(text).vertices.size(), 8U);
+  EXPECT_EQ(parse_stl(replace(text, "2.0000004", "2.00001")).vertices.size(), 9U);
+}
+
+TEST(Stl, BinaryThatBeginsWithSolidIsBinary) {
+  std::string bytes = binary_stl(cuboid);
+  bytes.replace(0, 5, "solid");
+  EXPECT_EQ(parse_stl(bytes).triangles.size(), 12U);
+}
+
+TEST(Stl, SeveralSolidsInOneFile) {
+  EXPECT_EQ(
+      parse_stl(ascii_stl(cuboid) + ascii_stl(test::box({5, 5, 5}, {6, 6, 6}))).triangles.size(),
+      24U);
+}
+
+TEST(Stl, AsciiFaultsNameTheirLine) {
+  const std::string good = ascii_stl(cuboid);
+  struct Fault {
+    std::string bytes;
+    int line;
+    std::string message;
+  };
+  const std::vector<Fault> faults = {
+      {replace(good, "vertex 1 4 3", "vertex 1 4,0 3"), 5, "'4,0' where a number belongs"},
+      {replace(good, "vertex 1 4 3", "vertex nan 4 3"), 5, "facet 1: a coordinate is no finite"},
+      {replace(good, "vertex 1 4 3", "vertex 1 inf 3"), 5, "facet 1: a coordinate is no finite"},
+      {replace(good, "vertex 1 4 3", "vertex 1 4"), 6, "'vertex' where a number belongs"},
+      {replace(good, "    endloop", "    vertex 0 0 0\n    endloop"), 7,
+       "'vertex' where 'endloop' belongs"},
+      {replace(good, "outer loop", "outer lop"), 3, "'lop' where 'loop' belongs"},
+      {replace(good, "endsolid", ""), 87, "'' where 'facet' or 'endsolid' belongs"},
+      {"hello", 1, "'hello' where 'solid' belongs"},
+      {"", 0, "holds no facets"},
+      {"solid\nendsolid\n", 0, "holds no facets"},
+  };
+  for (const Fault& fault : faults) {
+    const StlError e = fault_of(fault.bytes);
+    EXPECT_EQ(e.line, fault.line) << e.what();
+    EXPECT_EQ(e.byte, -1) << e.what();
+    EXPECT_NE(std::string(e.what()).find(fault.message), std::string::npos) << e.what();
+  }
+}
+
+TEST(Stl, BinaryFaultsNameTheirByte) {
+  std::string cut = binary_stl(cuboid);
+  cut.resize(200);
+  EXPECT_EQ(fault_of(cut).byte, 200);
+  EXPECT_STREQ(fault_of(cut).what(),
+               "the header says 12 facets, which takes 684 bytes; the file ends after 200");
+
+  EXPECT_EQ(fault_of(binary_stl(cuboid) + "x").byte, 684);
+
+  TriangleMesh nan = cuboid;
+  nan.vertices.push_back({1, std::nan(""), 3});
+  nan.triangles[2][1] = 8;  // facet 3, second corner: 84 + 2 * 50 + 12 + 12
+  EXPECT_EQ(fault_of(binary_stl(nan)).byte, 208);
+  EXPECT_STREQ(fault_of(binary_stl(nan)).what(), "facet 3: a coordinate is no finite number");
+}
+
+TEST(Stl, MissingFile) {
+  EXPECT_THROW(read_stl("no/such/file.stl"), StlError);
+  EXPECT_THROW(read_stl("."), StlError);
+}
+
+TEST(Stl, FilesAreReadAsTheirBytes) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "cuboid.stl";
+  for (const std::string& bytes :
+       {ascii_stl(cuboid), binary_stl(cuboid), to_stl("cuboid", cuboid)}) {
+    std::ofstream(file, std::ios::binary) << bytes;
+    const TriangleMesh read = read_stl(file);
+    EXPECT_EQ(read.triangles.size(), cuboid.triangles.size());
+    EXPECT_NEAR(volume(read), 6, 1e-12);
+  }
+}
+
+TEST(Stl, AFaultyFileIsNamedWithTheLine) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "none.stl";
+  std::ofstream(file) << "not a mesh";
+  try {
+    read_stl(file);
+    FAIL();
+  } catch (const StlError& e) {
+    EXPECT_EQ(e.what(), file.string() + ":1: " + e.message);
+    EXPECT_EQ(e.message, "not an ascii STL file: 'not' where 'solid' belongs");
+  }
+}
+
+TEST(Stl, WritesWhatTheDecksHold) {
+  TriangleMesh mesh;
+  mesh.add_loose({Eigen::Vector3d(-0.0, 0, 1.25), {1, 0, 1.25}, {0, 1, 1.25}});
+  EXPECT_EQ(to_stl("roof", mesh),
+            "solid roof\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 1.25\n"
+            "   vertex 1 0 1.25\n   vertex 0 1 1.25\n  endloop\n endfacet\nendsolid roof\n");
+}
+
+}  // namespace
+}  // namespace dipper::mesh

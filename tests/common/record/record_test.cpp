@@ -1,0 +1,115 @@
+#include "common/record/record.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+namespace dipper::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RecordTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("dipper-record-" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+    file_ = folder_ / "record.h5";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path folder_, file_;
+};
+
+TEST_F(RecordTest, RowsComeBackAsPut) {
+  {
+    Record r = Record::create(file_, {{"case", "text"}});
+    const auto t = r.add("time_s", "s", "-");
+    const auto f = r.add("bodies/dipper/force", "N", "W", 3);
+    for (int i = 0; i < 10000; ++i) {
+      const double force[3] = {1.0 * i, 2.0 * i, 3.0 * i};
+      r.put(t, 0.002 * i);
+      r.put(f, force);
+      r.next();
+      if (i % 777 == 0) r.flush();
+    }
+    EXPECT_EQ(r.rows(), 10000u);
+  }
+  const auto time = read_channel(file_, "time_s");
+  const auto fz = read_channel(file_, "bodies/dipper/force", 2);
+  ASSERT_EQ(time.size(), 10000u);
+  EXPECT_EQ(time[9999], 0.002 * 9999);
+  EXPECT_EQ(fz[5000], 15000);
+}
+
+TEST_F(RecordTest, AKilledRunsRecordOpensUpToItsLastFlush) {
+  const pid_t child = fork();
+  if (child == 0) {
+    Record r = Record::create(file_, {});
+    const auto t = r.add("time_s", "s", "-");
+    for (int i = 0; i < 5000; ++i) {
+      r.put(t, i);
+      r.next();
+      if (i == 4321) r.flush();
+    }
+    raise(SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  const auto t = read_channel(file_, "time_s");
+  ASSERT_EQ(t.size(), 4322u);
+  EXPECT_EQ(t.back(), 4321);
+}
+
+TEST_F(RecordTest, AContinuedRecordIsCutBackToTheCheckpoint) {
+  {
+    Record r = Record::create(file_, {});
+    const auto t = r.add("time_s", "s", "-");
+    for (int i = 0; i < 100; ++i) {
+      r.put(t, i);
+      r.next();
+    }
+  }
+  {
+    Record r = Record::resume(file_, 60);
+    const auto t = r.add("time_s", "s", "-");
+    r.put(t, -1);
+    r.next();
+  }
+  const auto t = read_channel(file_, "time_s");
+  ASSERT_EQ(t.size(), 61u);
+  EXPECT_EQ(t[59], 59);
+  EXPECT_EQ(t[60], -1);
+}
+
+TEST_F(RecordTest, AFullDiskIsAnErrorThatNamesTheFile) {
+  // /dev/full refuses every write.
+  try {
+    Record r = Record::create("/dev/full", {});
+    const auto t = r.add("time_s", "s", "-");
+    r.put(t, 1);
+    r.next();
+    r.flush();
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("/dev/full"));
+  }
+}
+
+TEST_F(RecordTest, MissingFileAndDatasetAreNamed) {
+  EXPECT_THROW(read_channel(file_, "time_s"), std::runtime_error);
+  { Record r = Record::create(file_, {}); }
+  try {
+    read_channel(file_, "no/such");
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("no/such"));
+  }
+}
+
+}  // namespace
+}  // namespace dipper::record

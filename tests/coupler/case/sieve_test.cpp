@@ -1,0 +1,114 @@
+#include "coupler/case/sieve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "common/input_error.hpp"
+#include "tests/coupler/deck/liggghts_run.hpp"
+
+namespace dipper::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path curve_file(const std::string& rows) {
+  const fs::path file = deck::fresh_folder("sieve") / "sieve.csv";
+  std::ofstream(file) << "# of the bench\nsize_m, passing_percent\n" << rows;
+  return file;
+}
+
+std::string errors_of(const std::string& rows) {
+  try {
+    read_sieve(curve_file(rows));
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+double total(const std::vector<SizeClass>& classes) {
+  return std::accumulate(classes.begin(), classes.end(), 0.0,
+                         [](double sum, const SizeClass& c) { return sum + c.mass_percent; });
+}
+
+TEST(Sieve, IsStraightOverTheLogarithm) {
+  const SieveCurve curve = read_sieve(curve_file("1.6, 100\n0.1, 0\n0.4, 30\n"));
+  EXPECT_NEAR(curve.passing_percent(0.2), 15, 1e-12);
+  EXPECT_NEAR(curve.passing_percent(0.8), 65, 1e-12);
+  EXPECT_EQ(curve.passing_percent(0.05), 0);
+  EXPECT_EQ(curve.passing_percent(3), 100);
+  EXPECT_NEAR(curve.size_m(65, 0.1, 1.6), 0.8, 1e-9);
+}
+
+TEST(Sieve, ClassesAddUpAndMeetTheCurveAtTheirBounds) {
+  // passing = 25 log2(size/0.1): four classes of an octave each.
+  const SieveCurve curve = read_sieve(curve_file("0.1,0\n1.6,100\n"));
+  SieveCase how;
+  how.classes = 4;
+  how.spheres_below_m = 0.25;
+  how.shapes = {"block"};
+  const std::vector<SizeClass> classes = size_classes(curve, how);
+  ASSERT_EQ(classes.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_NEAR(classes[k].mass_percent, 25, 1e-9);
+    EXPECT_NEAR(classes[k].size_m, 0.1 * std::pow(2, double(k) + 0.5), 1e-9);
+    EXPECT_EQ(classes[k].shapes[0], k == 0 ? "sphere" : k == 1 ? "block" : "block");
+  }
+  EXPECT_EQ(classes[0].name, "s1_141");
+}
+
+TEST(Sieve, WhatIsCutIsCountedInTheClassNextToIt) {
+  const SieveCurve curve = read_sieve(curve_file("0.1,0\n1.6,100\n"));
+  SieveCase how;
+  how.classes = 2;
+  how.min_size_m = 0.2;
+  how.max_size_m = 0.8;
+  const std::vector<SizeClass> classes = size_classes(curve, how);
+  ASSERT_EQ(classes.size(), 2U);
+  EXPECT_NEAR(classes[0].mass_percent, 50, 1e-9);  // 25 of its own, 25 below 0.2 m
+  EXPECT_NEAR(classes[1].mass_percent, 50, 1e-9);
+  EXPECT_NEAR(classes[0].size_m, 0.2 * std::sqrt(2), 1e-9);  // by its own rock alone
+  EXPECT_NEAR(classes[1].size_m, 0.4 * std::sqrt(2), 1e-9);
+  how.min_size_m = 2;
+  how.max_size_m = 0;
+  EXPECT_THROW(size_classes(curve, how), std::invalid_argument);
+}
+
+TEST(Sieve, ACurveThatDoesNotReach0Or100KeepsItsMass) {
+  const SieveCurve curve = read_sieve(curve_file("0.2,37\n0.3,47\n0.4,56\n0.6,75\n0.85,96\n"));
+  for (const int n : {1, 3, 5, 12}) {
+    SieveCase how;
+    how.classes = n;
+    EXPECT_NEAR(total(size_classes(curve, how)), 100, 1e-9) << n;
+  }
+}
+
+TEST(Sieve, AGapInTheCurveGivesNoClass) {
+  const SieveCurve curve = read_sieve(curve_file("0.1,0\n0.2,50\n0.4,50\n0.8,100\n"));
+  SieveCase how;
+  how.classes = 3;
+  const std::vector<SizeClass> classes = size_classes(curve, how);
+  ASSERT_EQ(classes.size(), 2U);
+  EXPECT_NEAR(total(classes), 100, 1e-9);
+}
+
+TEST(Sieve, EveryFaultWithItsLine) {
+  const std::string errors = errors_of("0.1,0\n0.2,x\n-1,5\n0.3,101\n0.4,50\n0.5,40\n0.1,3\n");
+  for (const char* said :
+       {"sieve.csv:4: \"0.2,x\"; two numbers", "sieve.csv:5: size_m is -1",
+        "sieve.csv:6: passing_percent is 101",
+        "sieve.csv:8: passing_percent 40 at 0.5 m is below the 50 at 0.4 m of line 7",
+        "sieve.csv:9: size_m 0.1 is in line 3 already"})
+    EXPECT_NE(errors.find(said), std::string::npos) << said << "\n" << errors;
+  EXPECT_NE(errors_of("0.1,5\n").find("1 points; a curve has at least two"), std::string::npos);
+  const fs::path other = deck::fresh_folder("sieve2") / "a.csv";
+  std::ofstream(other) << "mm;percent\n1;2\n";
+  EXPECT_THROW(read_sieve(other), InputError);
+  EXPECT_THROW(read_sieve("/no/such.csv"), InputError);
+}
+
+}  // namespace
+}  // namespace dipper::cases

@@ -1,0 +1,606 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "common/mesh/stl.hpp"
+#include "coupler/case/bench_surface.hpp"
+#include "coupler/check/check.hpp"
+#include "coupler/check/check_command.hpp"
+#include "coupler/deck/pile_shape.hpp"
+#include "tests/coupler/case/checkout.hpp"
+#include "tests/coupler/deck/height_field.hpp"
+
+namespace dipper::check {
+namespace {
+
+using test::Checkout;
+using test::expect_findings;
+using test::read_text;
+using test::write_text;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+namespace fs = std::filesystem;
+
+std::vector<cases::Finding> check(const Checkout& checkout,
+                                  const std::vector<cases::Override>& set = {}) {
+  std::vector<cases::Finding> findings;
+  const cases::Case c = cases::load_case(checkout.folder(), set, findings);
+  expect_findings(findings, {});
+  return check::check_case(c);
+}
+
+std::vector<cases::Finding> load_findings(const Checkout& checkout) {
+  std::vector<cases::Finding> findings;
+  cases::load_case(checkout.folder(), {}, findings);
+  return findings;
+}
+
+TEST(CheckCase, QuickIsSound) {
+  const Checkout checkout(true);
+  expect_findings(check(checkout), {});
+}
+
+TEST(CheckCase, QuickAsCalibratedIsSound) {
+  const Checkout checkout;
+  std::istringstream in(read_text(checkout.folder() / "calibrated.set"));
+  std::vector<cases::Override> set;
+  for (std::string line; std::getline(in, line);) {
+    const auto sign = line.find('=');
+    set.push_back({line.substr(0, sign), line.substr(sign + 1)});
+  }
+  EXPECT_THAT(set, testing::Not(testing::IsEmpty()));
+  expect_findings(check(checkout, set), {});
+}
+
+TEST(CheckCase, EveryMissingFileAtOnce) {
+  const Checkout checkout;
+  for (const char* file : {"meshes/dipper.stl", "meshes/door.stl", "meshes/truck.stl",
+                           "mbs/bucyrus495.yaml", "cases/quick/motion.csv"}) {
+    fs::remove(checkout.root / file);
+  }
+  fs::remove_all(checkout.root / "meshes/rocks");
+  const auto file = checkout.file();
+  expect_findings(
+      check(checkout),
+      {{file, checkout.line("dipper:"), "bodies.dipper", "no such file: "},
+       {file, checkout.line("door:"), "bodies.door", "no such file: "},
+       {file, checkout.line("mesh:"), "truck.mesh", "no such file: "},
+       {file, checkout.line("model:"), "machine.model", "no such file: "},
+       {file, checkout.line("motion:"), "machine.motion", "no such file: "},
+       {file, checkout.line("shape_folder:"), "rock.shape_folder", "no such folder: "}});
+}
+
+TEST(CheckCase, MeshThatLiggghtsCannotName) {
+  Checkout checkout;
+  for (const char* type : {"stl", "yaml"})
+    fs::rename(checkout.root / "meshes" / (std::string("truck.") + type),
+               checkout.root / "meshes" / (std::string("my truck.") + type));
+  const int line = checkout.replace("mesh:", "mesh: ../../meshes/my truck.stl");
+  const fs::path truck = checkout.root / "meshes/my truck.stl";
+  expect_findings(check(checkout), {{checkout.file(), line, "truck.mesh",
+                                     truck.string() + ": LIGGGHTS takes no path with a blank"}});
+}
+
+TEST(CheckCase, BrokenMeshes) {
+  const Checkout checkout;
+  // A closed tetrahedron inside the dipper's reach, its fourth facet missing.
+  const fs::path dipper = checkout.root / "meshes/dipper.stl";
+  const auto facet = [](const char* a, const char* b, const char* c) {
+    return std::string("facet normal 0 0 0\nouter loop\nvertex ") + a + "\nvertex " + b +
+           "\nvertex " + c + "\nendloop\nendfacet\n";
+  };
+  const std::string open = "solid t\n" + facet("0 0 0", "0 1 0", "1 0 0") +
+                           facet("0 0 0", "1 0 0", "0 0 1") + facet("0 0 0", "0 0 1", "0 1 0");
+  write_text(dipper, open + "endsolid\n");
+  const fs::path door = checkout.root / "meshes/door.stl";
+  std::string text = read_text(door);
+  text.replace(text.find("vertex") + 7, 1, "x");
+  write_text(door, text);
+  const fs::path truck = checkout.root / "meshes/truck.stl";
+  write_text(truck, std::string(80, ' ') + std::string("\x02\0\0\0", 4));
+
+  int line = 1;
+  for (std::size_t i = 0; i < text.find("vertex"); ++i) line += text[i] == '\n';
+  expect_findings(
+      check(checkout),
+      {{dipper, 0, "bodies.dipper",
+        "facet 1: not closed: the edge (0, 1, 0) to (1, 0, 0) has no second facet"},
+       {dipper, 0, "bodies.dipper",
+        "facet 2: not closed: the edge (1, 0, 0) to (0, 0, 1) has no second facet"},
+       {dipper, 0, "bodies.dipper",
+        "facet 3: not closed: the edge (0, 1, 0) to (0, 0, 1) has no second facet"},
+       {door, line, "bodies.door", "where a number belongs"},
+       {truck, 0, "truck.mesh", "at byte 84: the header says 2 facets, which takes 184 bytes"}});
+}
+
+TEST(CheckCase, NothingBesideTheMeshes) {
+  const Checkout checkout;
+  for (const char* mesh : {"dipper", "door", "truck"}) {  // none is needed beside the door's
+    fs::remove(checkout.root / "meshes" / (std::string(mesh) + ".yaml"));
+  }
+  const auto file = checkout.file();
+  const std::string meshes = (checkout.root / "meshes").string();
+  expect_findings(
+      check(checkout),
+      {{file, checkout.line("dipper:"), "bodies.dipper",
+        "cannot read " + meshes +
+            "/dipper.yaml; write beside the mesh a file of that name with struck_volume_m3, "
+            "cavity: {min_m, max_m}, heap_height_m"},
+       {file, checkout.line("mesh:"), "truck.mesh",
+        "cannot read " + meshes +
+            "/truck.yaml; write beside the mesh a file of that name with bed: {min_m, max_m}"}});
+}
+
+TEST(CheckCase, KeysMissingBesideTheMeshes) {
+  const Checkout checkout;
+  const fs::path dipper = checkout.root / "meshes/dipper.yaml";
+  const fs::path truck = checkout.root / "meshes/truck.yaml";
+  write_text(dipper, "# ours\nunits: m\nstruck_volume: 42\ncavity:\n  min_m: [0, -2, -1.5]\n");
+  write_text(truck, "");
+  expect_findings(check(checkout),
+                  {{dipper, 2, "struck_volume_m3", "missing key; write the volume in m3"},
+                   {dipper, 4, "cavity.max_m", "missing key; write three numbers in m"},
+                   {dipper, 2, "heap_height_m", "missing key; write how far in m"},
+                   {truck, 1, "", "is nothing; write bed: {min_m, max_m}"}});
+}
+
+TEST(CheckCase, WrongValuesBesideTheMeshes) {
+  const Checkout checkout;
+  const fs::path dipper = checkout.root / "meshes/dipper.yaml";
+  const fs::path truck = checkout.root / "meshes/truck.yaml";
+  write_text(dipper,
+             "struck_volume_m3: 0\ncavity:\n  min_m: [0, -2, deep]\n  max_m: [4, 2]\n"
+             "heap_height_m: 1.2 m\n");
+  write_text(truck, "bed: {min_m: [-3.5, 3.25, 4.2],\n      max_m: [3.5, -3.25, 9]}\n");
+  expect_findings(check(checkout),
+                  {{dipper, 1, "struck_volume_m3", "0 is out of range; allowed is > 0"},
+                   {dipper, 3, "cavity.min_m.2", "is 'deep'; write a number in m"},
+                   {dipper, 4, "cavity.max_m", "is a list; write three numbers in m"},
+                   {dipper, 5, "heap_height_m", "is '1.2 m'; write how far in m"},
+                   {truck, 1, "bed.min_m", "y = 3.25 is not below max_m's -3.25"}});
+  write_text(dipper, "struck_volume_m3: 42\ncavity: {min_m: [0, -2\nheap_height_m: -1\n");
+  write_text(truck, "bed: 5\n");
+  const auto broken = check(checkout);
+  ASSERT_EQ(broken.size(), 2U);
+  EXPECT_EQ(broken[0].file, dipper);
+  EXPECT_GT(broken[0].line, 0);
+  EXPECT_THAT(broken[0].message, HasSubstr("not valid YAML: "));
+  EXPECT_EQ(cases::to_string(broken[1]),
+            truck.string() +
+                ":1: bed: is '5'; write {min_m, max_m}, corners of the box "
+                "in the mesh's frame whose rock is the truck's load");
+  write_text(dipper,
+             "struck_volume_m3: 42\ncavity: {min_m: [0, -2, -1.5], max_m: [4, 2, 1.5]}\n"
+             "heap_height_m: -1\n");
+  write_text(truck, "bed: {min_m: [-3.5, -3.25, 4.2], max_m: [3.5, 3.25, 9]}\n");
+  expect_findings(check(checkout),
+                  {{dipper, 3, "heap_height_m", "-1 is out of range; allowed is >= 0"}});
+  write_text(dipper,
+             "struck_volume_m3: 42\ncavity: {min_m: [0, -2, -1.5], max_m: [4, 2, 1.5]}\n"
+             "heap_height_m: 0\n");
+  expect_findings(check(checkout), {});
+}
+
+TEST(CheckCase, TeethThatWearBeyondTheirLength) {
+  const Checkout checkout;
+  expect_findings(check(checkout, {{"machine.tooth_wear_m", "0.5"}}), {});
+  expect_findings(check(checkout, {{"machine.tooth_wear_m", "0.6"}}),
+                  {{"--set", 0, "machine.tooth_wear_m", "is > 0 and <= 0.54"}});
+}
+
+TEST(CheckCase, CollapseThatCannotBe) {
+  const Checkout checkout(true);
+  expect_findings(check(checkout, {{"collapse.height_m", "1"}}), {});
+  expect_findings(check(checkout, {{"collapse.height_m", "0.001"}, {"collapse.at_s", "1e3"}}),
+                  {{"--set", 0, "collapse.height_m", "less than a rock of "},
+                   {"--set", 0, "collapse.at_s", "1000 s is not before the motion's end at "}});
+  expect_findings(check(checkout, {{"collapse.height_m", "8"}}),
+                  {{"--set", 0, "collapse.height_m", "above domain.max_m's 24"}});
+  expect_findings(check(checkout, {{"collapse.height_m", "1"}, {"collapse.at_s", "9"}}),
+                  {{"--set", 0, "collapse.at_s", "at 9.00 s the dipper is where the slab"}});
+}
+
+TEST(CheckCase, CollapseOfAMotionThatNeverOpensTheDoor) {
+  const Checkout checkout;  // its motion ends before
+  expect_findings(check(checkout, {{"collapse.height_m", "1"}}),
+                  {{"--set", 0, "collapse.at_s", "never opens the door; write when"}});
+}
+
+TEST(CheckCase, InvertedTruck) {
+  const Checkout checkout;
+  const fs::path truck = checkout.root / "meshes/truck.stl";
+  const std::string tetrahedron = [] {
+    std::string text = "solid t\n";
+    for (const char* f :
+         {"0 0 0\nvertex 1 0 0\nvertex 0 1 0", "0 0 0\nvertex 0 0 1\nvertex 1 0 0",
+          "0 0 0\nvertex 0 1 0\nvertex 0 0 1", "1 0 0\nvertex 0 0 1\nvertex 0 1 0"}) {
+      text += std::string("facet normal 0 0 0\nouter loop\nvertex ") + f + "\nendloop\nendfacet\n";
+    }
+    return text + "endsolid\n";
+  }();
+  write_text(truck, tetrahedron);
+  expect_findings(check(checkout), {{truck, 0, "truck.mesh",
+                                     "facet 1: its shell of 4 facets faces inwards (volume "
+                                     "-0.166667 m3)"}});
+}
+
+TEST(CheckCase, MotionFileWithTimeRunningBackwards) {
+  const Checkout checkout;
+  const fs::path motion = checkout.folder() / "motion.csv";
+  write_text(motion,
+             "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,0,0,0,0\n2,0,0,0,0\n1,0,0,0,0\n"
+             "3,0,zero,0,0\n");
+  expect_findings(check(checkout),
+                  {{motion, 4, "machine.motion", "time_s is 1, not after the row before (2 s)"},
+                   {motion, 5, "machine.motion", "crowd_m is \"zero\""}});
+}
+
+TEST(CheckCase, MotionBeyondRopeAndCrowd) {
+  Checkout checkout;
+  const fs::path motion = checkout.folder() / "motion.csv";
+  write_text(motion, "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,90,0,0,0\n50,90,25,0,0\n");
+  std::string all;
+  for (const cases::Finding& f : check(checkout)) {
+    EXPECT_EQ(f.file, motion);
+    EXPECT_EQ(f.key, "machine.motion");
+    all += f.message + "\n";
+  }
+  EXPECT_THAT(all, HasSubstr("hoist is 90.000 m at 0.000 s, above the limit of"));
+  EXPECT_THAT(all, HasSubstr("crowd is 25.000 m at 50.000 s, above the limit of"));
+}
+
+TEST(CheckCase, BrokenMachine) {
+  const Checkout checkout;
+  const fs::path model = checkout.root / "mbs/bucyrus495.yaml";
+  write_text(model, "machine: nothing\n");
+  const auto findings = check(checkout);
+  ASSERT_FALSE(findings.empty());
+  for (const cases::Finding& f : findings) {
+    EXPECT_EQ(f.file, model) << cases::to_string(f);
+    EXPECT_EQ(f.key, "machine.model");
+    EXPECT_GT(f.line, 0) << cases::to_string(f);
+  }
+}
+
+TEST(CheckCase, StepAboveTheStabilityLimit) {
+  Checkout checkout;
+  const int line = checkout.replace("timestep_s", "timestep_s: 1.0e-3");
+  const auto findings = check(checkout);
+  expect_findings(findings, {{checkout.file(), line, "dem.timestep_s",
+                              "0.001 s is above the stability limit of "}});
+  EXPECT_THAT(findings[0].message, MatchesRegex(".* limit of 0\\.000[0-9]+ s .*"));
+}
+
+TEST(CheckCase, StepOfAFractionOfANanosecond) {
+  Checkout checkout;
+  const int line = checkout.replace("timestep_s", "timestep_s: 1.23456789e-4");
+  expect_findings(check(checkout), {{checkout.file(), line, "dem.timestep_s",
+                                     "is not a whole number of nanoseconds; write 0.000123456"}});
+}
+
+TEST(CheckCase, BodiesTruckAndPileLeaveTheBox) {
+  Checkout checkout(true);
+  const auto file = checkout.file();
+  const int top = checkout.replace("max_m", "max_m: [25, 20, 24]");
+  const auto findings = check(checkout);
+  expect_findings(
+      findings, {{file, checkout.line("position_m"), "truck.position_m", "the truck reaches y = "},
+                 {file, checkout.line("pile"), "pile", "the pile reaches x = "},
+                 {file, top, "domain.max_m", "the dipper leaves the box at "},
+                 {file, top, "domain.max_m", "the door leaves the box at "}});
+  for (const cases::Finding& f : findings) {
+    EXPECT_THAT(f.message, MatchesRegex(".* reaches [xy] = [0-9.]+ m, [0-9.]+ m outside of .*"));
+  }
+}
+
+TEST(CheckCase, NoRoomToPour) {
+  Checkout checkout;
+  checkout.replace("height_m", "height_m: 15");
+  expect_findings(check(checkout, {{"domain.max_m", "[45, 28, 18]"}}),
+                  {{"--set", 0, "domain.max_m", "the rock for this pile is poured up to z = "}});
+}
+
+TEST(CheckCase, Shapes) {
+  Checkout checkout;
+  const int mixed = checkout.replace(
+      "name: d300", "- {name: d300, size_m: 0.30, mass_percent: 10, shapes: [block, sphere]}");
+  const int unknown = checkout.replace(
+      "name: d400",
+      "- name: d400\n  size_m: 0.40\n  mass_percent: 9\n  shapes:\n    - block\n    - bolder");
+  write_text(checkout.root / "meshes/rocks/slab.yaml", "name: slab\n");
+  // A mesh that its YAML was not made from counts in its place.
+  const std::string facet =
+      " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n"
+      "   vertex 0 1 0\n  endloop\n endfacet\n";
+  write_text(checkout.root / "meshes/rocks/wedge.stl", "solid wedge\n" + facet + "endsolid\n");
+  const std::string open_edge = "facet 1: not closed: the edge ";
+  const fs::path wedge = checkout.root / "meshes/rocks/wedge.stl";
+  expect_findings(
+      check(checkout),
+      {{checkout.file(), mixed, "rock.classes.1.shapes", "mixes spheres and other shapes"},
+       {checkout.file(), unknown + 5, "rock.classes.2.shapes.1",
+        "no shape 'bolder'; there are blade, block, chunk, column, shard, slab, sphere, wedge"},
+       {checkout.root / "meshes/rocks/slab.yaml", 0, "rock.shape_folder", "mesh_sha256: missing"},
+       {wedge, 0, "rock.shape_folder", open_edge},
+       {wedge, 0, "rock.shape_folder", open_edge},
+       {wedge, 0, "rock.shape_folder", open_edge}});
+}
+
+/// The case's trapezoid replaced by a profile.
+void use_profile(Checkout& checkout, const std::string& rows) {
+  checkout.replace("toe_x_m", "profile: scan.csv");
+  for (const char* key : {"height_m", "crest_depth_m", "face_angle_deg"}) checkout.replace(key, "");
+  write_text(checkout.folder() / "scan.csv", "# of the face\nx_m,z_m\n" + rows);
+}
+
+TEST(CheckCase, ProfileInPlaceOfTheTrapezoid) {
+  Checkout checkout;
+  use_profile(checkout, "13,0\n13,2\n16,6.5\n20,6\n");
+  std::vector<cases::Finding> findings;
+  const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+  ASSERT_TRUE(findings.empty()) << cases::to_string(findings[0]);
+  ASSERT_EQ(c.pile.outline_m.size(), 4U);
+  EXPECT_EQ(c.pile.outline_m[2], Eigen::Vector2d(16, 6.5));
+  EXPECT_NE(c.text.find("pile.profile=\"scan.csv\"\n"), std::string::npos);
+  EXPECT_EQ(c.text.find("pile.height_m"), std::string::npos);  // the text is a case: one of the two
+  expect_findings(check::check_case(c), {});
+}
+
+TEST(CheckCase, ProfileFaults) {
+  Checkout checkout;
+  use_profile(checkout, "13,0\n12,2\n16,6.5\n");
+  const int line = checkout.line("profile:");
+  const fs::path file = checkout.file(), scan = checkout.folder() / "scan.csv";
+  const std::string at = scan.string();
+  expect_findings(load_findings(checkout), {{file, line, "pile.profile",
+                                             at + ":4: x_m falls from 13 to 12; points run from"}});
+  write_text(scan, "x_m,z_m\n13,0\n");
+  expect_findings(load_findings(checkout),
+                  {{file, line, "pile.profile", at + ":2: 1 points; an outline has at least two"}});
+  write_text(scan, "x_m,z_m\n13,0\n20,0\n");
+  expect_findings(load_findings(checkout), {{file, line, "pile.profile",
+                                             "no rock is under a profile of 7 m length and 0 m"}});
+  fs::remove(scan);
+  expect_findings(load_findings(checkout),
+                  {{file, line, "pile.profile", at + ": cannot be opened"}});
+}
+
+TEST(CheckCase, ProfileThatLeavesTheDomain) {
+  Checkout checkout;
+  use_profile(checkout, "13,0\n16,6.5\n33,8\n60,25\n");
+  const fs::path scan = checkout.folder() / "scan.csv";
+  expect_findings(check(checkout, {{"domain.max_m", "[32, 28, 24]"}}),
+                  {{scan, 5, "pile.profile", "x_m is 33, outside of domain.max_m's 32; end the"},
+                   {scan, 6, "pile.profile", "z_m is 25, outside of domain.max_m's 24"}});
+  expect_findings(
+      check(checkout, {{"domain.max_m", "[61, 28, 26]"}}),
+      {{"--set", 0, "domain.max_m", "the rock for this pile is poured up to z = 55 m"}});
+}
+
+TEST(CheckCase, ProfileBesideWhatItReplaces) {
+  Checkout checkout;
+  const int toe = checkout.replace("toe_x_m", "toe_x_m: 13\nprofile: scan.csv");
+  write_text(checkout.folder() / "scan.csv", "x_m,z_m\n13,0\n16,6.5\n");
+  const std::string what =
+      "replaces pile.toe_x_m, pile.height_m, pile.crest_depth_m, pile.face_angle_deg";
+  expect_findings(
+      load_findings(checkout),
+      {{checkout.file(), toe, "pile.toe_x_m", what},
+       {checkout.file(), checkout.line("height_m"), "pile.height_m", what},
+       {checkout.file(), checkout.line("crest_depth_m"), "pile.crest_depth_m", what},
+       {checkout.file(), checkout.line("face_angle_deg"), "pile.face_angle_deg", what}});
+}
+
+/// The same by a scanned surface.
+void use_surface(Checkout& checkout, const mesh::TriangleMesh& mesh) {
+  use_profile(checkout, "");
+  checkout.replace("profile:", "profile: scan.STL");
+  write_text(checkout.folder() / "scan.STL", mesh::to_stl("scan", mesh));
+}
+
+double face(double x, double y) { return std::min(0.9 * (x - 13), 5 + 0.2 * y); }
+
+mesh::TriangleMesh scan(double half_width) {
+  return deck::height_field({13, 15, 17, 18, 19, 20, 21}, {-half_width, -1, 0, 2, half_width},
+                            face);
+}
+
+TEST(CheckCase, SurfaceInPlaceOfTheTrapezoid) {
+  Checkout checkout;
+  use_surface(checkout, scan(6));
+  std::vector<cases::Finding> findings;
+  const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+  ASSERT_TRUE(findings.empty()) << cases::to_string(findings[0]);
+  ASSERT_TRUE(c.pile.surface);
+  EXPECT_NEAR(c.pile.surface->height(20, 2), 5.4, 1e-6);
+  // Poured as high as the highest of it within the width.
+  EXPECT_NEAR(deck::pile_shape(c).height_m, 5 + 0.2 * c.pile.width_m / 2, 1e-6);
+  EXPECT_NEAR(deck::pile_shape(c).rear_x_m, 21, 1e-6);
+  EXPECT_NE(c.text.find("pile.profile=\"scan.STL\"\n"), std::string::npos);
+  expect_findings(check::check_case(c), {});
+}
+
+TEST(CheckCase, SurfaceThatIsNone) {
+  Checkout checkout;
+  use_surface(checkout, scan(6));
+  const int line = checkout.line("profile:");
+  const fs::path stl = checkout.folder() / "scan.STL";
+  const auto expect = [&](const std::string& text, const std::string& message) {
+    write_text(stl, text);
+    expect_findings(load_findings(checkout),
+                    {{checkout.file(), line, "pile.profile", stl.string() + message}});
+  };
+  expect("x_m,z_m\n13,0\n16,6.5\n", ":1: not an ascii STL file: 'x_m,z_m' where 'solid' belongs");
+  expect("", ": holds no facets");
+  expect("solid scan\nendsolid scan\n", ": holds no facets");
+  expect(
+      mesh::to_stl("scan", deck::height_field({13, 21}, {-6, 6}, [](double, double) { return 0; })),
+      ": no rock is under a profile of 8 m length and 0 m height");
+  fs::remove(stl);
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), line, "pile.profile", stl.string() + ": no such file"}});
+}
+
+TEST(CheckCase, SurfaceThatDoesNotFitTheBench) {
+  Checkout checkout;
+  use_surface(checkout, scan(3));
+  const int line = checkout.line("profile:");
+  const fs::path stl = checkout.folder() / "scan.STL";
+  const auto expect = [&](const mesh::TriangleMesh& mesh, const fs::path& file, int at,
+                          const std::string& message) {
+    write_text(stl, mesh::to_stl("scan", mesh));
+    expect_findings(check(checkout), {{file, at, "pile.profile", message}});
+  };
+  expect(scan(3), stl, 0, "leaves 24.7 % of the bench uncovered, x = 13 m, y = -4 m for one");
+  expect(
+      deck::height_field({13, 21}, {7, 9}, face), stl, 0,
+      "leaves 100 % of the bench uncovered, x = 13 m, y = -4 m for one; it lies at y = 7 to 9 m");
+  mesh::TriangleMesh mesh = scan(6);
+  deck::add(mesh, deck::height_field({18, 19}, {-1, 1}, [](double, double) { return 3; }));
+  expect(mesh, stl, 0, "overhangs: facets are at z = 3 m and 5.13 m at x = 18.9 m, y = 0.9 m");
+  expect(deck::height_field({13, 15, 21}, {-6, 6}, [](double x, double) { return x - 14; }), stl, 0,
+         "is 1 m under the ground at x = 13 m");
+  expect(deck::height_field({13, 33}, {-6, 6}, face), checkout.file(), line,
+         "reaches x = 33 m, 1 m outside of domain.max_m's 32");
+  write_text(stl, mesh::to_stl("scan", deck::height_field({13, 21}, {-6, 6}, [](double x, double) {
+                                 return 1.5 * (x - 13);
+                               })));
+  expect_findings(check(checkout), {{checkout.file(), checkout.line("max_m"), "domain.max_m",
+                                     "the rock for this pile is poured up to z = 26.4 m"}});
+}
+
+TEST(CheckCase, SurfaceBesideWhatItReplaces) {
+  Checkout checkout;
+  use_surface(checkout, scan(6));
+  checkout.replace("profile:", "profile: scan.STL\ntoe_x_m: 13");
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), checkout.line("toe_x_m"), "pile.toe_x_m",
+                    "pile.profile is there as well and replaces pile.toe_x_m"}});
+}
+
+TEST(CheckCase, HeldLayerInACrust) {
+  Checkout checkout;
+  const int line = checkout.replace("toe_x_m", "toe_x_m: 13\nheld_layer_m: 0.5") + 1;
+  std::vector<cases::Finding> findings;
+  cases::load_case(checkout.folder(), {{"crust.tensile_strength_Pa", "1e5"}}, findings);
+  expect_findings(findings,
+                  {{checkout.file(), line, "pile.held_layer_m", "cannot be used with a crust"}});
+}
+
+TEST(CheckCase, EffectOnWhatAProfileReplaces) {
+  Checkout checkout;
+  use_profile(checkout, "13,0\n16,6.5\n20,6\n");
+  std::vector<cases::Finding> findings;
+  cases::load_case(checkout.folder(), {{"effects.pile_height", "1"}}, findings);
+  expect_findings(findings, {{"--set", 0, "effects.pile_height",
+                              "changes pile.height_m, which pile.profile replaces"}});
+}
+
+/// The case's classes replaced by a sieve curve.
+void use_sieve(const Checkout& checkout, const std::string& rows, const std::string& keys) {
+  const std::string text = read_text(checkout.file());
+  const auto from = std::min(text.find("  classes:"), text.find("  sieve:")),
+             to = text.find("contact:");
+  write_text(checkout.file(),
+             text.substr(0, from) + "  sieve: {file: sieve.csv, " + keys + "}\n" + text.substr(to));
+  write_text(checkout.folder() / "sieve.csv", "size_m,passing_percent\n" + rows);
+}
+
+TEST(CheckCase, SieveCurveInPlaceOfClasses) {
+  Checkout checkout;
+  use_sieve(checkout, "0.15,0\n0.25,40\n0.4,60\n0.8,100\n",
+            "classes: 3, spheres_below_m: 0.25, shapes: [block, shard]");
+  std::vector<cases::Finding> findings;
+  const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+  ASSERT_TRUE(findings.empty()) << cases::to_string(findings[0]);
+  ASSERT_EQ(c.rock.classes.size(), 3U);
+  EXPECT_EQ(c.rock.classes[0].shapes, std::vector<std::string>{"sphere"});
+  EXPECT_EQ(c.rock.classes[2].shapes, (std::vector<std::string>{"block", "shard"}));
+  EXPECT_NE(c.text.find("rock.classes.2.size_m="), std::string::npos);
+  EXPECT_EQ(c.text.find("rock.sieve"), std::string::npos);  // the text is a case: one of the two
+  expect_findings(check(checkout), {});
+}
+
+TEST(CheckCase, SieveFaults) {
+  Checkout checkout;
+  use_sieve(checkout, "0.15,0\n0.25,140\n", "classes: 3");
+  const int line = checkout.line("sieve:");
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), line, "rock.sieve.file", "sieve.csv:3: passing_percent is"}});
+  use_sieve(checkout, "0.15,0\n0.25,100\n", "min_size_m: 0.3");
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), line, "rock.sieve", "nothing between the smallest size"}});
+}
+
+TEST(CheckCase, SieveAndClasses) {
+  Checkout checkout;
+  const int line = checkout.replace("coarse_graining", "coarse_graining: 2\nsieve: {file: a.csv}");
+  expect_findings(load_findings(checkout),
+                  {{checkout.file(), line + 1, "rock.sieve",
+                    "the case has rock.classes as well; write the sizes"}});
+}
+
+TEST(CheckCase, ClassWithoutARock) {
+  Checkout checkout;
+  const int line = checkout.replace(
+      "name: d600", "- {name: d600, size_m: 9.5, mass_percent: 44, shapes: [block]}");
+  expect_findings(check(checkout), {{checkout.file(), line, "rock.classes.3.mass_percent",
+                                     "rocks of d600; for one write a size_m below "}});
+}
+
+TEST(CheckCase, WindowLongerThanTheRun) {
+  Checkout checkout;
+  const int sync = checkout.replace("sync_steps", "sync_steps: 100000");
+  expect_findings(check(checkout, {{"end_s", "5"}, {"dem.timestep_s", "1e-4"}}),
+                  {{checkout.file(), sync, "coupling.sync_steps",
+                    "a window of 100000 steps takes 10 s, longer than the 5 s simulated; at most "
+                    "50000 steps"}});
+}
+
+TEST(CheckCase, EndBeforeTheMotion) {
+  Checkout checkout;
+  const fs::path motion = checkout.folder() / "motion.csv";
+  std::string text = read_text(motion);
+  const auto first = text.find("\n0.0");  // the first row's time
+  ASSERT_NE(first, std::string::npos);
+  text.replace(first, text.find(',', first) - first, "\n0.2");
+  write_text(motion, text);
+  const int line = checkout.replace("seed", "seed: 1\nend_s: 0.1") + 1;
+  expect_findings(check(checkout), {{checkout.file(), line, "end_s",
+                                     "0.1 s is before the motion starts, at 0.2 s"}});
+}
+
+TEST(CheckCase, BodiesThatTheMachineDoesNotHave) {
+  Checkout checkout;
+  const int line = checkout.replace("dipper:", "bucket: ../../meshes/dipper.stl");
+  expect_findings(check(checkout), {{checkout.file(), line, "bodies.bucket",
+                                     "the machine moves no such body; it has dipper and door"},
+                                    {checkout.file(), checkout.line("bodies"), "bodies.dipper",
+                                     "missing key; without it nothing digs"}});
+}
+
+TEST(CheckCommand, SoundCase) {
+  const Checkout checkout;
+  std::ostringstream out;
+  EXPECT_EQ(check_command(checkout.folder(), {}, out), 0);
+  EXPECT_THAT(
+      out.str(),
+      MatchesRegex("quick is sound: about [0-9]+ rocks, [0-9.]+ s simulated in [0-9]+ "
+                   "steps and [0-9]+ windows of [0-9.]+ ms, after [0-9]+ steps that settle "
+                   "the pile; the step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"));
+}
+
+TEST(CheckCommand, PrintsEveryFindingAndTheirNumber) {
+  Checkout checkout;
+  const int line = checkout.replace("ranks", "ranks: none");
+  std::ostringstream out;
+  EXPECT_EQ(check_command(checkout.folder(), {{"dem.timestep_s", "-1"}}, out), 2);
+  EXPECT_EQ(out.str(), "--set: dem.timestep_s: -1 is out of range; allowed is > 0 and <= 0.1 s\n" +
+                           checkout.file().string() + ":" + std::to_string(line) +
+                           ": dem.ranks: is 'none'; write a whole number\n2 errors\n");
+}
+
+}  // namespace
+}  // namespace dipper::check

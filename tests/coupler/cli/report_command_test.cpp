@@ -1,0 +1,126 @@
+// `dipper report` on dumps that are no run's: what it computes, and what it refuses.
+#include "coupler/cli/report_command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "common/mesh/stl.hpp"
+#include "tests/analysis/dump_files.hpp"
+#include "tests/analysis/tray.hpp"
+
+namespace dipper::cli {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// A layer of spheres on the ground, 0.2 m apart, and ten in the tray's cavity that rests at
+/// (0, 0, 5).
+void write_dumps(const analysis::Scratch& s) {
+  for (const long step : {0, 100}) {
+    std::string rows;
+    int id = 0;
+    for (int i = 0; i < 30; ++i)
+      for (int j = 0; j < 10; ++j)
+        rows += std::to_string(++id) + " " + std::to_string(5 + 0.2 * i) + " " +
+                std::to_string(0.2 * j) + " 0.1 0.1 2500\n";
+    for (int i = 0; i < 10; ++i)
+      rows += std::to_string(++id) + " " + std::to_string(0.15 + 0.15 * i) + " 0 5 0.1 2500\n";
+    s.write("post/dump" + std::to_string(step) + ".liggghts",
+            analysis::text_frame(step, 310, "id x y z radius density", rows));
+  }
+  s.write("tray.stl", mesh::to_stl("tray", analysis::tray()));
+  s.write("tray.csv", "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,5,1,0,0,0\n1,0,0,5,1,0,0,0\n");
+}
+
+ReportWords words(const analysis::Scratch& s) {
+  ReportWords w;
+  w.folder = (s.folder() / "post").string();
+  w.timestep_s = 1e-3;
+  return w;
+}
+
+nlohmann::json metrics_of(const analysis::Scratch& s) {
+  std::ifstream in(s.folder() / "post/report/metrics.json");
+  return nlohmann::json::parse(in);
+}
+
+constexpr double kBall_kg = 2500 * 4.0 / 3.0 * M_PI * 1e-3;
+
+TEST(ReportCommand, WorksOnDumpsAlone) {
+  const analysis::Scratch s;
+  write_dumps(s);
+  EXPECT_EQ(report_command(words(s)), 0);
+  const auto m = metrics_of(s);
+  EXPECT_EQ(m["source"]["kind"], "dumps");
+  EXPECT_EQ(m["source"]["mass_from"], "spheres");
+  EXPECT_NEAR(m["frames"]["rock_kg"][1], 310 * kBall_kg, 1e-6);
+  EXPECT_NEAR(m["frames"]["time_s"][1], 0.1, 1e-12);
+  EXPECT_FALSE(m.contains("passes"));
+  EXPECT_FALSE(m.contains("dipper"));
+  EXPECT_FALSE(m["frames"].contains("in_dipper_kg"));
+  EXPECT_NEAR(m["sizes"][0]["size_m"], 0.2, 1e-9);
+  EXPECT_TRUE(fs::exists(s.folder() / "post/report/frames.csv"));
+}
+
+TEST(ReportCommand, WithAMeshAndPosesItKnowsTheDippersLoad) {
+  const analysis::Scratch s;
+  write_dumps(s);
+  ReportWords w = words(s);
+  w.mesh = (s.folder() / "tray.stl").string();
+  w.poses = (s.folder() / "tray.csv").string();
+  EXPECT_EQ(report_command(w), 0);
+  const auto m = metrics_of(s);
+  EXPECT_NEAR(m["dipper"]["struck_volume_m3"], 3.0, 0.03);
+  EXPECT_NEAR(m["frames"]["in_dipper_kg"][0], 10 * kBall_kg, 1e-6);
+  EXPECT_NEAR(m["frames"]["bulk_kg"][0], 10 * kBall_kg, 1e-6);
+}
+
+/// Exit status 2, the message on stderr, and no report nor half of one.
+std::string refused(const analysis::Scratch& s, const ReportWords& w) {
+  testing::internal::CaptureStderr();
+  const int status = report_command(w);
+  const std::string message = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(status, 2) << message;
+  for (const auto& entry : fs::directory_iterator(s.folder() / "post"))
+    EXPECT_TRUE(entry.is_regular_file()) << entry.path();
+  return message;
+}
+
+TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
+  const analysis::Scratch s;
+  write_dumps(s);
+  ReportWords w = words(s);
+  w.mesh = (s.folder() / "tray.stl").string();
+  EXPECT_THAT(refused(s, w), HasSubstr("--mesh and --poses"));
+  w.poses = s.write("bad.csv", "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,5,2,0,0,0\n").string();
+  EXPECT_THAT(refused(s, w), HasSubstr("bad.csv:2: qw ... qz is no rotation"));
+  s.write("bad.csv", "time_s,x_m\n");
+  EXPECT_THAT(refused(s, w), HasSubstr("bad.csv:1: the first line is"));
+
+  mesh::TriangleMesh open = analysis::tray();
+  open.triangles.erase(open.triangles.begin() + 4);
+  w.mesh = s.write("open.stl", mesh::to_stl("open", open)).string();
+  w.poses = (s.folder() / "tray.csv").string();
+  EXPECT_THAT(refused(s, w), HasSubstr("open.stl: does not enclose a volume: facet"));
+  w.mesh = s.write("not.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n").string();
+  EXPECT_THAT(refused(s, w), HasSubstr("not.stl:5: "));
+
+  ReportWords plain = words(s);
+  s.write("post/dump100.liggghts",
+          analysis::text_frame(100, 310, "id x y z radius density", "1 0 0 0 1 1\n"));
+  EXPECT_THAT(refused(s, plain),
+              HasSubstr("dump100.liggghts:11: the frame of step 100 ends after 1"));
+  s.write("post/dump100.liggghts", analysis::text_frame(100, 1, "id x y z density", "1 0 0 0 1\n"));
+  EXPECT_THAT(refused(s, plain), HasSubstr("dump100.liggghts:9: particles without radius"));
+  s.write("post/dump100.liggghts",
+          analysis::text_frame(100, 1, "id x y z radius mass", "1 0 0 0 0.1 1\n"));
+  plain.timestep_s.reset();
+  EXPECT_THAT(refused(s, plain), HasSubstr("the time step is not known"));
+}
+
+}  // namespace
+}  // namespace dipper::cli

@@ -1,0 +1,70 @@
+// dem_in/default is what write_deck gives for quick_case(). DIPPER_UPDATE=1 writes it anew.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "coupler/deck/contact_table.hpp"
+#include "coupler/deck/deck.hpp"
+#include "coupler/deck/pile_shape.hpp"
+#include "tests/coupler/deck/liggghts_run.hpp"
+#include "tests/coupler/deck/quick_case.hpp"
+
+namespace dipper::deck {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kSource = DIPPER_SOURCE;
+
+std::set<std::string> names(const fs::path& folder) {
+  std::set<std::string> out;
+  for (const auto& entry : fs::directory_iterator(folder)) out.insert(entry.path().filename());
+  return out;
+}
+
+TEST(DefaultDeck, IsUpToDate) {
+  const fs::path kept = kSource / "dem_in/default", shapes = kSource / "meshes/rocks";
+  if (std::getenv("DIPPER_UPDATE") != nullptr) {
+    fs::remove_all(kept);
+    write_deck(quick_case(), shapes, kept);
+  }
+  const fs::path fresh = fresh_folder("default");
+  write_deck(quick_case(), shapes, fresh);
+  EXPECT_EQ(names(fresh), names(kept));
+  for (const std::string& name : names(fresh))
+    EXPECT_EQ(read_text(fresh / name), read_text(kept / name)) << name;
+}
+
+TEST(DefaultDeck, ClassesHoldTheirShareOfTheMass) {
+  const cases::Case c = quick_case();
+  const std::vector<ClassCount> counts = rock_counts(c);
+  const std::vector<RockClass> classes = rock_classes(c);
+  ASSERT_EQ(counts.size(), c.rock.classes.size());
+  double all = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) all += counts[i].rocks * classes[i].mass_kg;
+  EXPECT_NEAR(all, pile_shape(c).mass_kg, 1e-9 * all);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    EXPECT_NEAR(counts[i].rocks * classes[i].mass_kg / all, c.rock.classes[i].mass_percent / 100,
+                1e-9)
+        << counts[i].name;
+}
+
+TEST(DefaultDeck, RefusesAPileWithoutItsLargestRock) {
+  const cases::Case c = quick_case();
+  cases::Case few = c;
+  few.rock.coarse_graining = 12;
+  EXPECT_THROW(write_deck(few, kSource / "meshes/rocks", fresh_folder("few")),
+               std::invalid_argument);
+}
+
+TEST(DefaultDeck, RefusesBodiesTheDeckDoesNotKnow) {
+  cases::Case c = quick_case();
+  c.bodies["handle"] = "meshes/door.stl";
+  EXPECT_THROW(write_deck(c, kSource / "meshes/rocks", fresh_folder("bodies")),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dipper::deck

@@ -1,0 +1,219 @@
+"""A short paired run through real LCM, LIGGGHTS and Simbody."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+from runs import DIPPER, PATIENCE_S, TINY, RunTest
+
+
+class PairedRun(RunTest):
+    def test_same_seed_same_state(self):
+        for name in ("a", "b"):
+            self.run_case(self.folder / name)
+        a, b = (self.summary(self.folder / name) for name in ("a", "b"))
+        self.assertEqual(a["status"], "complete")
+        self.assertEqual(len(a["state_hash"]), 64)
+        self.assertEqual(a["state_hash"], b["state_hash"])
+        self.assertEqual(a["coupling"]["foreign_messages"], 0)
+        self.assertEqual(a["dem"]["steps"], 7000)
+        self.assertEqual(a["coupling"]["syncs"], 700)
+        self.check_record(self.folder / "a")
+        self.check_dumps(self.folder / "a")
+
+    def check_record(self, run):
+        with h5py.File(run / "record.h5", "r") as f:
+            t = f["time_s"][:]
+            self.assertEqual(len(t), 701)
+            np.testing.assert_allclose(t, np.arange(701) * 3e-3, atol=1e-12)
+            for name in ("machine/hoist_force", "machine/crowd_force", "machine/rope_tension_left",
+                         "machine/swing", "rock/mass_in_dipper", "bodies/dipper/wrench_mean",
+                         "coupling/energy_residual"):
+                self.assertEqual(len(f[name]), 701, name)
+                self.assertTrue(f[name].attrs["unit"], name)
+                self.assertTrue(f[name].attrs["frame"], name)
+            self.assertIn(b"seed", f.attrs["case"])
+            # The walls are where the machine is, but for the correction of the last window.
+            for body in ("dipper", "door"):
+                off = f[f"bodies/{body}/pose"][:, :3] - f[f"bodies/{body}/wall_pose"][:, :3]
+                self.assertLess(np.abs(off).max(), 2e-3)
+            # The dipper has met rock, and the rock pushes back, away from the face.
+            force = f["bodies/dipper/wrench_mean"][:, 3:]
+            self.assertGreater(np.linalg.norm(force, axis=1).max(), 1e5)
+            self.assertLess(force[:, 0].min(), -1e5)
+
+    def check_dumps(self, run):
+        for series in ("rocks.vtp.series", "dipper.vtk.series", "door.vtk.series",
+                       "truck.vtk.series"):
+            frames = json.loads((run / "dumps" / series).read_text())["files"]
+            self.assertEqual([round(f["time"], 6) for f in frames],
+                             [round(0.3 * k, 6) for k in range(8)])
+            for f in frames:
+                self.assertTrue((run / "dumps" / f["name"]).stat().st_size > 0)
+
+    def test_each_side_replays_to_the_bit(self):
+        self.run_case(self.folder / "r")
+        for side, requests in (("dem", 700), ("mbs", 1400)):
+            done = subprocess.run([DIPPER, "replay", self.folder / "r", "--side", side], text=True,
+                                  capture_output=True, timeout=PATIENCE_S)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("to the bit", done.stdout)
+            self.assertGreater(int(done.stdout.split()[1]), requests)
+
+    def test_dumps_open_with_the_readers_users_have(self):
+        self.run_case(self.folder / "d")
+        reader = pathlib.Path(__file__).parents[2] / "scripts" / "dumps_open"
+        done = subprocess.run([reader, self.folder / "d"], text=True, capture_output=True,
+                              timeout=PATIENCE_S)
+        if done.returncode == 77:
+            self.skipTest("python3-vtk9 is not installed")
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_a_run_can_be_drawn(self):
+        self.run_case(self.folder / "p")
+        plot = pathlib.Path(__file__).parents[3] / "scripts" / "plot_run"
+        done = subprocess.run([plot, self.folder / "p"], text=True, capture_output=True, timeout=PATIENCE_S)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertGreater((self.folder / "p" / "run.png").stat().st_size, 20000)
+
+    @unittest.skipIf(os.cpu_count() < 2, "two ranks need two cores")
+    def test_other_work_on_a_core_takes_its_share_and_no_more(self):
+        self.run_case(self.folder / "first", "--ranks", "2")  # with it, the pile
+        took = []
+        for name in ("alone", "beside"):
+            busy = None if name == "alone" else subprocess.Popen(["sh", "-c", "while :; do :; done"])
+            begin = time.monotonic()
+            try:
+                self.run_case(self.folder / name, "--ranks", "2")
+            finally:
+                took.append(time.monotonic() - begin)
+                if busy:
+                    busy.kill()
+                    busy.wait()
+        # Three tasks on two cores; a rank that yielded to the other work took fifty times as long.
+        self.assertLess(took[1], 8 * took[0])
+
+    def test_serial_scheme_can_be_chosen(self):
+        self.run_case(self.folder / "s", "--set", "coupling.scheme=serial", "--ranks", "1")
+        self.assertEqual(self.summary(self.folder / "s")["coupling"]["scheme"], "serial")
+
+    def test_a_resumed_run_ends_like_an_uninterrupted_one(self):
+        self.run_case(self.folder / "whole")
+        self.run_case(self.folder / "parts", "--set", "end_s=1.8")
+        self.run_case(self.folder / "parts", "--resume")
+        whole, parts = self.folder / "whole", self.folder / "parts"
+        self.assertEqual(self.summary(parts)["dem"]["steps"], 7000)
+        with h5py.File(whole / "record.h5") as a, h5py.File(parts / "record.h5") as b:
+            np.testing.assert_array_equal(a["time_s"][:], b["time_s"][:])
+            np.testing.assert_array_equal(a["step_index"][:], b["step_index"][:])
+            # To the bit up to the checkpoint; then only the order of sums differs.
+            before = slice(0, np.searchsorted(b["time_s"][:], 1.8 + 1e-9))
+            for name in ("bodies/dipper/pose", "bodies/dipper/wrench_mean", "machine/crowd_force"):
+                np.testing.assert_array_equal(a[name][before], b[name][before], name)
+            np.testing.assert_allclose(a["bodies/dipper/pose"][:, :3], b["bodies/dipper/pose"][:, :3],
+                                       rtol=0, atol=1e-9)
+            force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
+            np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-5 * np.abs(force_a).max())
+
+    def observed(self, *command):
+        """hoist and crowd force of signals.csv that a command writes, kN."""
+        out = self.folder / "observed"
+        done = subprocess.run([DIPPER, *command, "--out", out, "--set", "observation.rate_Hz=5"],
+                              text=True, capture_output=True, timeout=PATIENCE_S)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return np.loadtxt(out / "signals.csv", delimiter=",", skiprows=1)
+
+    def test_effects_change_a_run_as_they_do_its_replayed_machine(self):
+        run, worn = self.folder / "plain", self.folder / "worn"
+        self.run_case(run, "--ranks", "1")
+        self.run_case(worn, "--ranks", "1", "--set", "effects.crowd_friction=100")
+        self.assertEqual(self.summary(worn)["effects"], {"crowd_friction": 100})
+        # Friction does not move the dipper: the rock is the same to the bit.
+        self.assertEqual(self.summary(run)["passes"][0]["payload_kg"],
+                         self.summary(worn)["passes"][0]["payload_kg"])
+        plain = self.observed("observe", run)
+        again = self.observed("replay", run, "--side", "mbs")
+        np.testing.assert_allclose(again, plain, rtol=0, atol=1e-6)
+        replayed = self.observed("replay", run, "--side", "mbs", "--set", "effects.crowd_friction=100")
+        np.testing.assert_allclose(replayed, self.observed("observe", worn), rtol=0, atol=1e-3)
+        # The crowd moves out from 1 s on; its force is 100 kN more, the hoist's the same.
+        np.testing.assert_allclose(replayed[5:, 5] - plain[5:, 5], 100, atol=0.5)
+        np.testing.assert_allclose(replayed[:, 4], plain[:, 4], rtol=1e-9)
+        files = {p.name for p in (run / "observed").iterdir()}
+        self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})
+        # A machine that could not run is not replayed either: its dipper would be in the ground.
+        sunk = ("--set", "machine.base_position_m=[0, 0, -5]")
+        errors = subprocess.run([DIPPER, "check", TINY, *sunk], text=True, capture_output=True)
+        done = subprocess.run([DIPPER, "replay", run, "--side", "mbs", "--out", self.folder / "no",
+                               *sunk], text=True, capture_output=True, timeout=PATIENCE_S)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        said = [line[line.index("domain.min_m:"):] for line in errors.stdout.splitlines()[:-1]]
+        self.assertEqual([line[line.index("domain.min_m:"):] for line in done.stderr.splitlines()],
+                         said)
+        self.assertFalse((self.folder / "no").exists())
+
+    def test_a_case_that_is_elsewhere_now_is_named(self):
+        gone = self.folder / "tests" / "run" / "gone"
+        shutil.copytree(TINY, gone)
+        for beside in ("meshes", "mbs", "cases"):  # the case names files there
+            (self.folder / beside).symlink_to(TINY.parents[3] / beside)
+        self.run_case(self.folder / "run", "--ranks", "1", "--set", "end_s=0.3", case=gone)
+        shutil.rmtree(gone)
+        again = [DIPPER, "replay", self.folder / "run", "--side", "mbs", "--out", self.folder / "seen", "--set",
+                 "effects.crowd_friction=100"]
+        lost = subprocess.run(again, text=True, capture_output=True, timeout=PATIENCE_S)
+        self.assertEqual(lost.returncode, 2)
+        self.assertIn(str(gone), lost.stderr)
+        found = subprocess.run([*again, "--case", TINY], text=True, capture_output=True, timeout=PATIENCE_S)
+        self.assertEqual(found.returncode, 0, found.stderr)
+        self.assertTrue((self.folder / "seen" / "signals.csv").is_file())
+
+    def test_a_run_that_holds_rock_replays_and_resumes(self):
+        hold = ("--ranks", "1", "--set", "dem.hold_below_m_s=0.3")
+        self.run_case(self.folder / "whole", *hold)
+        self.run_case(self.folder / "parts", "--set", "end_s=1.8", *hold)
+        self.run_case(self.folder / "parts", "--resume", *hold)
+        done = subprocess.run([DIPPER, "replay", self.folder / "whole", "--side", "dem"], text=True,
+                              capture_output=True, timeout=PATIENCE_S)
+        self.assertIn("to the bit", done.stdout)
+        with h5py.File(self.folder / "whole" / "record.h5") as a, \
+                h5py.File(self.folder / "parts" / "record.h5") as b:
+            mass, parked = a["rock/rock_mass"][:], a["rock/rock_parked"][:]
+            self.assertGreater(parked.max(), 0.2 * mass[0])
+            self.assertEqual(parked[0], 0)
+            np.testing.assert_allclose(mass, mass[0], rtol=1e-12)  # what is out is counted
+            before = slice(0, np.searchsorted(b["time_s"][:], 1.8 + 1e-9))
+            for name in ("bodies/dipper/wrench_mean", "rock/rock_parked"):
+                np.testing.assert_array_equal(a[name][before], b[name][before], name)
+            np.testing.assert_allclose(parked, b["rock/rock_parked"][:], rtol=1e-12)  # the same rests
+            force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
+            np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-3 * np.abs(force_a).max())
+
+    def test_bad_input_starts_nothing_and_writes_nothing(self):
+        out, err = self.run_case(self.folder / "x", "--set", "rock.density_t_m3=3.2",
+                                 "--set", "coupling.sync_steps=0", status=2)
+        self.assertIn("density_kg_m3", out)
+        self.assertIn("sync_steps", out)
+        self.assertFalse((self.folder / "x").exists())
+
+    def test_a_result_is_never_written_over(self):
+        self.run_case(self.folder / "once", "--set", "end_s=0.03", "--ranks", "1")
+        before = (self.folder / "once" / "record.h5").read_bytes()
+        _, err = self.run_case(self.folder / "once", status=2)
+        self.assertIn("holds a run already", err)
+        self.assertEqual((self.folder / "once" / "record.h5").read_bytes(), before)
+
+    def test_resuming_nothing_is_bad_usage(self):
+        _, err = self.run_case(self.folder / "none", "--resume", status=2)
+        self.assertIn("no run to resume", err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,159 @@
+// A whole coupled run over a network that loses, repeats and swaps messages must be the very run
+// that a perfect network gives: every window once, in order.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "coupler/core/coupling.hpp"
+#include "coupler/transport/codec.hpp"
+#include "coupler/transport/memory_transport.hpp"
+#include "coupler/transport/remote.hpp"
+#include "coupler/transport/serve.hpp"
+#include "tests/coupler/transport/pair_fakes.hpp"
+
+namespace dipper::transport {
+namespace {
+
+using namespace std::chrono_literals;
+
+core::Envelope identity() { return {"token", "run", "case", 0, 0, 0}; }
+
+/// Master in this thread, both sides in threads of their own.
+class LossyPair {
+ public:
+  explicit LossyPair(const Faults& faults) : network_(faults) {
+    from_dem_ = network_.connect({Channels::from_dem});
+    from_mbs_ = network_.connect({Channels::from_mbs});
+    auto dem = network_.connect({Channels::to_dem});
+    auto mbs = network_.connect({Channels::to_mbs});
+    const auto alive = [this] { return !over_; };
+    dem_thread_ = std::thread([this, alive, t = std::shared_ptr<Transport>(std::move(dem))] {
+      try {
+        serve(
+            *t, Channels::to_dem, Channels::from_dem, identity(),
+            [this](const core::Message& m) { return answer(rock, m); }, alive);
+      } catch (const std::exception&) {  // told to the master as a status
+      }
+    });
+    mbs_thread_ = std::thread([this, alive, t = std::shared_ptr<Transport>(std::move(mbs))] {
+      serve(
+          *t, Channels::to_mbs, Channels::from_mbs, identity(),
+          [this](const core::Message& m) { return answer(machine, m); }, alive);
+    });
+    LinkOptions options;
+    options.resend = 5ms;
+    options.timeout = 20s;
+    dem_link = std::make_unique<Link>("dem", *from_dem_, Channels::to_dem, Channels::from_dem,
+                                      identity(), options);
+    mbs_link = std::make_unique<Link>("mbs", *from_mbs_, Channels::to_mbs, Channels::from_mbs,
+                                      identity(), options);
+  }
+  ~LossyPair() {
+    over_ = true;
+    dem_thread_.join();
+    mbs_thread_.join();
+  }
+  std::vector<double> run(int windows) {
+    RemoteMachine remote_machine(*mbs_link);
+    RemoteRock remote_rock(*dem_link);
+    core::Coupling coupling(remote_machine, remote_rock, core::Scheme::corrected);
+    coupling.start();
+    std::vector<double> x;
+    for (int i = 0; i < windows; ++i) {
+      x.push_back(coupling.advance(5).machine.bodies[0].X_WB.p.x());
+    }
+    return x;
+  }
+
+  FakeMachine machine;
+  FakeRock rock;
+  std::unique_ptr<Link> dem_link, mbs_link;
+  MemoryNetwork& network() { return network_; }
+
+ private:
+  MemoryNetwork network_;
+  std::unique_ptr<Transport> from_dem_, from_mbs_;
+  std::atomic<bool> over_{false};
+  std::thread dem_thread_, mbs_thread_;
+};
+
+std::vector<double> reference(int windows) {
+  FakeMachine machine;
+  FakeRock rock;
+  core::Coupling coupling(machine, rock, core::Scheme::corrected);
+  coupling.start();
+  std::vector<double> x;
+  for (int i = 0; i < windows; ++i) {
+    x.push_back(coupling.advance(5).machine.bodies[0].X_WB.p.x());
+  }
+  return x;
+}
+
+TEST(LossyLink, APerfectNetworkNeedsNoResend) {
+  LossyPair pair({});
+  EXPECT_EQ(pair.run(50), reference(50));
+  EXPECT_EQ(pair.dem_link->counts().foreign, 0);
+}
+
+TEST(LossyLink, DropsDuplicatesAndSwapsChangeNothing) {
+  constexpr int kWindows = 200;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    LossyPair pair({0.1, 0.1, 0.1, seed});
+    EXPECT_EQ(pair.run(kWindows), reference(kWindows)) << "seed " << seed;
+    EXPECT_EQ(pair.rock.windows, kWindows);
+    EXPECT_EQ(pair.machine.commits, kWindows);
+    EXPECT_GT(pair.dem_link->counts().resends, 0);
+    EXPECT_GT(pair.dem_link->counts().repeated, 0);
+  }
+}
+
+TEST(LossyLink, StrangersAndGarbageAreCountedAndIgnored) {
+  LossyPair pair({});
+  auto stranger = pair.network().connect({});
+  core::Envelope other = identity();
+  other.run_token = "another run";
+  for (int i = 0; i < 20; ++i) {
+    stranger->publish(Channels::from_dem, encode({other, core::Status{true, "{}"}}));
+    stranger->publish(Channels::to_dem, encode({other, core::Command{core::Action::stop, ""}}));
+    stranger->publish(Channels::from_dem, "not a message at all");
+  }
+  EXPECT_EQ(pair.run(20), reference(20));
+  EXPECT_EQ(pair.dem_link->counts().foreign, 40);
+}
+
+TEST(LossyLink, ANaNStopsTheRunNamingSideStepAndBody) {
+  LossyPair pair({});
+  pair.rock.sick_from = 15;
+  try {
+    pair.run(10);
+    FAIL() << "a NaN went through";
+  } catch (const std::runtime_error& e) {
+    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("dem"), testing::HasSubstr("'body'"),
+                                         testing::HasSubstr("sync step 2")));
+  }
+}
+
+TEST(LossyLink, ASideThatThrowsIsHeardWithItsOwnWords) {
+  LossyPair pair({});
+  RemoteRock rock(*pair.dem_link);
+  try {
+    pair.dem_link->ask(core::WallWrench{}, 0, 0);  // a rock takes no wrenches
+    FAIL();
+  } catch (const PeerError& e) {
+    EXPECT_EQ(e.side, "dem");
+    EXPECT_THAT(e.what(), testing::HasSubstr("motions and commands only"));
+  }
+}
+
+TEST(LossyLink, SilenceEndsInATimeout) {
+  MemoryNetwork network;
+  auto alone = network.connect({Channels::from_dem});
+  LinkOptions options;
+  options.timeout = 300ms;
+  Link link("dem", *alone, Channels::to_dem, Channels::from_dem, identity(), options);
+  EXPECT_THROW(link.ask(core::Command{core::Action::hello, ""}, 0, 0), PeerError);
+}
+
+}  // namespace
+}  // namespace dipper::transport

@@ -1,0 +1,89 @@
+#include "machine/machine_data.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "common/input_error.hpp"
+
+namespace dipper::machine {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::filesystem::path kMachine = std::filesystem::path(DIPPER_SOURCE) / "mbs/bucyrus495.yaml";
+
+/// The faults of the real file after replacing its first `from` by `to`.
+std::vector<std::string> faults_with(const std::string& from, const std::string& to) {
+  std::ifstream in(kMachine);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos);
+  text.replace(at, from.size(), to);
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto file =
+      std::filesystem::path(testing::TempDir()) / (std::string(test->name()) + ".yaml");
+  std::ofstream(file) << text;
+  try {
+    load_machine(file);
+  } catch (const InputError& e) {
+    return e.messages();
+  }
+  return {};
+}
+
+TEST(MachineData, HoldsThePapersNumbers) {
+  const MachineData m = load_machine(kMachine);
+  EXPECT_EQ(m.machine, "Bucyrus 495");
+  EXPECT_EQ(m.dipper.struck_volume, 42);
+  EXPECT_EQ(m.dipper.inside, Vector3d(4, 4, 3));
+  EXPECT_NEAR(m.dipper.base_rake, 61.8 * M_PI / 180, 1e-12);
+  EXPECT_EQ(m.rope.elastic_fraction, 0.3);
+  EXPECT_EQ(m.dipper.mass + m.door.mass, 50e3);
+  EXPECT_LE(m.limits.crowd_min, -1.5);
+  EXPECT_GE(m.limits.crowd_max, 3);
+}
+
+TEST(MachineData, NamesAnUnknownKey) {
+  EXPECT_THAT(faults_with("sheave_radius:", "sheave_radios:"),
+              testing::UnorderedElementsAre(HasSubstr("missing boom.sheave_radius"),
+                                            HasSubstr("unknown key boom.sheave_radios")));
+  EXPECT_THAT(
+      faults_with("\nrope:", "\nrope_:"),
+      testing::UnorderedElementsAre(HasSubstr("missing rope"), HasSubstr("unknown key rope_")));
+}
+
+TEST(MachineData, NamesAWrongUnitWithItsLine) {
+  EXPECT_THAT(
+      faults_with("unit: kg m^2", "unit: t m^2"),
+      ElementsAre(testing::ContainsRegex(
+          "yaml:[0-9]+:[0-9]+: house.swing_inertia has unit \"t m.2\"; it must be \"kg m.2\"")));
+}
+
+TEST(MachineData, WantsANumberAUnitAndASource) {
+  EXPECT_THAT(faults_with("value: 1.2,", "value: wide,"),
+              Contains(HasSubstr("must be a finite number")));
+  EXPECT_THAT(faults_with("value: 1.2,", "value: -1.2,"), Contains(HasSubstr("must be positive")));
+  EXPECT_THAT(faults_with("value: 1.2,", "value: .nan,"),
+              Contains(HasSubstr("must be a finite number")));
+  EXPECT_THAT(faults_with("value: 1.2, ", ""),
+              Contains(HasSubstr("boom.sheave_radius lacks value")));
+  EXPECT_THAT(faults_with("source: \"paper 2.2\"", "source: \"\""),
+              Contains(HasSubstr("needs a source")));
+  EXPECT_THAT(faults_with("[16.83, 0.0, 18.43]", "[16.83, 18.43]"),
+              Contains(HasSubstr("three numbers")));
+}
+
+TEST(MachineData, SaysWhenTheFileIsNotThereOrNotYaml) {
+  EXPECT_THROW(load_machine("/nowhere/machine.yaml"), InputError);
+  EXPECT_THAT(faults_with("boom:\n", "boom: {\n"), testing::SizeIs(1));
+}
+
+}  // namespace
+}  // namespace dipper::machine
