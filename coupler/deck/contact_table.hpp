@@ -10,7 +10,7 @@
 //
 // M is reached through a spring, K_r = kt (r1 r2/(r1 + r2))^2 (Iwashita & Oda 1998): rolling at
 // once meets all of Eq. 8, and a rock at rest stays there. LIGGGHTS's cdt, Eq. 8 to the letter,
-// turns M against the last step's spin, which never dies: docs/rock.md.
+// turns M against the last step's spin, which never dies: docs/rock_evidence.md.
 //
 // limitForce keeps F_n >= 0: rock does not stick. tests/coupler/deck/two_body_test and rolling_test
 // hold each line to its closed form. What LIGGGHTS does otherwise than the paper:

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 CONFUSABLE = 3.3   # d' below which two effects form one class: a 5 % chance of the wrong one at best
-DETECTION_D = 7.0  # d from which an effect is found, about (docs/gap.md, blind test)
+DETECTION_D = 7.0  # d from which an effect is found, about (docs/gap_evidence.md)
 
 
 @dataclass(frozen=True)

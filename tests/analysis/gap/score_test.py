@@ -91,4 +91,4 @@ def test_the_stored_blind_cases_score_what_the_table_says():
         target, side = score.TARGETS[name]
         if hits > target * of if side == "most" else hits < target * of:
             missed.add(name)
-    assert missed == {"right name at twice the limit", "right name or class"}  # docs/gap.md says why
+    assert missed == {"right name at twice the limit", "right name or class"}  # docs/gap_evidence.md says why

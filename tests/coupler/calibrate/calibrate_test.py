@@ -59,7 +59,7 @@ class Calibrate(unittest.TestCase):
         angle = {v: sum(float(r["angle_deg"]) for r in rows if float(r[ROLLING]) == v) / 2
                  for v in (0.0, 0.5, 1.0)}
         # Piles of six rocks' height scatter by 5 degrees from seed to seed: what rolling friction does
-        # to the angle is shown on larger ones (docs/calibration.md). The target is one they can have.
+        # to the angle is shown on larger ones (docs/calibration_evidence.md). The target is one they can have.
         self.assertTrue(all(15 < a < 50 for a in angle.values()), angle)
         target = round((min(angle.values()) + max(angle.values())) / 2, 2)
         words += ["--target", target]
