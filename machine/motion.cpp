@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
 
 #include "common/input_error.hpp"
+#include "common/numbers.hpp"
 #include "common/seconds.hpp"
 
 namespace dipper::machine {
@@ -41,12 +41,6 @@ std::vector<Field> split(std::string_view line) {
     if (comma == line.size()) return fields;
     begin = comma + 1;
   }
-}
-
-bool parse_number(std::string_view text, double& value) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
 }
 
 Drives drives(const std::array<double, 4>& v) { return {v[0], v[1], v[2], v[3]}; }

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 
 namespace dipper::analysis::io {
@@ -58,16 +56,6 @@ std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(begin, end - begin);
   text.remove_prefix(end);
   return word;
-}
-
-bool parse_number(std::string_view word, double& value) {
-  const auto r = std::from_chars(word.data(), word.data() + word.size(), value);
-  return r.ec == std::errc() && r.ptr == word.data() + word.size() && std::isfinite(value);
-}
-
-bool parse_number(std::string_view word, std::int64_t& value) {
-  const auto r = std::from_chars(word.data(), word.data() + word.size(), value);
-  return r.ec == std::errc() && r.ptr == word.data() + word.size();
 }
 
 }  // namespace dipper::analysis::io

@@ -1,7 +1,6 @@
 // Lines of a large text file, with their numbers.
 #pragma once
 
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -10,6 +9,7 @@
 
 #include "analysis/io/byte_reader.hpp"
 #include "common/input_error.hpp"
+#include "common/numbers.hpp"
 
 namespace dipper::analysis::io {
 
@@ -39,9 +39,5 @@ std::unique_ptr<std::FILE, int (*)(std::FILE*)> open_file(const std::filesystem:
 
 /// Takes the next word (up to blank, tab or carriage return) off the front; empty: none left.
 std::string_view take_word(std::string_view& text);
-
-/// All of a word as a number; false when it is none or not finite.
-bool parse_number(std::string_view word, double& value);
-bool parse_number(std::string_view word, std::int64_t& value);
 
 }  // namespace dipper::analysis::io

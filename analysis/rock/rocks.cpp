@@ -90,10 +90,10 @@ ClumpMasses read_clump_masses(const std::filesystem::path& rocks_in) {
     for (auto word = io::take_word(text); !word.empty(); last = word, word = io::take_word(text)) {
       if (word == "fix" || word == "particletemplate/sphere") type = 0;
       std::int64_t n = 0;
-      if (last == "atom_type" && io::parse_number(word, n)) type = static_cast<int>(n);
+      if (last == "atom_type" && parse_number(word, n)) type = static_cast<int>(n);
       double kg = 0;
       if (last != "mass" || type == 0) continue;
-      if (!io::parse_number(word, kg) || kg <= 0)
+      if (!parse_number(word, kg) || kg <= 0)
         throw io::input_error(rocks_in, in.line(),
                               fmt::format("mass '{}' is not a mass in kg", word));
       masses[type] = kg;

@@ -23,7 +23,7 @@ bool numbers(std::string text, Eigen::Vector3d& v) {
     if (c == '[' || c == ']' || c == ',') c = ' ';
   std::string_view words = text;
   for (int k = 0; k < 3; ++k)
-    if (!io::parse_number(io::take_word(words), v[k])) return false;
+    if (!parse_number(io::take_word(words), v[k])) return false;
   return true;
 }
 

@@ -127,7 +127,7 @@ void read_beside(RunFolder& run, fs::path file) {
 double RunFolder::number(const std::string& key, double otherwise) const {
   const auto at = case_values.find(key);
   double value = 0;
-  return at != case_values.end() && io::parse_number(at->second, value) ? value : otherwise;
+  return at != case_values.end() && parse_number(at->second, value) ? value : otherwise;
 }
 
 std::string RunFolder::text(const std::string& key) const {
@@ -204,7 +204,7 @@ rock::PoseTrack read_poses(const fs::path& file) {
       if (c == ',') c = ' ';
     std::string_view words = line;
     for (double& value : v)
-      if (!io::parse_number(io::take_word(words), value))
+      if (!parse_number(io::take_word(words), value))
         throw io::input_error(file, in.line(),
                               fmt::format("eight numbers belong here: {}", header));
     if (!io::take_word(words).empty())

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -12,6 +11,8 @@
 #include <iterator>
 #include <map>
 #include <string_view>
+
+#include "common/numbers.hpp"
 
 namespace dipper::mesh {
 namespace {
@@ -70,13 +71,9 @@ class Words {
   }
 
   double number() {
-    std::string_view word = next();
-    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+    const std::string_view word = next();
     double x = 0;
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), x);
-    if (result.ec == std::errc::invalid_argument || result.ptr != word.data() + word.size()) {
-      fail(fmt::format("'{}' where a number belongs", word));
-    }
+    if (!parse_number(word, x)) fail(fmt::format("'{}' where a number belongs", word));
     return x;
   }
 
@@ -116,11 +113,6 @@ TriangleMesh parse_ascii(std::string_view text, double weld) {
         Eigen::Vector3d v;
         for (int i = 0; i < 3; ++i) {
           v[i] = words.number();
-          if (!std::isfinite(v[i])) {
-            throw StlError(fmt::format("facet {}: a coordinate is no finite number",
-                                       mesh.triangles.size() + 1),
-                           words.line(), -1);
-          }
         }
         corner = welder.index(mesh, v);
       }

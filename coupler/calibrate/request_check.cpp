@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <thread>
 
+#include "common/numbers.hpp"
 #include "coupler/calibrate/search_scale.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_command.hpp"
@@ -64,9 +64,8 @@ std::optional<double> value_of(const cases::Case& c, const std::string& key) {
   if (at == std::string::npos) return std::nullopt;
   const std::string value =
       text.substr(at + line.size(), text.find('\n', at + 1) - at - line.size());
-  char* end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  return end != value.c_str() && *end == '\0' ? std::optional(number) : std::nullopt;
+  double number = 0;
+  return parse_number(value, number) ? std::optional(number) : std::nullopt;
 }
 
 std::optional<cases::Case> checked_case(const CalibrationRequest& request) {

@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <set>
 
+#include "common/numbers.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/case/suggest.hpp"
@@ -43,9 +43,7 @@ class Reader {
     const YamlTree* node = need(in, key, what);
     if (node == nullptr) return 0;
     double value = 0;
-    const char* end = node->scalar.data() + node->scalar.size();
-    const auto r = std::from_chars(node->scalar.data(), end, value);
-    if (node->scalar.empty() || r.ec != std::errc{} || r.ptr != end) {
+    if (node->quoted || !dipper::parse_number(node->scalar, value)) {
       fault(*node, key, fmt::format("is '{}'; write {}", node->scalar, what));
     }
     return value;

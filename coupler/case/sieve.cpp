@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
 
 #include "common/input_error.hpp"
+#include "common/numbers.hpp"
 
 namespace dipper::cases {
 namespace {
@@ -23,11 +23,7 @@ std::string trimmed(const std::string& s) {
 
 std::optional<double> number(const std::string& word) {
   double value = 0;
-  const auto end = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || end.ec != std::errc{} || end.ptr != word.data() + word.size() ||
-      !std::isfinite(value))
-    return std::nullopt;
-  return value;
+  return parse_number(word, value) ? std::optional(value) : std::nullopt;
 }
 
 struct Row {

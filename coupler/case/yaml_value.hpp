@@ -1,12 +1,10 @@
 // The value of a scalar in a YamlTree, and how a message shows a node that holds another.
 #pragma once
 
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <string>
-#include <type_traits>
 
+#include "common/numbers.hpp"
 #include "coupler/case/yaml_tree.hpp"
 
 namespace dipper::cases {
@@ -26,21 +24,13 @@ inline std::string shown(const YamlTree& node) {
   return node.quoted ? "\"" + node.scalar + "\"" : "'" + node.scalar + "'";
 }
 
-/// Stricter than yaml-cpp, which reads hexadecimal, nan and .inf: decimal digits to the last
-/// character, and finite. Empty when the node holds anything else.
+/// Stricter than yaml-cpp, which reads hexadecimal, nan and .inf. Empty when the node holds no
+/// number of common/numbers.hpp.
 template <class T>
 std::optional<T> parse_number(const YamlTree& node) {
   if (node.kind != YamlTree::Kind::scalar || node.quoted) return std::nullopt;
-  const char* first = node.scalar.data();
-  const char* last = first + node.scalar.size();
-  if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
   T value{};
-  const auto result = std::from_chars(first, last, value);
-  if (result.ec != std::errc{} || result.ptr != last) return std::nullopt;
-  if constexpr (std::is_floating_point_v<T>) {
-    if (!std::isfinite(value)) return std::nullopt;
-  }
-  return value;
+  return dipper::parse_number(node.scalar, value) ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace dipper::cases

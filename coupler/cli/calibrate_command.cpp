@@ -2,11 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
-#include <cmath>
 #include <memory>
 #include <optional>
 
+#include "common/numbers.hpp"
 #include "coupler/calibrate/calibration.hpp"
 #include "coupler/launch/interrupt.hpp"
 
@@ -24,10 +23,7 @@ struct Words {
 
 std::optional<double> number(const std::string& text) {
   double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
+  return parse_number(text, value) ? std::optional(value) : std::nullopt;
 }
 
 calibrate::SearchRange range_of(const std::string& text) {

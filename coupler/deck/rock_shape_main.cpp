@@ -1,11 +1,12 @@
 // rock-shape FILE.stl [COARSE MEDIUM FINE]: mass properties of a closed mesh and three sphere fits,
 // as YAML. A case finds it as NAME.yaml beside NAME.stl in its shape folder; without it, `dipper
 // run` does the same itself.
-#include <cstdlib>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 
+#include "common/numbers.hpp"
 #include "coupler/deck/shape_library.hpp"
 
 int main(int argc, char** argv) {
@@ -18,9 +19,8 @@ int main(int argc, char** argv) {
     std::vector<dipper::deck::ShapeResolution> resolutions(dipper::deck::kShapeResolutions.begin(),
                                                            dipper::deck::kShapeResolutions.end());
     for (int i = 2; i < argc; ++i) {
-      char* end = nullptr;
-      const long n = std::strtol(argv[i], &end, 10);
-      if (*end != '\0' || n < 1 || n > 200) {
+      std::int64_t n = 0;
+      if (!dipper::parse_number(argv[i], n) || n < 1 || n > 200) {
         std::cerr << "rock-shape: " << argv[i] << ": write a number of spheres, 1 ... 200\n";
         return 2;
       }

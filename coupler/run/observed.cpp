@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <fstream>
 #include <stdexcept>
 
 #include "analysis/signals/observe.hpp"
+#include "common/numbers.hpp"
 #include "common/record/record.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/run/summary.hpp"
@@ -76,9 +76,7 @@ void set_observation(cases::ObservationCase& observation, const cases::Override&
   cases::Case c;
   c.observation = observation;
   double value = 0;
-  const char* end = set.value.data() + set.value.size();
-  const auto r = std::from_chars(set.value.data(), end, value);
-  if (set.value.empty() || r.ec != std::errc{} || r.ptr != end || !spec->range.holds(value)) {
+  if (!parse_number(set.value, value) || !spec->range.holds(value)) {
     throw std::invalid_argument(fmt::format("{}: is '{}'; write {}, {}", set.key, set.value,
                                             spec->expected(), spec->range.text()));
   }

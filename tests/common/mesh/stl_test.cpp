@@ -77,8 +77,8 @@ TEST(Stl, AsciiFaultsNameTheirLine) {
   };
   const std::vector<Fault> faults = {
       {replace(good, "vertex 1 4 3", "vertex 1 4,0 3"), 5, "'4,0' where a number belongs"},
-      {replace(good, "vertex 1 4 3", "vertex nan 4 3"), 5, "facet 1: a coordinate is no finite"},
-      {replace(good, "vertex 1 4 3", "vertex 1 inf 3"), 5, "facet 1: a coordinate is no finite"},
+      {replace(good, "vertex 1 4 3", "vertex nan 4 3"), 5, "'nan' where a number belongs"},
+      {replace(good, "vertex 1 4 3", "vertex 1 inf 3"), 5, "'inf' where a number belongs"},
       {replace(good, "vertex 1 4 3", "vertex 1 4"), 6, "'vertex' where a number belongs"},
       {replace(good, "    endloop", "    vertex 0 0 0\n    endloop"), 7,
        "'vertex' where 'endloop' belongs"},
