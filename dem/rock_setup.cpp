@@ -1,38 +1,27 @@
 #include "dem/rock_setup.hpp"
 
-#include <array>
+#include "common/json_values.hpp"
 
 namespace dipper::dem {
 
 using nlohmann::json;
 
-namespace {
-
-json array(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Vector3d vector(const json& j) {
-  const auto v = j.get<std::array<double, 3>>();
-  return {v[0], v[1], v[2]};
-}
-
-}  // namespace
-
 json to_json(const RockSetup& setup) {
   json scales = json::array();
   for (const auto& s : setup.scales) {
-    const Quaterniond& R = s.X_WS.R;
     scales.push_back({{"name", s.name},
                       {"body", s.body},
-                      {"p_WS", array(s.X_WS.p)},
-                      {"R_WS", {R.w(), R.x(), R.y(), R.z()}},
-                      {"min_m", array(s.min_m)},
-                      {"max_m", array(s.max_m)}});
+                      {"p_WS", json_of(s.X_WS.p)},
+                      {"R_WS", json_of(s.X_WS.R)},
+                      {"min_m", json_of(s.min_m)},
+                      {"max_m", json_of(s.max_m)}});
   }
   json resumed;  // null: not resumed
   if (setup.resumed) {
     resumed = json::array();
     for (const auto& w : *setup.resumed) {
-      resumed.push_back(
-          {array(w.load.torque), array(w.load.force), array(w.V_WB_W.w), array(w.V_WB_W.v)});
+      resumed.push_back({json_of(w.load.torque), json_of(w.load.force), json_of(w.V_WB_W.w),
+                         json_of(w.V_WB_W.v)});
     }
   }
   json hold;  // null: off
@@ -66,8 +55,8 @@ RockSetup rock_setup_from(const json& j) {
   if (const auto& resumed = j.at("resumed"); !resumed.is_null()) {
     setup.resumed.emplace();
     for (const auto& w : resumed) {
-      setup.resumed->push_back(
-          {{vector(w.at(0)), vector(w.at(1))}, {vector(w.at(2)), vector(w.at(3))}});
+      setup.resumed->push_back({{vector_from(w.at(0)), vector_from(w.at(1))},
+                                {vector_from(w.at(2)), vector_from(w.at(3))}});
     }
   }
   if (const auto& crust = j.at("crust"); !crust.is_null()) {
@@ -94,12 +83,11 @@ RockSetup rock_setup_from(const json& j) {
     h.sight_s = hold->at("sight_s");
   }
   for (const auto& s : j.at("scales")) {
-    const auto R = s.at("R_WS").get<std::array<double, 4>>();
     setup.scales.push_back({s.at("name"),
                             s.at("body"),
-                            {Quaterniond(R[0], R[1], R[2], R[3]), vector(s.at("p_WS"))},
-                            vector(s.at("min_m")),
-                            vector(s.at("max_m"))});
+                            {quaternion_from(s.at("R_WS")), vector_from(s.at("p_WS"))},
+                            vector_from(s.at("min_m")),
+                            vector_from(s.at("max_m"))});
   }
   return setup;
 }

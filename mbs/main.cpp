@@ -1,10 +1,9 @@
 // dipper-mbs CONFIG: the machine side of a paired run.
 #include <fmt/core.h>
 
-#include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "common/json_values.hpp"
 #include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
 #include "coupler/transport/serve.hpp"
@@ -16,24 +15,19 @@
 namespace dipper::mbs {
 namespace {
 
-Vector3d vector(const nlohmann::json& list) {
-  const auto v = list.get<std::array<double, 3>>();
-  return {v[0], v[1], v[2]};
-}
-
 void run(const char* config_file) {
   const transport::PeerConfig config = transport::read_peer_config(config_file);
   const auto& settings = config.settings;
   Pose X_W0;
-  X_W0.p = vector(settings.at("base_position_m"));
+  X_W0.p = vector_from(settings.at("base_position_m"));
   const double rake = settings.at("rake_angle_deg").get<double>() * M_PI / 180;
   machine::MachineCondition condition;
   condition.crowd_friction_N = settings.at("crowd_friction_N").get<double>();
   condition.hoist_loss = settings.at("hoist_loss").get<double>();
   condition.rope_compliance = settings.at("rope_compliance").get<double>();
   condition.added_mass_kg = settings.at("added_mass_kg").get<double>();
-  condition.added_center_m = vector(settings.at("added_center_m"));
-  condition.added_inertia_kg_m2 = vector(settings.at("added_inertia_kg_m2"));
+  condition.added_center_m = vector_from(settings.at("added_center_m"));
+  condition.added_inertia_kg_m2 = vector_from(settings.at("added_inertia_kg_m2"));
   Shovel shovel(machine::in_condition(
                     machine::load_machine(settings.at("model").get<std::string>()), condition),
                 machine::Motion::load(settings.at("motion").get<std::string>()), X_W0, rake);

@@ -3,6 +3,7 @@
 #include "analysis/report/dump_replay.hpp"
 #include "analysis/report/record_curves.hpp"
 #include "analysis/report/report_page.hpp"
+#include "common/json_values.hpp"
 
 namespace dipper::analysis::report {
 
@@ -13,9 +14,8 @@ void write_run_page(const run::RunFolder& run, const io::DumpFolder& dumps,
   input.metrics = metrics;
   if (run.places.dipper) {  // the cavity with its heap, for the zones in the slices
     const auto& region = *run.places.dipper;
-    const auto list = [](const Vector3d& p) { return nlohmann::json{p.x(), p.y(), p.z()}; };
-    input.metrics["dipper"]["load_region"] = {{"min_m", list(region.min_m)},
-                                              {"max_m", list(region.max_m)}};
+    input.metrics["dipper"]["load_region"] = {{"min_m", json_of(region.min_m)},
+                                              {"max_m", json_of(region.max_m)}};
   }
   input.case_text = run.case_text;
   input.replay = &replay;

@@ -9,6 +9,7 @@
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
+#include "common/json_values.hpp"
 #include "common/mesh/mesh_check.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
@@ -33,22 +34,16 @@ json json_of(const fs::path& file) {
   return j;
 }
 
-Vector3d vector(const json& j) {
-  const auto v = j.get<std::array<double, 3>>();
-  return {v[0], v[1], v[2]};
-}
-
 /// The regions the rock side has weighed in, as it was told.
 void read_scales(const fs::path& file, rock::Places& places) {
   const json settings = json_of(file);
   try {
     for (const json& s : settings.at("settings").at("scales")) {
-      const rock::Region region{vector(s.at("min_m")), vector(s.at("max_m"))};
+      const rock::Region region{vector_from(s.at("min_m")), vector_from(s.at("max_m"))};
       if (s.at("name") == "mass_in_dipper") places.dipper = region;
       if (s.at("name") != "mass_in_truck") continue;
       places.truck = region;
-      const auto q = s.at("R_WS").get<std::array<double, 4>>();
-      places.X_WT = {Quaterniond(q[0], q[1], q[2], q[3]), vector(s.at("p_WS"))};
+      places.X_WT = {quaternion_from(s.at("R_WS")), vector_from(s.at("p_WS"))};
     }
   } catch (const json::exception& e) {
     throw io::input_error(file, 0, e.what());

@@ -3,27 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "common/json_values.hpp"
 namespace dipper::run {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-json to_json(const Wrench& F) {
-  return {F.torque.x(), F.torque.y(), F.torque.z(), F.force.x(), F.force.y(), F.force.z()};
-}
-json to_json(const Pose& X) {
-  return {X.p.x(), X.p.y(), X.p.z(), X.R.w(), X.R.x(), X.R.y(), X.R.z()};
-}
-
-Wrench wrench(const json& j) {
-  const auto v = j.get<std::array<double, 6>>();
-  return {Vector3d(v[0], v[1], v[2]), Vector3d(v[3], v[4], v[5])};
-}
 
 /// Whole checkpoints, oldest first.
 std::vector<fs::path> list(const fs::path& checkpoints) {
@@ -50,10 +37,10 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
   machine.save(c.machine());
   json held = json::array(), walls = json::array(), memory = json::array();
   for (const auto& m : c.memory) {
-    memory.push_back({to_json(m.load), to_json(Wrench{m.V_WB_W.w, m.V_WB_W.v})});
+    memory.push_back({json_of(m.load), json_of(m.V_WB_W)});
   }
-  for (const auto& F : c.held) held.push_back(to_json(F));
-  for (const auto& X : c.X_WB_wall) walls.push_back(to_json(X));
+  for (const auto& F : c.held) held.push_back(json_of(F));
+  for (const auto& X : c.X_WB_wall) walls.push_back(json_of(X));
   std::ofstream out(c.folder / "coupling.json");
   out << json{{"step_index", c.step_index},
               {"dem_step", c.dem_step},
@@ -86,15 +73,11 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   c.folder = all.back();
   c.step_index = j.at("step_index");
   c.dem_step = j.at("dem_step");
-  for (const auto& f : j.at("held")) c.held.push_back(wrench(f));
+  for (const auto& f : j.at("held")) c.held.push_back(wrench_from(f));
   for (const auto& m : j.at("memory")) {
-    const Wrench twist = wrench(m.at(1));
-    c.memory.push_back({wrench(m.at(0)), {twist.torque, twist.force}});
+    c.memory.push_back({wrench_from(m.at(0)), twist_from(m.at(1))});
   }
-  for (const auto& x : j.at("walls")) {
-    const auto v = x.get<std::array<double, 7>>();
-    c.X_WB_wall.push_back({Quaterniond(v[3], v[4], v[5], v[6]), Vector3d(v[0], v[1], v[2])});
-  }
+  for (const auto& x : j.at("walls")) c.X_WB_wall.push_back(pose_from(x));
   c.record_rows = j.at("record_rows");
   c.rock_work_J = j.at("rock_work_J");
   c.machine_work_J = j.at("machine_work_J");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/json_values.hpp"
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/launch/installation.hpp"
@@ -73,17 +74,16 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
 }
 
 nlohmann::json mbs_settings(const cases::Case& c, const DipperLayers& layers) {
-  const auto list = [](const Eigen::Vector3d& v) { return std::array{v.x(), v.y(), v.z()}; };
   return {{"model", c.machine.model.string()},
           {"motion", c.machine.motion.string()},
-          {"base_position_m", list(c.machine.base_position_m)},
+          {"base_position_m", json_of(c.machine.base_position_m)},
           {"rake_angle_deg", c.machine.rake_angle_deg},
           {"crowd_friction_N", c.machine.crowd_friction_N},
           {"hoist_loss", c.machine.hoist_loss},
           {"rope_compliance", c.machine.rope_compliance},
           {"added_mass_kg", layers.mass_kg},
-          {"added_center_m", list(layers.center_m)},
-          {"added_inertia_kg_m2", list(layers.inertia_kg_m2.diagonal())}};
+          {"added_center_m", json_of(layers.center_m)},
+          {"added_inertia_kg_m2", json_of(Vector3d(layers.inertia_kg_m2.diagonal()))}};
 }
 
 }  // namespace dipper::sides
