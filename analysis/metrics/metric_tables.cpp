@@ -72,12 +72,6 @@ double dig_work_J(const run::RunFolder& run, const PassFacts& f) {
 
 }  // namespace
 
-const signals::Phase* PassFacts::phase(const std::string& name) const {
-  const auto at = std::find_if(phases.begin(), phases.end(),
-                               [&](const signals::Phase& p) { return p.name == name; });
-  return at == phases.end() ? nullptr : &*at;
-}
-
 json run_table(const run::RunFolder& run, const io::DumpFolder& dumps, const Survey& survey) {
   json out;
   const auto copy = [&](const char* key) {

@@ -7,15 +7,14 @@
 #include "analysis/metrics/pass_signals.hpp"
 #include "analysis/metrics/pile_surface.hpp"
 #include "analysis/rock/struck_volume.hpp"
+#include "analysis/signals/pass_phases.hpp"
 
 namespace dipper::analysis::metrics {
 
 using json = nlohmann::ordered_json;
 
 /// One pass as the signals and the dumps have it.
-struct PassFacts {
-  signals::Pass pass;
-  std::vector<signals::Phase> phases;
+struct PassFacts : signals::PassPhases {
   LoadToFollow load;
   LoadFate fate;
   double load_volume_m3 = 0;  ///< 0: not known
@@ -23,8 +22,6 @@ struct PassFacts {
   std::vector<rock::Stage> stages;
   std::optional<StillWeight> still;
   std::optional<HungLoad> hung;
-
-  const signals::Phase* phase(const std::string& name) const;
 };
 
 json run_table(const run::RunFolder& run, const io::DumpFolder& dumps, const Survey& survey);

@@ -20,17 +20,14 @@ std::size_t frame_before(const io::DumpFolder& dumps, double t) {
 std::vector<PassFacts> find_facts(const run::RunFolder& run, const io::DumpFolder& dumps) {
   std::vector<PassFacts> facts;
   if (!run.is_run) return facts;
-  const auto passes = signals::find_passes(run.signals.pass);
-  for (std::size_t k = 0; k < passes.size(); ++k) {
+  for (const signals::PassPhases& p :
+       signals::find_pass_phases(run.signals.pass, run.signals.drive)) {
     PassFacts f;
-    f.pass = passes[k];
-    // The way home belongs to the last pass.
-    const double end_s = k + 1 < passes.size() ? passes[k].t_end_s : run.signals.pass.time_s.back();
-    f.phases = signals::find_phases(run.signals.drive, f.pass.t_start_s, end_s);
+    static_cast<signals::PassPhases&>(f) = p;
     const signals::Phase* swing = f.phase("swing");
     f.load.start_frame = frame_before(dumps, f.pass.t_start_s);
     f.load.lift_frame = frame_before(dumps, swing != nullptr ? swing->t_start_s : f.pass.t_dump_s);
-    f.load.end_frame = std::max(frame_before(dumps, end_s), f.load.lift_frame);
+    f.load.end_frame = std::max(frame_before(dumps, f.t_end_s), f.load.lift_frame);
     facts.push_back(f);
   }
   return facts;

@@ -6,8 +6,8 @@
 
 #include "analysis/io/dump_folder.hpp"
 #include "analysis/rock/zones.hpp"
+#include "analysis/signals/drive_signals.hpp"
 #include "analysis/signals/passes.hpp"
-#include "analysis/signals/phases.hpp"
 
 namespace dipper::analysis::run {
 
@@ -67,7 +67,7 @@ rock::PoseTrack read_poses(const std::filesystem::path& file);
 /// naming file and line.
 void check_dumps_are_of(const RunFolder& run, const io::DumpFolder& dumps);
 
-/// The channels of record.h5.
+/// The channels of record.h5, cut to the shortest: a run may be writing it. Throws InputError.
 RunSignals read_signals(const std::filesystem::path& record);
 
 /// A closed, sound mesh: throws InputError naming the file and the first facet that is wrong.

@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/run/run_folder.hpp"
@@ -8,15 +10,54 @@ namespace dipper::analysis::run {
 namespace {
 
 namespace fs = std::filesystem;
+using Column = std::vector<double>;
 
-rock::PoseTrack read_track(const fs::path& record, const std::string& body,
-                           const std::vector<double>& time_s) {
-  std::array<std::vector<double>, 7> pose;
-  std::array<std::vector<double>, 6> twist;
-  for (std::size_t k = 0; k < pose.size(); ++k)
-    pose[k] = record::read_channel(record, "bodies/" + body + "/wall_pose", k);
-  for (std::size_t k = 0; k < twist.size(); ++k)
-    twist[k] = record::read_channel(record, "bodies/" + body + "/twist", k);
+constexpr std::array<const char*, 2> kBodies = {"dipper", "door"};
+
+/// Columns of a record, all of one length: a run that is writing it may be in the middle of a row.
+class Columns {
+ public:
+  explicit Columns(fs::path record) : record_(std::move(record)) {}
+
+  void read(const std::string& channel, std::size_t column = 0) {
+    Column values = record::read_channel(record_, channel, column);
+    rows_ = std::min(rows_, values.size());
+    values_[{channel, column}] = std::move(values);
+  }
+
+  Column get(const std::string& channel, std::size_t column = 0) const {
+    Column values = values_.at({channel, column});
+    values.resize(rows_);
+    return values;
+  }
+
+ private:
+  fs::path record_;
+  std::map<std::pair<std::string, std::size_t>, Column> values_;
+  std::size_t rows_ = std::numeric_limits<std::size_t>::max();
+};
+
+Columns read_columns(const fs::path& record) {
+  Columns c(record);
+  for (const char* channel :
+       {"time_s", "machine/door", "machine/crowd", "machine/swing", "machine/hoist_force",
+        "machine/crowd_force", "machine/hoist_power", "machine/crowd_power", "machine/swing_power",
+        "rock/mass_in_dipper", "rock/mass_in_truck", "rock/rock_mass", "coupling/rock_work"})
+    c.read(channel);
+  for (const std::string body : kBodies) {
+    for (std::size_t k = 0; k < 7; ++k) c.read("bodies/" + body + "/wall_pose", k);
+    for (std::size_t k = 0; k < 6; ++k) c.read("bodies/" + body + "/twist", k);
+    for (std::size_t k = 3; k < 6; ++k) c.read("bodies/" + body + "/wrench_mean", k);
+  }
+  return c;
+}
+
+rock::PoseTrack track_of(const Columns& c, const std::string& body) {
+  std::array<Column, 7> pose;
+  std::array<Column, 6> twist;
+  for (std::size_t k = 0; k < pose.size(); ++k) pose[k] = c.get("bodies/" + body + "/wall_pose", k);
+  for (std::size_t k = 0; k < twist.size(); ++k) twist[k] = c.get("bodies/" + body + "/twist", k);
+  const Column time_s = c.get("time_s");
   std::vector<Pose> X_WB;
   std::vector<Twist> V_WB_W;
   for (std::size_t i = 0; i < time_s.size(); ++i) {
@@ -28,41 +69,42 @@ rock::PoseTrack read_track(const fs::path& record, const std::string& body,
   return {time_s, X_WB, V_WB_W};
 }
 
+RunSignals signals_of(const Columns& c) {
+  RunSignals s;
+  signals::PassSignals& p = s.pass;
+  p.time_s = c.get("time_s");
+  p.door_rad = c.get("machine/door");
+  p.hoist_force_N = c.get("machine/hoist_force");
+  p.crowd_force_N = c.get("machine/crowd_force");
+  p.dipper_mass_kg = c.get("rock/mass_in_dipper");
+  p.truck_mass_kg = c.get("rock/mass_in_truck");
+  const Column fx = c.get("bodies/dipper/wrench_mean", 3),
+               fy = c.get("bodies/dipper/wrench_mean", 4),
+               fz = c.get("bodies/dipper/wrench_mean", 5),
+               door_fz = c.get("bodies/door/wrench_mean", 5);
+  for (std::size_t i = 0; i < fx.size(); ++i) {
+    p.dipper_force_N.push_back(std::hypot(fx[i], fy[i], fz[i]));
+    s.weight_N.push_back(-fz[i] - door_fz[i]);
+  }
+  s.drive.time_s = p.time_s;
+  s.drive.crowd_m = c.get("machine/crowd");
+  s.drive.swing_rad = c.get("machine/swing");
+  s.hoist_power_W = c.get("machine/hoist_power");
+  s.crowd_power_W = c.get("machine/crowd_power");
+  s.swing_power_W = c.get("machine/swing_power");
+  s.rock_work_J = c.get("coupling/rock_work");
+  s.rock_kg = c.get("rock/rock_mass");
+  for (const char* body : kBodies) s.walls[body] = track_of(c, body);
+  return s;
+}
+
 }  // namespace
 
 RunSignals read_signals(const fs::path& record) {
   RunSignals s;
-  const auto channel = [&](const std::string& name, std::size_t column = 0) {
-    return record::read_channel(record, name, column);
-  };
   try {
-    signals::PassSignals& p = s.pass;
-    p.time_s = channel("time_s");
-    p.door_rad = channel("machine/door");
-    p.hoist_force_N = channel("machine/hoist_force");
-    p.crowd_force_N = channel("machine/crowd_force");
-    p.dipper_mass_kg = channel("rock/mass_in_dipper");
-    p.truck_mass_kg = channel("rock/mass_in_truck");
-    const auto fx = channel("bodies/dipper/wrench_mean", 3),
-               fy = channel("bodies/dipper/wrench_mean", 4),
-               fz = channel("bodies/dipper/wrench_mean", 5),
-               door_fz = channel("bodies/door/wrench_mean", 5);
-    for (std::size_t i = 0; i < fx.size(); ++i) {
-      p.dipper_force_N.push_back(std::hypot(fx[i], fy[i], fz[i]));
-      s.weight_N.push_back(-fz[i] - door_fz[i]);
-    }
-    s.drive.time_s = p.time_s;
-    s.drive.crowd_m = channel("machine/crowd");
-    s.drive.swing_rad = channel("machine/swing");
-    s.hoist_power_W = channel("machine/hoist_power");
-    s.crowd_power_W = channel("machine/crowd_power");
-    s.swing_power_W = channel("machine/swing_power");
-    s.rock_work_J = channel("coupling/rock_work");
-    s.rock_kg = channel("rock/rock_mass");
-    for (const char* body : {"dipper", "door"}) s.walls[body] = read_track(record, body, p.time_s);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::runtime_error& e) {
+    s = signals_of(read_columns(record));
+  } catch (const std::exception& e) {  // of HDF5, or times that do not rise
     throw io::input_error(record, 0, e.what());
   }
   if (s.pass.time_s.size() < 2)

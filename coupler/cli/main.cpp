@@ -10,6 +10,7 @@
 #include "coupler/check/check_command.hpp"
 #include "coupler/cli/calibrate_command.hpp"
 #include "coupler/cli/gap_command.hpp"
+#include "coupler/cli/phases_command.hpp"
 #include "coupler/cli/report_command.hpp"
 #include "coupler/deck/liggghts_path.hpp"
 #include "coupler/launch/installation.hpp"
@@ -183,6 +184,9 @@ int command_line(int argc, char** argv) {
   observe->add_option("--out", words.out, "the folder to write")->required();
   observe->add_option("--set", words.set,
                       "observation.KEY=VALUE instead of what the run's case says");
+  auto* phases = app.add_subcommand("phases", "passes and phases as JSON");
+  phases->add_option("DIR", words.folder, "a run's folder, or - for readings on standard input")
+      ->required();
   ReportWords report_words;
   auto* report = app.add_subcommand("report", "metrics, tables and the page of a run, or of dumps");
   report->add_option("DIR", report_words.folder, "a run's folder, or one with dumps of LIGGGHTS")
@@ -201,6 +205,7 @@ int command_line(int argc, char** argv) {
     if (*check) return check::check_command(words.folder, overrides(words), std::cout);
     if (*again) return replay_command(words);
     if (*report) return report_command(report_words);
+    if (*phases) return phases_command(words.folder, std::cin, std::cout);
     if (*observe) return observe_command(words);
     return run_command(words);
   } catch (const CLI::ParseError& e) {

@@ -1,0 +1,28 @@
+// The passes of a run with the phases of each: the one place that puts the two together.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/signals/passes.hpp"
+#include "analysis/signals/phases.hpp"
+
+namespace dipper::analysis::signals {
+
+struct PassPhases {
+  Pass pass;
+  double t_end_s = 0;         ///< of its last phase: the way home belongs to the last pass
+  std::vector<Phase> phases;  ///< without gaps from pass.t_start_s to t_end_s
+  /// sqrt(crowd² + hoist²) from the start of penetrate to the end of breakout, time-weighted. The
+  /// pass's own mean (paper, Eq. 11) goes on over the swing. None: there is no such phase.
+  std::optional<double> dig_phases_force_mean_N;
+
+  /// Null when the pass has no such phase.
+  const Phase* phase(const std::string& name) const;
+};
+
+/// Both signals are of one run, a value a sync step. Throws std::invalid_argument when lengths
+/// differ.
+std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignals& drive);
+
+}  // namespace dipper::analysis::signals

@@ -1,0 +1,72 @@
+#include "coupler/cli/phases_command.hpp"
+
+#include <fmt/core.h>
+
+#include <istream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <stdexcept>
+
+#include "analysis/run/run_folder.hpp"
+#include "analysis/signals/pass_phases.hpp"
+#include "common/input_error.hpp"
+
+namespace dipper::cli {
+namespace {
+
+namespace signals = analysis::signals;
+using json = nlohmann::ordered_json;
+
+json list(const std::vector<signals::Phase>& phases) {
+  json out = json::array();
+  for (const signals::Phase& p : phases)
+    out.push_back({{"phase", p.name}, {"t_start_s", p.t_start_s}, {"t_end_s", p.t_end_s}});
+  return out;
+}
+
+json of_run(const std::string& folder) {
+  const auto run = analysis::run::read_signals(std::filesystem::path(folder) / "record.h5");
+  json passes = json::array();
+  for (const signals::PassPhases& p : signals::find_pass_phases(run.pass, run.drive)) {
+    json row = {{"pass", p.pass.pass},        {"t_start_s", p.pass.t_start_s},
+                {"t_dig_s", p.pass.t_dig_s},  {"t_dump_s", p.pass.t_dump_s},
+                {"t_end_s", p.pass.t_end_s},  {"payload_kg", p.pass.payload_kg},
+                {"truck_kg", p.pass.truck_kg}};
+    row["phases"] = list(p.phases);
+    passes.push_back(row);
+  }
+  return {{"passes", passes}};
+}
+
+json of_readings(std::istream& in) {
+  const json readings = json::parse(in);
+  signals::DriveSignals drive;
+  drive.time_s = readings.at("time_s").get<std::vector<double>>();
+  drive.crowd_m = readings.at("crowd_m").get<std::vector<double>>();
+  drive.swing_rad = readings.at("swing_rad").get<std::vector<double>>();
+  json passes = json::array();
+  for (const json& pass : readings.at("passes")) {
+    json row = {{"t_start_s", pass.at("t_start_s")}, {"t_end_s", pass.at("t_end_s")}};
+    row["phases"] = list(signals::find_phases(drive, row["t_start_s"], row["t_end_s"]));
+    passes.push_back(row);
+  }
+  return {{"passes", passes}};
+}
+
+}  // namespace
+
+int phases_command(const std::string& folder, std::istream& in, std::ostream& out) {
+  try {
+    out << (folder == "-" ? of_readings(in) : of_run(folder)).dump() << '\n';
+    return 0;
+  } catch (const InputError& e) {
+    fmt::print(stderr, "dipper: {}\n", e.what());
+  } catch (const json::exception& e) {
+    fmt::print(stderr, "dipper: standard input: {}\n", e.what());
+  } catch (const std::invalid_argument& e) {
+    fmt::print(stderr, "dipper: {}: {}\n", folder == "-" ? "standard input" : folder, e.what());
+  }
+  return 2;
+}
+
+}  // namespace dipper::cli
