@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "common/version.hpp"
 #include "coupler/calibrate/calibration.hpp"
 #include "coupler/calibrate/calibration_decks.hpp"
 #include "coupler/calibrate/measured_run.hpp"
 #include "coupler/calibrate/request_check.hpp"
-#include "coupler/launch/installation.hpp"
 
 namespace dipper::calibrate {
 namespace {
@@ -81,7 +81,7 @@ class BoxCalibration {
     const Json json = {
         {"what", "bulk-density"},
         {"case", case_.name},
-        {"version", launch::version()},
+        {"version", version()},
         {"target_kg_m3", request_.target},
         {"edge_m", rig_.edge_m},
         {"case_as_it_is", summary(case_.rock.density_kg_m3, before, interior(runs, "case"))},

@@ -17,9 +17,9 @@
 
 #include "common/cache_entry.hpp"
 #include "common/cache_folder.hpp"
+#include "common/installation.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
-#include "coupler/launch/installation.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/last_words.hpp"
 #include "coupler/launch/process.hpp"
@@ -28,11 +28,9 @@ namespace dipper::calibrate {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path sheet() { return launch::source_folder() / "dem_in" / "sheet.stl"; }
+fs::path sheet() { return data_folder() / "dem_in" / "sheet.stl"; }
 
-fs::path script(const DeckRun& run) {
-  return launch::source_folder() / "dem_in" / (run.deck + ".in");
-}
+fs::path script(const DeckRun& run) { return data_folder() / "dem_in" / (run.deck + ".in"); }
 
 const char* const kWorkplace = "part.";  // its name begins so
 
@@ -127,7 +125,8 @@ struct Active {
 
 std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
   // Started in its own folder: on an error LIGGGHTS leaves a restart file where it stands.
-  const std::string binary = deck::sticks(run.c) ? launch::program("dipper-liggghts") : "liggghts";
+  const std::string binary =
+      deck::sticks(run.c) ? installed_program("dipper-liggghts") : "liggghts";
   std::vector<std::string> words = {
       "env",           "-C",           work.string(), binary,   "-in",  script(run).string(),
       "-log",          "liggghts.log", "-screen",     "screen", "-var", "deck",

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "common/version.hpp"
 #include "coupler/calibrate/calibration.hpp"
 #include "coupler/calibrate/calibration_decks.hpp"
 #include "coupler/calibrate/measured_run.hpp"
 #include "coupler/calibrate/request_check.hpp"
 #include "coupler/calibrate/response_surface.hpp"
 #include "coupler/calibrate/search_scale.hpp"
-#include "coupler/launch/installation.hpp"
 
 namespace dipper::calibrate {
 namespace {
@@ -100,7 +100,7 @@ class PileCalibration {
   Json about() const {
     return {{"what", "pile-angle"},
             {"case", case_.name},
-            {"version", launch::version()},
+            {"version", version()},
             {"target_deg", request_.target},
             {"target_sigma_deg", request_.sigma},
             {"lift_m", rig_.size_m},

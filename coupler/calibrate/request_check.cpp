@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <thread>
 
+#include "common/installation.hpp"
 #include "common/numbers.hpp"
 #include "coupler/calibrate/search_scale.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_command.hpp"
 #include "coupler/deck/liggghts_path.hpp"
-#include "coupler/launch/installation.hpp"
 
 namespace dipper::calibrate {
 namespace {
@@ -85,8 +85,8 @@ std::optional<cases::Case> checked_case(const CalibrationRequest& request) {
     faults.push_back("--seeds 1 is too few to search one key; take 2 or more");
   if (std::filesystem::exists(request.out))
     faults.push_back(request.out.string() + " is there already; choose another --out");
-  if (!deck::liggghts_takes(launch::source_folder()))  // the deck and its sheet are there
-    faults.push_back(launch::source_folder().string() + ": " + deck::kLiggghtsRefuses);
+  if (!deck::liggghts_takes(data_folder()))  // the deck and its sheet are there
+    faults.push_back(data_folder().string() + ": " + deck::kLiggghtsRefuses);
   for (const std::string& fault : faults) std::cout << fault << '\n';
   if (check::check_command(request.case_folder, request.overrides, std::cout) != 0)
     return std::nullopt;

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "common/installation.hpp"
 #include "common/numbers.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
@@ -63,7 +64,7 @@ class Reader {
   std::vector<Finding>& out_;
 };
 
-fs::path catalogue() { return DIPPER_EFFECTS_FOLDER; }
+fs::path catalogue() { return data_folder() / "analysis" / "effects"; }
 
 /// A pointer to the number at a dotted key of the case, of which there may be several (`#`).
 std::vector<double*> numbers_at(Case& c, const std::string& key, const KeySpec*& found) {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "coupler/launch/installation.hpp"
+#include "common/installation.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -19,8 +19,8 @@ constexpr const char* kPython = "/usr/bin/python3";
 }  // namespace
 
 int gap_command(const std::vector<std::string>& words) {
-  setenv("PYTHONPATH", (launch::source_folder() / "analysis/gap").c_str(), 1);
-  setenv("DIPPER", launch::program("dipper").c_str(), 1);
+  setenv("PYTHONPATH", (data_folder() / "analysis/gap").c_str(), 1);
+  setenv("DIPPER", installed_program("dipper").c_str(), 1);
   // The runs fill the cores by themselves; threads in the linear algebra would only be in their
   // way.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);

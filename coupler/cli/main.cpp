@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/cache_folder.hpp"
+#include "common/version.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_command.hpp"
 #include "coupler/cli/calibrate_command.hpp"
@@ -13,7 +14,6 @@
 #include "coupler/cli/phases_command.hpp"
 #include "coupler/cli/report_command.hpp"
 #include "coupler/deck/liggghts_path.hpp"
-#include "coupler/launch/installation.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/network.hpp"
 #include "coupler/run/machine_replay.hpp"
@@ -148,7 +148,7 @@ int observe_command(const Words& words) {
 
 int command_line(int argc, char** argv) {
   CLI::App app{"Dipper: a mining rope shovel and the rock it digs, co-simulated.", "dipper"};
-  app.set_version_flag("--version", launch::version());
+  app.set_version_flag("--version", version());
   app.require_subcommand(1);
   Words words;
   const auto add = [&](const char* name, const char* what) {

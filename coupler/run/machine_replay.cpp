@@ -6,8 +6,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "common/installation.hpp"
 #include "common/record/record.hpp"
-#include "coupler/launch/installation.hpp"
 #include "coupler/launch/last_words.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/run/observed.hpp"
@@ -45,7 +45,7 @@ class LoneMachine {
   LoneMachine(transport::PeerConfig config, const fs::path& folder)
       : log_(folder / "mbs.log"),
         process_((transport::write_peer_config(folder / "mbs.json", config),
-                  std::vector<std::string>{launch::program("dipper-mbs"),
+                  std::vector<std::string>{installed_program("dipper-mbs"),
                                            (folder / "mbs.json").string()}),
                  log_),
         transport_(config.lcm_url, {transport::Channels::from_mbs}),

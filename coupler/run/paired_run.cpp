@@ -13,11 +13,11 @@
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
 #include "common/sha256.hpp"
+#include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/core/coupling.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
-#include "coupler/launch/installation.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
@@ -171,7 +171,7 @@ class Leg {
         std::map<std::string, std::string>{{"case", case_.text},
                                            {"case_folder", case_.folder.string()},
                                            {"case_hash", setup.case_hash},
-                                           {"version", launch::version()},
+                                           {"version", version()},
                                            {"machine_version", sides_->machine().info().version},
                                            {"rock_version", rock_->info().version}},
         from_ ? from_->record_rows : 0);

@@ -9,9 +9,9 @@
 
 #include "common/cache_entry.hpp"
 #include "common/cache_folder.hpp"
+#include "common/installation.hpp"
 #include "coupler/deck/bench_cut.hpp"
 #include "coupler/deck/contact_table.hpp"
-#include "coupler/launch/installation.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/last_words.hpp"
 #include "coupler/launch/process.hpp"
@@ -38,7 +38,7 @@ std::string pile_hash(const cases::Case& c, const fs::path& deck) {
       if (line.rfind(section, 0) == 0 && !path) all += line + '\n';
     }
   }
-  return deck_hash(all, {launch::source_folder() / "dem_in" / "settle.in"}, deck);
+  return deck_hash(all, {data_folder() / "dem_in" / "settle.in"}, deck);
 }
 
 }  // namespace
@@ -51,13 +51,13 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
   const auto began = std::chrono::steady_clock::now();
   const auto settle = [&](const fs::path& out) {
     const fs::path screen = logs / "settle.screen";
-    const std::string binary = deck::sticks(c) ? launch::program("dipper-liggghts") : "liggghts";
+    const std::string binary = deck::sticks(c) ? installed_program("dipper-liggghts") : "liggghts";
     launch::Process liggghts(
         launch::mpirun(c.dem.ranks,
-                       {binary, "-in", (launch::source_folder() / "dem_in" / "settle.in").string(),
-                        "-log", (logs / "settle.liggghts").string(), "-screen", screen.string(),
-                        "-var", "deck", deck.string(), "-var", "out", out.string(), "-var",
-                        "bench_cut", launch::program("bench-cut")}),
+                       {binary, "-in", (data_folder() / "dem_in" / "settle.in").string(), "-log",
+                        (logs / "settle.liggghts").string(), "-screen", screen.string(), "-var",
+                        "deck", deck.string(), "-var", "out", out.string(), "-var", "bench_cut",
+                        installed_program("bench-cut")}),
         logs / "settle.log");
     while (!liggghts.wait(std::chrono::milliseconds(100))) {
       if (launch::interrupts() > 0) {

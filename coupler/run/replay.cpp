@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "coupler/launch/installation.hpp"
+#include "common/installation.hpp"
 #include "coupler/launch/last_words.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/transport/codec.hpp"
@@ -108,7 +108,7 @@ ReplayResult replay(const fs::path& run, const std::string& side) {
   transport::write_peer_config(config_file, config);
 
   const fs::path log = scratch / (side + ".log");
-  const std::vector<std::string> command = {launch::program("dipper-" + side),
+  const std::vector<std::string> command = {installed_program("dipper-" + side),
                                             config_file.string()};
   launch::Process process(dem ? launch::mpirun(config.settings.at("ranks"), command) : command,
                           log);

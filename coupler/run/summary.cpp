@@ -4,7 +4,7 @@
 
 #include "analysis/signals/passes.hpp"
 #include "common/record/record.hpp"
-#include "coupler/launch/installation.hpp"
+#include "common/version.hpp"
 
 namespace dipper::run {
 analysis::signals::PassSignals read_pass_signals(const std::filesystem::path& record) {
@@ -46,7 +46,7 @@ nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path&
   json out = {
       {"case", f.case_name},
       {"seed", f.seed},
-      {"version", launch::version()},
+      {"version", version()},
       {"status", f.status},
       {"effects", f.effects},
       {"passes", passes},

@@ -6,7 +6,7 @@
 #include <array>
 #include <chrono>
 
-#include "coupler/launch/installation.hpp"
+#include "common/installation.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/last_words.hpp"
 #include "coupler/transport/lcm_transport.hpp"
@@ -52,10 +52,10 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   transport::write_peer_config(dem_config, {url, identity, dem});
   transport::write_peer_config(mbs_config, {url, identity, setup.mbs});
   dem_ = std::make_unique<launch::Process>(
-      launch::mpirun(setup.ranks, {launch::program("dipper-dem"), dem_config.string()}),
+      launch::mpirun(setup.ranks, {installed_program("dipper-dem"), dem_config.string()}),
       setup.logs / "dem.log");
   mbs_ = std::make_unique<launch::Process>(
-      std::vector<std::string>{launch::program("dipper-mbs"), mbs_config.string()},
+      std::vector<std::string>{installed_program("dipper-mbs"), mbs_config.string()},
       setup.logs / "mbs.log");
 
   transport::LinkOptions options;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/installation.hpp"
 #include "common/json_values.hpp"
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
-#include "coupler/launch/installation.hpp"
 #include "dem/rock_setup.hpp"
 
 namespace dipper::sides {
@@ -33,7 +33,7 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
                             const fs::path& dumps, const fs::path& logs, const fs::path& restart,
                             const std::optional<std::vector<dem::WallMemory>>& resumed) {
   dem::RockSetup setup;
-  setup.deck = (launch::source_folder() / "dem_in" / "dig.in").string();
+  setup.deck = (data_folder() / "dem_in" / "dig.in").string();
   setup.log = (logs / "dem.liggghts").string();
   setup.screen = (logs / "dem.screen").string();
   setup.resumed = resumed;
@@ -66,7 +66,7 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
     const deck::CollapseSlab slab = deck::collapse_slab(c);
     // The check has refused a case whose slab never comes loose.
     const double at_s = deck::collapse_time_s(c, machine::Motion::load(c.machine.motion)).value();
-    setup.fall = dem::RockFall{(launch::source_folder() / "dem_in" / "collapse.in").string(),
+    setup.fall = dem::RockFall{(data_folder() / "dem_in" / "collapse.in").string(),
                                std::llround(at_s / c.dem.timestep_s), slab.mass_kg};
     for (const auto& v : deck::collapse_variables(slab)) setup.variables.push_back(v);
   }

@@ -1,0 +1,37 @@
+#include "common/installation.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+
+namespace dipper {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+}  // namespace
+
+std::string installed_program(const std::string& name) {
+  const fs::path beside = own_folder() / name;
+  return fs::exists(beside) ? beside : own_folder().parent_path() / "libexec" / "dipper" / name;
+}
+
+fs::path data_folder() {
+  const char* given = std::getenv("DIPPER_DATA");
+  const bool is_given = given != nullptr && *given != '\0';
+  const fs::path folder = is_given ? given : own_folder().parent_path() / "share" / "dipper";
+  std::error_code failed;
+  // The build tree's is a link to the repository; messages and logs name the files themselves.
+  fs::path found = fs::canonical(folder, failed);
+  if (failed || !fs::is_directory(found / "dem_in")) {
+    throw std::runtime_error(
+        folder.string() +
+        ": has no dem_in, so Dipper's own files are not there; set DIPPER_DATA "
+        "to the folder that has them (PREFIX/share/dipper of an installation)");
+  }
+  return found;
+}
+
+}  // namespace dipper
