@@ -13,28 +13,36 @@ namespace {
 /// Rows a chunk: large, so that between flushes only raw data grows and the index stays as it is.
 constexpr hsize_t kChunkRows = 4096;
 
-void write_text(hid_t object, const std::string& name, const std::string& text) {
-  const hid_t type = H5Tcopy(H5T_C_S1);
-  H5Tset_size(type, text.empty() ? 1 : text.size());
-  H5Tset_cset(type, H5T_CSET_UTF8);
-  const hid_t space = H5Screate(H5S_SCALAR);
-  // An attribute holds at most 64 KiB in the compact form all readers know.
-  const hid_t attribute = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
-  if (attribute >= 0) {
-    H5Awrite(attribute, type, text.c_str());
-    H5Aclose(attribute);
-  }
-  H5Sclose(space);
-  H5Tclose(type);
-}
+Hdf5Handle file_of(hid_t id) { return {id, H5Fclose}; }
+Hdf5Handle dataset_of(hid_t id) { return {id, H5Dclose}; }
+Hdf5Handle space_of(hid_t id) { return {id, H5Sclose}; }
+Hdf5Handle properties_of(hid_t id) { return {id, H5Pclose}; }
+Hdf5Handle type_of(hid_t id) { return {id, H5Tclose}; }
+Hdf5Handle attribute_of(hid_t id) { return {id, H5Aclose}; }
 
 }  // namespace
 
 void Record::fail(const std::string& what) {
   const int cause = errno;
-  broken_ = true;
+  for (auto& d : datasets_) d.handle.leak();
+  handle_.leak();
   throw std::runtime_error("cannot " + what + " " + file_.string() +
                            (cause != 0 ? std::string(": ") + std::strerror(cause) : ""));
+}
+
+void Record::write_text(const Hdf5Handle& object, const std::string& name,
+                        const std::string& text) {
+  errno = 0;
+  const auto type = type_of(H5Tcopy(H5T_C_S1));
+  const auto space = space_of(H5Screate(H5S_SCALAR));
+  if (H5Tset_size(type.id(), text.empty() ? 1 : text.size()) < 0 ||
+      H5Tset_cset(type.id(), H5T_CSET_UTF8) < 0)
+    fail("write attribute '" + name + "' to");
+  const auto attribute = attribute_of(
+      H5Acreate2(object.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT));
+  if (!attribute || H5Awrite(attribute.id(), type.id(), text.c_str()) < 0)
+    fail("write attribute '" + name + "' (" + std::to_string(text.size()) +
+         " bytes; one holds 64 KiB) to");
 }
 
 Record::Record(std::filesystem::path file, const std::map<std::string, std::string>* attributes,
@@ -45,11 +53,11 @@ Record::Record(std::filesystem::path file, const std::map<std::string, std::stri
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
   setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // so that a live run can be looked at
   errno = 0;
-  id_ = resumed_ ? H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)
-                 : H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  if (id_ < 0) fail(resumed_ ? "open" : "create");
+  handle_ = file_of(resumed_ ? H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)
+                             : H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  if (!handle_) fail(resumed_ ? "open" : "create");
   if (resumed_) return;
-  for (const auto& [name, text] : *attributes) write_text(id_, name, text);
+  for (const auto& [name, text] : *attributes) write_text(handle_, name, text);
 }
 
 Record Record::create(const std::filesystem::path& file,
@@ -62,13 +70,13 @@ Record Record::resume(const std::filesystem::path& file, std::size_t rows) {
 }
 
 Record::~Record() {
-  if (broken_) return;
+  if (!handle_) return;
   try {
     flush();
   } catch (const std::exception&) {  // the run has reported the cause already
   }
-  for (const auto& d : datasets_) H5Dclose(d.id);
-  if (id_ >= 0) H5Fclose(id_);
+  datasets_.clear();
+  handle_ = {};
   H5garbage_collect();  // what its exit handler would have freed
 }
 
@@ -76,29 +84,29 @@ std::size_t Record::add(const std::string& name, const std::string& unit, const 
                         std::size_t columns) {
   const int rank = columns == 1 ? 1 : 2;
   errno = 0;
-  hid_t id = -1;
+  Hdf5Handle dataset;
   if (resumed_) {
-    id = H5Dopen2(id_, name.c_str(), H5P_DEFAULT);
+    dataset = dataset_of(H5Dopen2(handle_.id(), name.c_str(), H5P_DEFAULT));
     const hsize_t size[2] = {rows_, columns};
-    if (id < 0 || H5Dset_extent(id, size) < 0) fail("continue dataset '" + name + "' in");
+    if (!dataset || H5Dset_extent(dataset.id(), size) < 0)
+      fail("continue dataset '" + name + "' in");
   } else {
     const hsize_t size[2] = {0, columns};
     const hsize_t limit[2] = {H5S_UNLIMITED, columns};
     const hsize_t chunk[2] = {kChunkRows, columns};
-    const hid_t space = H5Screate_simple(rank, size, limit);
-    const hid_t layout = H5Pcreate(H5P_DATASET_CREATE);
-    H5Pset_chunk(layout, rank, chunk);
-    const hid_t groups = H5Pcreate(H5P_LINK_CREATE);
-    H5Pset_create_intermediate_group(groups, 1);
-    id = H5Dcreate2(id_, name.c_str(), H5T_IEEE_F64LE, space, groups, layout, H5P_DEFAULT);
-    H5Pclose(groups);
-    H5Pclose(layout);
-    H5Sclose(space);
-    if (id < 0) fail("add dataset '" + name + "' to");
-    write_text(id, "unit", unit);
-    write_text(id, "frame", frame);
+    const auto space = space_of(H5Screate_simple(rank, size, limit));
+    const auto layout = properties_of(H5Pcreate(H5P_DATASET_CREATE));
+    const auto groups = properties_of(H5Pcreate(H5P_LINK_CREATE));
+    if (H5Pset_chunk(layout.id(), rank, chunk) < 0 ||
+        H5Pset_create_intermediate_group(groups.id(), 1) < 0)
+      fail("add dataset '" + name + "' to");
+    dataset = dataset_of(H5Dcreate2(handle_.id(), name.c_str(), H5T_IEEE_F64LE, space.id(),
+                                    groups.id(), layout.id(), H5P_DEFAULT));
+    if (!dataset) fail("add dataset '" + name + "' to");
+    write_text(dataset, "unit", unit);
+    write_text(dataset, "frame", frame);
   }
-  datasets_.push_back({name, id, columns, std::vector<double>(columns, 0.0), {}});
+  datasets_.push_back({name, std::move(dataset), columns, std::vector<double>(columns, 0.0), {}});
   return datasets_.size() - 1;
 }
 
@@ -120,67 +128,67 @@ void Record::flush() {
     const hsize_t size[2] = {rows_ + pending_, d.columns};
     const hsize_t start[2] = {rows_, 0};
     const hsize_t count[2] = {pending_, d.columns};
-    if (H5Dset_extent(d.id, size) < 0) fail("extend dataset '" + d.name + "' in");
-    const hid_t file_space = H5Dget_space(d.id);
-    H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, nullptr, count, nullptr);
-    const hid_t memory_space = H5Screate_simple(rank, count, nullptr);
-    const herr_t status =
-        H5Dwrite(d.id, H5T_NATIVE_DOUBLE, memory_space, file_space, H5P_DEFAULT, d.buffer.data());
-    H5Sclose(memory_space);
-    H5Sclose(file_space);
-    if (status < 0) fail("write dataset '" + d.name + "' to");
+    if (H5Dset_extent(d.handle.id(), size) < 0) fail("extend dataset '" + d.name + "' in");
+    const auto file_space = space_of(H5Dget_space(d.handle.id()));
+    const auto memory_space = space_of(H5Screate_simple(rank, count, nullptr));
+    if (H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
+        H5Dwrite(d.handle.id(), H5T_NATIVE_DOUBLE, memory_space.id(), file_space.id(), H5P_DEFAULT,
+                 d.buffer.data()) < 0)
+      fail("write dataset '" + d.name + "' to");
     d.buffer.clear();
   }
   rows_ += pending_;
   pending_ = 0;
-  if (H5Fflush(id_, H5F_SCOPE_GLOBAL) < 0) fail("flush");
+  if (H5Fflush(handle_.id(), H5F_SCOPE_GLOBAL) < 0) fail("flush");
 }
 
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
                                  std::size_t column) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  const hid_t dataset = id < 0 ? -1 : H5Dopen2(id, name.c_str(), H5P_DEFAULT);
-  if (dataset < 0) {
-    if (id >= 0) H5Fclose(id);
-    throw std::runtime_error("cannot read dataset '" + name + "' of " + file.string());
-  }
-  const hid_t space = H5Dget_space(dataset);
+  const auto refuse = [&](const std::string& why) {
+    return std::runtime_error("cannot read dataset '" + name + "' of " + file.string() + why);
+  };
+  const auto opened = file_of(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  if (!opened) throw refuse("");
+  const auto dataset = dataset_of(H5Dopen2(opened.id(), name.c_str(), H5P_DEFAULT));
+  if (!dataset) throw refuse("");
+  const auto space = space_of(H5Dget_space(dataset.id()));
+  const int rank = H5Sget_simple_extent_ndims(space.id());
   hsize_t size[2] = {0, 1};
-  H5Sget_simple_extent_dims(space, size, nullptr);
+  if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space.id(), size, nullptr) < 0)
+    throw refuse(": not a table of rows and columns");
+  if (column >= size[1])
+    throw refuse(": column " + std::to_string(column) + " of " + std::to_string(size[1]));
+  if (size[0] > std::filesystem::file_size(file))
+    throw refuse(": " + std::to_string(size[0]) + " rows are more than the file has bytes");
   std::vector<double> values(size[0]);
+  if (values.empty()) return values;
   const hsize_t start[2] = {0, column};
   const hsize_t count[2] = {size[0], 1};
-  H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr);
-  const hid_t memory = H5Screate_simple(1, size, nullptr);
-  const herr_t status =
-      size[0] == 0 ? 0
-                   : H5Dread(dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data());
-  H5Sclose(memory);
-  H5Sclose(space);
-  H5Dclose(dataset);
-  H5Fclose(id);
-  if (status < 0)
-    throw std::runtime_error("cannot read dataset '" + name + "' of " + file.string());
+  const auto memory = space_of(H5Screate_simple(1, size, nullptr));
+  if (H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
+      H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT,
+              values.data()) < 0)
+    throw refuse("");
   return values;
 }
 
 std::string read_attribute(const std::filesystem::path& file, const std::string& name) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (id < 0) throw std::runtime_error("cannot open " + file.string());
-  std::string text;
-  const hid_t attribute = H5Aopen(id, name.c_str(), H5P_DEFAULT);
-  if (attribute >= 0) {
-    const hid_t type = H5Aget_type(attribute);
-    text.resize(H5Tget_size(type));
-    if (H5Aread(attribute, type, text.data()) < 0) text.clear();
-    text.resize(text.find('\0') == std::string::npos ? text.size() : text.find('\0'));
-    H5Tclose(type);
-    H5Aclose(attribute);
-  }
-  H5Fclose(id);
-  return text;
+  const auto opened = file_of(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  if (!opened) throw std::runtime_error("cannot open " + file.string());
+  if (H5Aexists(opened.id(), name.c_str()) <= 0) return "";
+  const auto attribute = attribute_of(H5Aopen(opened.id(), name.c_str(), H5P_DEFAULT));
+  const auto type = type_of(attribute ? H5Aget_type(attribute.id()) : -1);
+  const auto space = space_of(attribute ? H5Aget_space(attribute.id()) : -1);
+  // One text of fixed length: of any other kind HDF5 would write more than there is room for.
+  const bool is_text = type && space && H5Tget_class(type.id()) == H5T_STRING &&
+                       H5Tis_variable_str(type.id()) == 0 &&
+                       H5Sget_simple_extent_npoints(space.id()) == 1;
+  std::string text(is_text ? H5Tget_size(type.id()) : 0, '\0');
+  if (!is_text || H5Aread(attribute.id(), type.id(), text.data()) < 0)
+    throw std::runtime_error("cannot read attribute '" + name + "' of " + file.string());
+  return text.substr(0, text.find('\0'));
 }
 
 }  // namespace dipper::record

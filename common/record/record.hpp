@@ -1,3 +1,4 @@
+// record.h5: the signals of a run against time.
 #pragma once
 
 #include <filesystem>
@@ -5,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "common/record/hdf5_handle.hpp"
+
 namespace dipper::record {
 
 /// record.h5: one dataset a channel, one row a sync step. Rows are collected in memory and appended
 /// by `flush`, after which the file on disk is whole: a killed run's record opens up to there.
-/// Every method throws std::runtime_error naming the file and the cause (a full disk, say).
+/// Every method throws std::runtime_error naming the file and the cause (a full disk, a text longer
+/// than the 64 KiB that an attribute holds); the record cannot be used after that.
 class Record {
  public:
   /// Creates the file; `attributes` go onto its root group.
@@ -41,26 +45,28 @@ class Record {
          std::size_t rows);
   struct Dataset {
     std::string name;
-    std::int64_t id;
+    Hdf5Handle handle;
     std::size_t columns;
     std::vector<double> row, buffer;
   };
   [[noreturn]] void fail(const std::string& what);
+  void write_text(const Hdf5Handle& object, const std::string& name, const std::string& text);
 
   std::filesystem::path file_;
-  std::int64_t id_ = -1;
+  Hdf5Handle handle_;  // null when a write has failed
   bool resumed_ = false;
-  bool broken_ = false;  // a write has failed; HDF5 would crash on closing
   std::vector<Dataset> datasets_;
   std::size_t rows_ = 0;     // on disk
   std::size_t pending_ = 0;  // in memory
 };
 
-/// Reads one column of a dataset of a record. Throws std::runtime_error naming file and dataset.
+/// Reads one column of a dataset of a record. Throws std::runtime_error naming file and dataset,
+/// also for a dataset that says it has more rows than the file has bytes.
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
                                  std::size_t column = 0);
 
-/// A text attribute of the file itself, such as "case_hash"; empty when there is none.
+/// A text attribute of the file itself, such as "case_hash"; empty when there is none. Throws
+/// std::runtime_error when it cannot be read.
 std::string read_attribute(const std::filesystem::path& file, const std::string& name);
 
 }  // namespace dipper::record

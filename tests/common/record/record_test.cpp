@@ -100,6 +100,42 @@ TEST_F(RecordTest, AFullDiskIsAnErrorThatNamesTheFile) {
   }
 }
 
+TEST_F(RecordTest, AnAttributeOrDatasetThatCannotBeCreatedIsAnError) {
+  const std::string too_long(70'000, 'x');  // HDF5 takes 64 KiB
+  try {
+    Record r = Record::create(file_, {{"case", too_long}});
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("attribute 'case'"));
+    EXPECT_THAT(e.what(), testing::HasSubstr(file_.string()));
+  }
+  const fs::path other = folder_ / "other.h5", third = folder_ / "third.h5";
+  {
+    Record r = Record::create(other, {});
+    EXPECT_THROW(r.add("time_s", too_long, "-"), std::runtime_error);
+  }
+  Record r = Record::create(third, {});
+  r.add("time_s", "s", "-");
+  EXPECT_THROW(r.add("time_s", "s", "-"), std::runtime_error);
+}
+
+TEST_F(RecordTest, AnAttributeIsReadBack) {
+  { Record r = Record::create(file_, {{"case", "a = 1\n"}, {"note", ""}}); }
+  EXPECT_EQ(read_attribute(file_, "case"), "a = 1\n");
+  EXPECT_EQ(read_attribute(file_, "note"), "");
+  EXPECT_EQ(read_attribute(file_, "none"), "");
+}
+
+TEST_F(RecordTest, AColumnThatIsNotThereIsAnError) {
+  {
+    Record r = Record::create(file_, {});
+    r.add("force", "N", "W", 3);
+    r.next();
+  }
+  EXPECT_EQ(read_channel(file_, "force", 2).size(), 1u);
+  EXPECT_THROW(read_channel(file_, "force", 3), std::runtime_error);
+}
+
 TEST_F(RecordTest, MissingFileAndDatasetAreNamed) {
   EXPECT_THROW(read_channel(file_, "time_s"), std::runtime_error);
   { Record r = Record::create(file_, {}); }
