@@ -1,8 +1,9 @@
 #include "analysis/report/packing.hpp"
 
+#include <glib.h>
 #include <zlib.h>
 
-#include <array>
+#include <memory>
 #include <stdexcept>
 
 namespace dipper::analysis::report {
@@ -28,20 +29,9 @@ std::vector<std::uint8_t> gzip(const std::uint8_t* data, std::size_t size) {
 }
 
 std::string base64(const std::vector<std::uint8_t>& bytes) {
-  static constexpr char kDigits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::array<std::uint32_t, 3> b{};
-    for (std::size_t k = 0; k < n; ++k) b[k] = bytes[i + k];
-    const std::uint32_t word = b[0] << 16 | b[1] << 8 | b[2];
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= n ? kDigits[word >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
+  const std::unique_ptr<gchar, decltype(&g_free)> text(g_base64_encode(bytes.data(), bytes.size()),
+                                                       &g_free);
+  return text.get();
 }
 
 }  // namespace dipper::analysis::report
