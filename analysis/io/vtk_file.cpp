@@ -80,6 +80,21 @@ std::size_t vtk_detail::bytes(VtkArray::Type type) {
   }
 }
 
+void vtk_detail::check_room(const std::filesystem::path& file, const VtkArray& a,
+                            std::int64_t file_size) {
+  // A value takes a digit at least, or its bytes; base64 makes them longer.
+  const std::size_t least = a.form == VtkArray::Form::ascii ? 1 : bytes(a.type);
+  const auto most =
+      static_cast<std::size_t>(std::max<std::int64_t>(0, file_size - a.offset)) / least;
+  if (a.components == 0 || a.components > std::max<std::size_t>(most, 9) ||
+      a.tuples > most / a.components)
+    throw input_error(
+        file, a.line,
+        fmt::format("array '{}' says it has {} x {} values; {} bytes are left of the "
+                    "file: cut short, or miscounted",
+                    a.name.substr(0, 40), a.tuples, a.components, file_size - a.offset));
+}
+
 const VtkArray* VtkFile::point_array(const std::string& name) const {
   return find(point_data, name);
 }
@@ -129,10 +144,11 @@ void VtkCursor::read(double* out, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) {
       in_.word(word_);
       if (word_.empty() || !parse_number(word_, out[i]))
-        throw input_error(
-            in_.file(), in_.line(),
-            word_.empty() ? fmt::format("array '{}' ends too early: cut short", array_.name)
-                          : fmt::format("array '{}': '{}' is not a number", array_.name, word_));
+        throw input_error(in_.file(), in_.line(),
+                          word_.empty()
+                              ? fmt::format("array '{}' ends too early: cut short", array_.name)
+                              : fmt::format("array '{}': '{}' is not a number", array_.name,
+                                            word_.substr(0, 40)));
     }
     return;
   }
@@ -160,36 +176,88 @@ std::vector<double> read_array(const VtkFile& file, const VtkArray& array) {
   return out;
 }
 
-WallDump read_wall_dump(const VtkFile& file) {
-  const std::vector<double> xyz = read_array(file, file.points);
-  std::vector<double> corners;
-  std::vector<std::size_t> first{0};  // of each cell, in corners
-  if (file.connectivity && file.offsets) {
-    corners = read_array(file, *file.connectivity);
-    const std::vector<double> ends = read_array(file, *file.offsets);
+namespace {
+
+/// Where each cell's corners begin and end, and which points they are.
+class Cells {
+ public:
+  explicit Cells(const VtkFile& file) : file_(file) {
+    if (file.connectivity && file.offsets) {
+      from_ends();
+    } else if (file.polygons) {
+      from_counts();
+    }
+    if (first_.size() != file.polygon_count + 1)
+      fail(file.points.line, fmt::format("{} polygons where there should be {}", first_.size() - 1,
+                                         file.polygon_count));
+  }
+
+  std::size_t count() const { return first_.size() - 1; }
+  std::size_t begin(std::size_t cell) const { return first_[cell]; }
+  std::size_t end(std::size_t cell) const { return first_[cell + 1]; }
+  /// The point of a corner, below `points`.
+  std::size_t point(std::size_t corner, std::size_t points) const {
+    const double p = corners_[corner];
+    if (!(p >= 0 && p < static_cast<double>(points)))
+      fail(file_.points.line, fmt::format("a cell uses point {}, but there are {}", p, points));
+    return static_cast<std::size_t>(p);
+  }
+
+ private:
+  [[noreturn]] void fail(long line, const std::string& what) const {
+    throw input_error(file_.file, line, what);
+  }
+
+  void from_ends() {
+    corners_ = read_array(file_, *file_.connectivity);
+    const std::vector<double> ends = read_array(file_, *file_.offsets);
     // XML counts ends from the first cell, legacy 5.1 has a 0 in front.
-    for (std::size_t i = ends.size() == file.polygon_count ? 0 : 1; i < ends.size(); ++i)
-      first.push_back(static_cast<std::size_t>(ends[i]));
-  } else if (file.polygons) {
-    const std::vector<double> all = read_array(file, *file.polygons);
-    for (std::size_t i = 0; i < all.size();) {
-      const auto n = static_cast<std::size_t>(all[i]);
-      for (std::size_t k = i + 1; k <= i + n && k < all.size(); ++k) corners.push_back(all[k]);
-      first.push_back(corners.size());
-      i += n + 1;
+    for (std::size_t i = ends.size() == file_.polygon_count ? 0 : 1; i < ends.size(); ++i) {
+      const bool sound = ends[i] >= static_cast<double>(first_.back()) &&
+                         ends[i] <= static_cast<double>(corners_.size());
+      if (!sound)
+        fail(file_.offsets->line, fmt::format("polygon {} ends at corner {}, of {}", first_.size(),
+                                              ends[i], corners_.size()));
+      first_.push_back(static_cast<std::size_t>(ends[i]));
     }
   }
-  WallDump wall;
+
+  void from_counts() {
+    const std::vector<double> all = read_array(file_, *file_.polygons);
+    for (std::size_t i = 0; i < all.size();) {
+      const double n = all[i++];
+      if (!(n >= 0 && n <= static_cast<double>(all.size() - i)))
+        fail(file_.polygons->line, fmt::format("polygon {} has {} corners; {} numbers are left",
+                                               first_.size(), n, all.size() - i));
+      for (const std::size_t end = i + static_cast<std::size_t>(n); i < end; ++i)
+        corners_.push_back(all[i]);
+      first_.push_back(corners_.size());
+    }
+  }
+
+  const VtkFile& file_;
+  std::vector<double> corners_;
+  std::vector<std::size_t> first_{0};
+};
+
+}  // namespace
+
+WallDump read_wall_dump(const VtkFile& file) {
+  const std::vector<double> xyz = read_array(file, file.points);
+  const Cells cells(file);
+  for (const VtkArray& a : file.cell_data)
+    if (a.tuples != cells.count())
+      throw input_error(
+          file.file, a.line,
+          fmt::format("array '{}' has {} values for {} polygons", a.name, a.tuples, cells.count()));
   const auto point = [&](std::size_t corner) {
-    const auto p = static_cast<std::size_t>(corners.at(corner));
-    if (3 * p + 2 >= xyz.size())
-      throw input_error(file.file, file.points.line,
-                        fmt::format("a cell uses point {}, but there are {}", p, xyz.size() / 3));
+    const std::size_t p = cells.point(corner, xyz.size() / 3);
     return Eigen::Vector3d(xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]);
   };
-  for (std::size_t c = 0; c + 1 < first.size(); ++c) {
-    for (std::size_t k = first[c] + 1; k + 1 < first[c + 1]; ++k) {
-      wall.mesh.add_loose({point(first[c]), point(k), point(k + 1)});
+  WallDump wall;
+  for (std::size_t c = 0; c < cells.count(); ++c) {
+    for (std::size_t k = cells.begin(c) + 1; k + 1 < cells.end(c); ++k) {
+      wall.mesh.add_loose({point(cells.begin(c)), point(k), point(k + 1)});
       wall.cell.push_back(c);
     }
   }

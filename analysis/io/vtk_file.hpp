@@ -64,15 +64,19 @@ class VtkCursor {
 std::vector<double> read_array(const VtkFile& file, const VtkArray& array);
 
 /// A wall dump: triangles in W. Cells with more than three corners are fanned; `cell` tells each
-/// triangle's cell, by which arrays of cell_data are looked up.
+/// triangle's cell, by which arrays of cell_data are looked up; they have a value for each cell.
 struct WallDump {
   mesh::TriangleMesh mesh;  ///< loose triangles: corners are not shared
   std::vector<std::size_t> cell;
 };
+/// Throws InputError, also for polygons and points that do not fit each other.
 WallDump read_wall_dump(const VtkFile& file);
 
 namespace vtk_detail {
 std::size_t bytes(VtkArray::Type type);
+/// Throws InputError for an array that says it has more values than are left of a file of this
+/// size: nobody has to take memory for them.
+void check_room(const std::filesystem::path& file, const VtkArray& array, std::int64_t file_size);
 VtkFile index_xml(const std::filesystem::path& file);
 VtkFile index_legacy(const std::filesystem::path& file);
 }  // namespace vtk_detail

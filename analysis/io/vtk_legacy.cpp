@@ -14,7 +14,10 @@ using Type = VtkArray::Type;
 
 class LegacyIndex {
  public:
-  explicit LegacyIndex(const std::filesystem::path& file) : in_(file) { out_.file = file; }
+  explicit LegacyIndex(const std::filesystem::path& file)
+      : in_(file), file_size_(static_cast<std::int64_t>(std::filesystem::file_size(file))) {
+    out_.file = file;
+  }
 
   VtkFile run() {
     if (in_.rest_of_line().rfind("# vtk DataFile", 0) != 0)
@@ -44,7 +47,8 @@ class LegacyIndex {
   std::size_t count(const char* what) {
     std::int64_t n = 0;
     const std::string w = word(what);
-    if (!parse_number(w, n) || n < 0) fail(fmt::format("'{}' where {} should be", w, what));
+    if (!parse_number(w, n) || n < 0)
+      fail(fmt::format("'{}' where {} should be", w.substr(0, 40), what));
     return static_cast<std::size_t>(n);
   }
 
@@ -58,7 +62,7 @@ class LegacyIndex {
         {"vtktypeuint64", Type::u64}, {"float", Type::f32},
         {"double", Type::f64}};
     const auto at = names.find(name);
-    if (at == names.end()) fail(fmt::format("unknown type '{}'", name));
+    if (at == names.end()) fail(fmt::format("unknown type '{}'", name.substr(0, 40)));
     return at->second;
   }
 
@@ -74,6 +78,7 @@ class LegacyIndex {
     if (!ascii_) in_.rest_of_line();
     a.offset = in_.offset();
     a.line = in_.line();
+    check_room(in_.file(), a, file_size_);
     const std::size_t n = components * tuples;
     std::string w;
     if (ascii_) {
@@ -121,6 +126,7 @@ class LegacyIndex {
     a.tuples = n;
     a.offset = in_.offset();
     a.line = in_.line();
+    check_room(in_.file(), a, file_size_);
     if (!in_.skip(static_cast<std::int64_t>(n * bytes(of))))
       fail(fmt::format("'{}' ends before its {} values: the file was cut short", name, n));
     return a;
@@ -135,7 +141,7 @@ class LegacyIndex {
       const std::string kind = word("the kind of data set");
       if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
         fail(fmt::format("DATASET {} holds no particles or walls; POLYDATA or UNSTRUCTURED_GRID",
-                         kind));
+                         kind.substr(0, 40)));
     } else if (key == "POINTS") {
       const std::size_t n = count("the number of points");
       out_.points = values("POINTS", type(word("a type")), 3, n);
@@ -154,7 +160,8 @@ class LegacyIndex {
       const std::string rest = in_.rest_of_line();
       std::string_view words = rest;
       const std::string_view number = take_word(words);
-      if (!number.empty() && !parse_number(number, components)) fail("not a number of components");
+      if (!number.empty() && (!parse_number(number, components) || components < 1))
+        fail("not a number of components");
       word("LOOKUP_TABLE");
       word("the table's name");
       keep(values(name, type(of), static_cast<std::size_t>(components), tuples_));
@@ -193,6 +200,7 @@ class LegacyIndex {
   }
 
   ByteReader in_;
+  std::int64_t file_size_;
   VtkFile out_;
   bool ascii_ = true;
   std::size_t tuples_ = 0;
