@@ -1,6 +1,7 @@
 #include "analysis/io/dump_folder.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -18,7 +19,8 @@ std::string stem_of(const fs::path& file) {
   std::string name = file.filename().string();
   const auto step = step_in_name(file);
   if (!step) {
-    const auto in_extension = step_in_name(fs::path(file.extension().string().substr(1)));
+    const std::string ext = file.extension().string();
+    const auto in_extension = step_in_name(fs::path(ext.empty() ? ext : ext.substr(1)));
     return in_extension ? file.stem().string() : name.substr(0, name.rfind('.'));
   }
   name = file.stem().string();
@@ -29,7 +31,9 @@ std::string stem_of(const fs::path& file) {
   return name.empty() ? "dump" : name;
 }
 
+/// A file that may not be read and that has no step in its name is none: a log of the run's owner.
 bool is_text_dump(const fs::path& file) {
+  if (access(file.c_str(), R_OK) != 0 && !step_in_name(file.filename())) return false;
   char head[14] = {};
   const auto stream = open_file(file);
   return std::fread(head, 1, sizeof head, stream.get()) == sizeof head &&
@@ -111,6 +115,9 @@ std::optional<double> check_series(const fs::path& folder) {
     if (!json.is_object() || !json.contains("files") || !json["files"].is_array())
       throw input_error(file, 1, "not a list of files in JSON: it was cut short");
     for (const auto& entry : json["files"]) {
+      if (!entry.is_object() || !entry.value("name", nlohmann::json()).is_string() ||
+          !entry.value("time", nlohmann::json(0)).is_number())
+        throw input_error(file, 0, "lists what is not {\"name\": a file, \"time\": a number}");
       const fs::path name = entry.value("name", "");
       if (!fs::exists(folder / name))
         throw input_error(file, 0, fmt::format("lists {}, which is missing", name.string()));

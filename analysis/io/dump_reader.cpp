@@ -16,6 +16,8 @@ bool is_vtk(const std::filesystem::path& file) {
   return file.extension() == ".vtp" || file.extension() == ".vtk";
 }
 
+constexpr std::int64_t kLargestStep = std::int64_t{1} << 53;  // a double counts up to here
+
 /// Columns as `dump custom` names them: v is vx, vy, vz.
 std::vector<std::string> names_of(const VtkArray& a) {
   if (a.components == 1) return {a.name};
@@ -137,6 +139,9 @@ DumpReader::DumpReader(const std::vector<std::filesystem::path>& files) {
   }
   std::stable_sort(frames_.begin(), frames_.end(),
                    [](const DumpFrame& a, const DumpFrame& b) { return a.step < b.step; });
+  for (const DumpFrame& f : frames_)
+    if (f.step < 0 || f.step > kLargestStep)
+      throw input_error(f.file, f.line, fmt::format("{} is no number of time steps", f.step));
   for (std::size_t i = 1; i < frames_.size(); ++i) {
     const DumpFrame &a = frames_[i - 1], &b = frames_[i];
     if (a.step == b.step)

@@ -3,12 +3,18 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "analysis/io/line_reader.hpp"
 
 namespace dipper::analysis::rock {
 namespace {
+
+// Far beyond any rock: what is larger is a damaged number, or one of the other byte order.
+constexpr double kLargestRadius_m = 100, kLargestDensity_kg_m3 = 1e6;
+constexpr double kFurthest_m = 1e6, kFastest_m_s = 1e5;
+constexpr double kLargestNumber = 9007199254740992;  // 2^53: ids above are not told apart
 
 /// The columns of a frame that a rock is made of, with their places in a chunk.
 class Columns {
@@ -33,23 +39,37 @@ class Columns {
   const std::vector<std::string>& names() const { return names_; }
   bool weighs() const { return mass_ >= 0 || density_ >= 0; }
 
-  double radius(const io::ParticleChunk& c, std::size_t i) const { return at(c, radius_, i, 0); }
-  std::int64_t id(const io::ParticleChunk& c, std::size_t i) const {
-    return whole(at(c, id_, i, 0));
+  double radius(const io::ParticleChunk& c, std::size_t i) const {
+    const double r = at(c, radius_, i, 0);
+    if (!(r > 0 && r <= kLargestRadius_m)) refuse(c, i, "radius", r);
+    return r;
   }
+  std::int64_t id(const io::ParticleChunk& c, std::size_t i) const { return whole(c, i, id_, 0); }
   int type(const io::ParticleChunk& c, std::size_t i) const {
-    return static_cast<int>(whole(at(c, type_, i, 1)));
+    const std::int64_t type = whole(c, i, type_, 1);
+    if (type < 1 || type > std::numeric_limits<int>::max())
+      refuse(c, i, "type", static_cast<double>(type));
+    return static_cast<int>(type);
   }
   std::int64_t clump(const io::ParticleChunk& c, std::size_t i) const {
-    return whole(at(c, clump_, i, -1));
+    return whole(c, i, clump_, -1);
   }
-  double density(const io::ParticleChunk& c, std::size_t i) const { return at(c, density_, i, 0); }
+  double density(const io::ParticleChunk& c, std::size_t i) const {
+    const double density = at(c, density_, i, 0);
+    if (!(density >= 0 && density <= kLargestDensity_kg_m3)) refuse(c, i, "density", density);
+    return density;
+  }
   double mass(const io::ParticleChunk& c, std::size_t i, double volume) const {
-    return mass_ >= 0 ? at(c, mass_, i, 0) : density(c, i) * volume;
+    if (mass_ < 0) return density(c, i) * volume;
+    const double mass = at(c, mass_, i, 0);
+    if (!(mass >= 0 && mass <= kLargestDensity_kg_m3 * volume)) refuse(c, i, "mass", mass);
+    return mass;
   }
-  Eigen::Vector3d p(const io::ParticleChunk& c, std::size_t i) const { return vector(c, x_, i); }
+  Eigen::Vector3d p(const io::ParticleChunk& c, std::size_t i) const {
+    return vector(c, x_, i, "position", kFurthest_m);
+  }
   Eigen::Vector3d v(const io::ParticleChunk& c, std::size_t i) const {
-    return v_ >= 0 ? vector(c, v_, i) : Eigen::Vector3d::Zero();
+    return v_ >= 0 ? vector(c, v_, i, "velocity", kFastest_m_s) : Eigen::Vector3d::Zero();
   }
 
  private:
@@ -58,13 +78,31 @@ class Columns {
     return static_cast<int>(names_.size()) - 1;
   }
   int maybe(const std::string& name) { return frame_.has(name) ? add(name) : -1; }
-  static std::int64_t whole(double v) { return static_cast<std::int64_t>(std::llround(v)); }
+  std::int64_t whole(const io::ParticleChunk& c, std::size_t i, int column,
+                     double otherwise) const {
+    const double v = at(c, column, i, otherwise);
+    if (!(std::abs(v) <= kLargestNumber))
+      refuse(c, i, names_[static_cast<std::size_t>(column)].c_str(), v);
+    return static_cast<std::int64_t>(std::llround(v));
+  }
   static double at(const io::ParticleChunk& c, int column, std::size_t i, double otherwise) {
     return column >= 0 ? c.columns[static_cast<std::size_t>(column)][i] : otherwise;
   }
-  static Eigen::Vector3d vector(const io::ParticleChunk& c, int column, std::size_t i) {
+  Eigen::Vector3d vector(const io::ParticleChunk& c, int column, std::size_t i, const char* what,
+                         double most) const {
     const auto k = static_cast<std::size_t>(column);
-    return {c.columns[k][i], c.columns[k + 1][i], c.columns[k + 2][i]};
+    const Eigen::Vector3d v(c.columns[k][i], c.columns[k + 1][i], c.columns[k + 2][i]);
+    const double size = v.cwiseAbs().maxCoeff();
+    if (!(size <= most)) refuse(c, i, what, size);
+    return v;
+  }
+  [[noreturn]] void refuse(const io::ParticleChunk& c, std::size_t i, const char* what,
+                           double value) const {
+    throw io::input_error(
+        frame_.file, frame_.line,
+        fmt::format("particle {:.17g} has {} {:.6g}: no rock is like that; is the "
+                    "dump damaged, or of the other byte order?",
+                    at(c, id_, i, 0), what, value));
   }
 
   const io::DumpFrame& frame_;
@@ -118,9 +156,6 @@ void for_each_rock(const io::DumpFrame& frame, const ClumpMasses& masses,
   io::DumpReader::read(frame, columns.names(), [&](const io::ParticleChunk& chunk) {
     for (std::size_t i = 0; i < chunk.rows; ++i) {
       const double r = columns.radius(chunk, i);
-      if (r <= 0)
-        throw io::input_error(frame.file, frame.line,
-                              fmt::format("particle {} has radius {}", columns.id(chunk, i), r));
       const double volume = 4.0 / 3.0 * M_PI * r * r * r;
       const double mass = columns.mass(chunk, i, volume);
       if (const std::int64_t id = columns.clump(chunk, i); id >= 0) {
