@@ -9,6 +9,7 @@ import os
 import signal
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import yaml
@@ -17,10 +18,11 @@ from .effects import read_catalogue
 from .findings import BadInput
 from .gap_json import as_json, write_json
 from .measured import read_measured
+from .model import NEED_PASSES
 from .patch import write_patched_case
 from .report import write_report
 from .simulator import JOBS, DipperSimulator, RunFailed
-from .workflow import NEED_PASSES, Workflow
+from .workflow import analyse
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -106,9 +108,8 @@ def main(words=None):
     catalogue, left_out = usable(catalogue, simulator)
     out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
     try:
-        flow = Workflow(measured, simulator, catalogue, int(data.get("seed", 1)), say)
-        flow.out.warnings += left_out
-        out = flow.run()
+        out = analyse(measured, simulator, catalogue, int(data.get("seed", 1)), say)
+        out = replace(out, warnings=(*left_out, *out.warnings))
     except KeyboardInterrupt:
         print("gap: interrupted; the same command goes on from the runs already made", file=sys.stderr)
         return 4

@@ -14,7 +14,7 @@ HOIST = "hoist_force_kN"
 BALANCE = "balance"
 
 
-def _places(cells):
+def _mass_and_force(cells):
     """{pass: (mass, hoist force in swing, on return)} as indices."""
     index = {c: i for i, c in enumerate(cells)}
     out = {}
@@ -28,19 +28,19 @@ def _places(cells):
 
 def tonnes_a_kN(cells, rows):
     """Slope of mass over the carried force, within each pass, from runs (R, n); None when they do not tell."""
-    places = _places(cells)
-    if not places or len(rows) < 3:
+    where = _mass_and_force(cells)
+    if not where or len(rows) < 3:
         return None
     centred = rows - rows.mean(axis=0)
-    mass = np.concatenate([centred[:, m] for m, _, _ in places.values()])
-    force = np.concatenate([centred[:, s] - centred[:, r] for _, s, r in places.values()])
+    mass = np.concatenate([centred[:, m] for m, _, _ in where.values()])
+    force = np.concatenate([centred[:, s] - centred[:, r] for _, s, r in where.values()])
     spread = force @ force
     return float(mass @ force / spread) if spread > 0 and mass @ force > 0 else None
 
 
 def balanced(cells, rows, slope):
     """Cells and features (..., n) with the balance of every pass added, in t; linear in the features."""
-    places = _places(cells) if slope else {}
-    more = [rows[..., m] - slope * (rows[..., s] - rows[..., r]) for m, s, r in places.values()]
-    new = [Cell(number, "dump", MASS, BALANCE) for number in places]
+    where = _mass_and_force(cells) if slope else {}
+    more = [rows[..., m] - slope * (rows[..., s] - rows[..., r]) for m, s, r in where.values()]
+    new = [Cell(number, "dump", MASS, BALANCE) for number in where]
     return list(cells) + new, np.concatenate([rows] + [x[..., None] for x in more], axis=-1)

@@ -3,7 +3,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.stats import chi2
-from sklearn.covariance import ledoit_wolf
 
 LEAST_SEEDS, MOST_SEEDS = 8, 16
 SEEDS_A_TRUCK = 4  # so that the model's mean is known twice as well as the mine's, up to the most
@@ -58,7 +57,7 @@ class Baseline:
         """Variance of the mine's mean less that of so many runs, in variances of a run."""
         return self.scatter / self.trucks + 1.0 / runs
 
-    def knowing(self, more):
+    def with_deviations(self, more):
         """The same with the seeds' covariance known from (M, n) further deviations too."""
         return replace(self, more=more, seed=seed_covariance(self.values, self.grid, more))
 
@@ -98,13 +97,12 @@ def seed_covariance(values, grid, more):
     deviation = np.concatenate([deviation, to_grid(more, grid)])
     unit = np.where(np.isfinite(deviation) & (sd > 0), deviation / np.where(sd > 0, sd, 1.0), 0.0)
     n_passes, n_keys = grid.shape
-    between_keys = _correlation(ledoit_wolf(unit.reshape(-1, n_keys), assume_centered=True)[0])
+    between_keys = _correlation(ledoit_wolf(unit.reshape(-1, n_keys)))
     if n_passes > 1:
         values_, vectors = np.linalg.eigh(between_keys)
         root = vectors / np.sqrt(np.maximum(values_, 1e-9))
         white = unit @ root
-        between_passes = _correlation(ledoit_wolf(white.transpose(0, 2, 1).reshape(-1, n_passes),
-                                                  assume_centered=True)[0])
+        between_passes = _correlation(ledoit_wolf(white.transpose(0, 2, 1).reshape(-1, n_passes)))
     else:
         between_passes = np.ones((1, 1))
     there = grid.ravel() >= 0
@@ -112,6 +110,24 @@ def seed_covariance(values, grid, more):
     scale = np.nan_to_num(sd).ravel()[there][order]
     full = np.kron(between_passes, between_keys)[np.ix_(there, there)][np.ix_(order, order)]
     return full * np.outer(scale, scale)
+
+
+def ledoit_wolf(x):
+    """(p, p) covariance of samples (N, p) about 0, shrunk towards a multiple of the unit matrix by as much as the
+    samples' own scatter asks (Ledoit and Wolf 2004, J. Multivariate Anal. 88, 365, Eq. 14 and section 3.2).
+    """
+    samples, features = x.shape
+    squares, product = x**2, x.T @ x
+    if features == 1:
+        return np.atleast_2d(squares.mean())
+    covariance = product / samples
+    variances = squares.sum(axis=0) / samples
+    mean = variances.sum() / features
+    size = (product**2).sum() / samples**2
+    error = 1.0 / (features * samples) * ((squares.T @ squares).sum() / samples - size)
+    off = (size - 2.0 * mean * variances.sum() + features * mean**2) / features
+    shrinkage = min(error, off) / off if min(error, off) != 0 else 0.0
+    return (1.0 - shrinkage) * covariance + shrinkage * (np.trace(covariance) / features) * np.eye(features)
 
 
 def _correlation(covariance):

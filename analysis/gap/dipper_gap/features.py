@@ -36,6 +36,12 @@ class Cell:
         return self.phase, self.channel, self.feature
 
 
+def number(labels):
+    """(n,) integers from 0, the same for equal labels, in order of their first appearance."""
+    order = {label: k for k, label in enumerate(dict.fromkeys(labels))}
+    return np.array([order[label] for label in labels])
+
+
 @dataclass(frozen=True)
 class _Span:
     """One phase of one pass: how to read a signal at its own points."""

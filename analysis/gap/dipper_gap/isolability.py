@@ -47,9 +47,10 @@ def isolability(signatures, covariance, strengths=None, only=None):
     table = np.zeros((len(at), len(at)))
     for i, first in enumerate(signatures):
         own = covariance + at[i] ** 2 * first.spread
+        plain = np.linalg.inv(own) if only in (None, first.name) else None
         for j, second in enumerate(signatures):
             if i != j and only in (None, first.name):
-                table[i, j] = _apart(at[i] * first.g, own, second)
+                table[i, j] = _apart(at[i] * first.g, own, plain, second)
     return Isolability(names, at, d, table, limits)
 
 
@@ -71,11 +72,12 @@ def _limit(signature, covariance):
     return abs(brentq(lambda s: _length(signature, s, covariance) - DETECTION_D, 0.0, top, rtol=1e-3))
 
 
-def _apart(vector, covariance, other):
-    """Length of what is left of `vector` after the best allowed strength of `other`."""
+def _apart(vector, covariance, inverse, other):
+    """Length of what is left of `vector` after the best allowed strength of `other`; `inverse` of the covariance."""
     strength = 0.0
     for _ in range(2):  # the second signature's own uncertainty grows with its strength
-        inverse = np.linalg.inv(covariance + strength**2 * other.spread)
+        if strength != 0:
+            inverse = np.linalg.inv(covariance + strength**2 * other.spread)
         strength = float(other.g @ inverse @ vector / max(other.g @ inverse @ other.g, 1e-300))
         strength = min(max(strength, other.effect.low), other.effect.high)
     left = vector - strength * other.g

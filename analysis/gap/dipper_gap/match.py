@@ -7,6 +7,7 @@ from scipy.special import logsumexp
 
 from . import evidence
 from .balance import BALANCE, HOIST
+from .features import number
 
 # Prior shares: how often, before looking, one expects so many effects. Equal among sets of one size.
 PRIOR = {"none": 0.45, "unknown": 0.10, 1: 0.35, 2: 0.08, 3: 0.02}
@@ -70,14 +71,15 @@ def unknown_evidence(residual, covariance, baseline):
     stays or grows from pass to pass.
     """
     sd = baseline.sd
-    same = np.array([[a.key == b.key for b in baseline.cells] for a in baseline.cells], float)
+    key = number([c.key for c in baseline.cells])
+    same = (key[:, None] == key).astype(float)
     masks = [np.ones(len(sd), bool)]
     for pick in (lambda c: c.channel, lambda c: c.phase, lambda c: (c.phase, c.channel)):
         labels = [pick(c) for c in baseline.cells]
         masks += [np.array([x == label for x in labels]) for label in dict.fromkeys(labels)]
     shapes = [np.diag(sd**2)] + [np.outer(sd * m, sd * m) * same for m in masks]
-    for number in dict.fromkeys(c.pass_number for c in baseline.cells):
-        shapes.append(np.diag(sd**2 * np.array([c.pass_number == number for c in baseline.cells])))
+    for one in dict.fromkeys(c.pass_number for c in baseline.cells):
+        shapes.append(np.diag(sd**2 * np.array([c.pass_number == one for c in baseline.cells])))
     sized = [size**2 * shape for shape in shapes for size in UNKNOWN_SIZES]
     sized += [gain**2 * np.outer(v, v) for v in gains(baseline).T for gain in UNKNOWN_GAINS]
     logs = [evidence.log_gaussian(residual, evidence.prepare(covariance + extra)) for extra in sized]

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.linalg import solve_triangular
 
 from .baseline import scatter, seed_covariance, to_grid
+from .features import number
 
 DRAWS = 1000
 # Degrees of freedom of Student's t that runs, or a phase of a pass, may have instead of a Gaussian: a rock
@@ -119,35 +120,34 @@ def _scale(dof, shape, rng):
 
 
 def phase_labels(cells):
-    keys = [(c.pass_number, c.phase) for c in cells]
-    order = {k: i for i, k in enumerate(dict.fromkeys(keys))}
-    return np.array([order[k] for k in keys])
+    return number([(c.pass_number, c.phase) for c in cells])
 
 
-def _shape(values, grid):
-    """What tells the tails of R runs, of any covariance: (log kurtosis of a feature over runs and passes, mean
-    over features; sd over runs of the log of a run's mean square deviation)."""
-    deviation = values - values.mean(axis=0)
-    x = to_grid(deviation, grid)
-    second, fourth = np.nanmean(x**2, axis=(0, 1)), np.nanmean(x**4, axis=(0, 1))
-    moves = second > 1e-12 * second.max()
+def _shapes(values, grid):
+    """(B, 2): what tells the tails of B sets of R runs, (B, R, n), of any covariance: the log of a feature's kurtosis
+    over runs and passes, mean over features; the sd over runs of the log of a run's mean square deviation."""
+    deviation = values - values.mean(axis=1, keepdims=True)
     square = deviation**2
-    own = square.mean(axis=0)
-    size = (square[:, own > 0] / own[own > 0]).mean(axis=1)
-    return np.array([np.log(np.mean(fourth[moves] / second[moves] ** 2)), np.log(size).std()])
+    x = to_grid(square, grid)
+    second, fourth = np.nanmean(x, axis=(1, 2)), np.nanmean(x**2, axis=(1, 2))
+    moves = second > 1e-12 * second.max(axis=1, keepdims=True)
+    kurtosis = np.where(moves, fourth / np.where(moves, second, 1.0) ** 2, 0.0).sum(axis=1) / moves.sum(axis=1)
+    own = square.mean(axis=1, keepdims=True)
+    size = (square / np.where(own > 0, own, 1.0)).sum(axis=2) / (own > 0).sum(axis=2)
+    return np.column_stack([np.log(kurtosis), np.log(size).std(axis=1)])
 
 
 def find_tails(baseline, seed=0):
     """The tails whose runs look most like the baseline's; a Gaussian unless others are clearly more like them."""
     rng = np.random.default_rng(seed)
-    seed_root, seen = root(baseline.seed), _shape(baseline.values, baseline.grid)
+    seed_root, seen = root(baseline.seed), _shapes(baseline.values[None], baseline.grid)[0]
     labels = phase_labels(baseline.cells)
     best, least = Tails(), np.inf
     for whole in DOF:
         for block in DOF:
             tails = Tails(whole, block)
-            made = np.array([_shape(make_runs(seed_root, baseline.seeds, tails, labels, rng), baseline.grid)
-                             for _ in range(TAIL_DRAWS)])
+            made = _shapes(np.array([make_runs(seed_root, baseline.seeds, tails, labels, rng)
+                                     for _ in range(TAIL_DRAWS)]), baseline.grid)
             off = (((seen - np.median(made, axis=0)) / made.std(axis=0)) ** 2).sum()
             off += CLEARLY * (np.isfinite(whole) + np.isfinite(block))
             if off < least:

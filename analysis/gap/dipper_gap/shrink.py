@@ -8,6 +8,8 @@ itself; every one of these alike in all passes, and in each pass anew.
 """
 import numpy as np
 
+from .features import number
+
 STEPS = 30
 START = 0.3    # of the variances, in the seeds' or the prediction's
 LEAST = 1e-10  # keeps them positive
@@ -43,8 +45,8 @@ def shrink(x, noise, baseline, unit):
 def _components(baseline, unit):
     """[(shape (n, n), member (n,))]: a component's covariance is its variance times the shape among its members."""
     cells = baseline.cells
-    key = _number([c.key for c in cells])
-    block, one_pass = _number([(c.phase, c.channel) for c in cells]), _number([c.pass_number for c in cells])
+    key = number([c.key for c in cells])
+    block, one_pass = number([(c.phase, c.channel) for c in cells]), number([c.pass_number for c in cells])
     same_block, same_pass = block[:, None] == block, one_pass[:, None] == one_pass
     seeds = _between_features(baseline, key) / unit**2
     alone = np.outer(baseline.sd, baseline.sd) * (key[:, None] == key) / unit**2
@@ -65,7 +67,3 @@ def _between_features(baseline, key):
         correlation[pair] = np.where(correlation[pair] == 0, seen, correlation[pair])
     return correlation[np.ix_(key, key)] * np.outer(sd, sd)
 
-
-def _number(labels):
-    order = {label: k for k, label in enumerate(dict.fromkeys(labels))}
-    return np.array([order[label] for label in labels])

@@ -41,7 +41,7 @@ class Signature:
         block = np.ix_(at, at)
         return replace(self, g=self.g[at], noise=self.noise[block], wrong=self.wrong[block])
 
-    def wary(self, factor):
+    def inflated(self, factor):
         """The same where the seeds' covariance, known from few runs, promises too much by `factor`."""
         return replace(self, noise=self.noise * factor)
 

@@ -34,10 +34,10 @@ class Vectors:
         """Cells, vectors (trucks, n) and each truck's durations of the mine's own folder."""
         seen = [measured_features(truck, self.numbers) for truck in measured.trucks()]
         cells = [c for c in seen[0][0] if all(c in of for of, _, _ in seen)]
-        y = np.array([row[places(of, cells)] for of, row, _ in seen])
+        y = np.array([row[indices_of(cells, of)] for of, row, _ in seen])
         return (*balanced(cells, y, self.slope), [durations for _, _, durations in seen])
 
 
-def places(cells, wanted):
+def indices_of(wanted, cells):
     index = {c: i for i, c in enumerate(cells)}
     return [index[c] for c in wanted]

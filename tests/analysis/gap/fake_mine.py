@@ -83,8 +83,8 @@ class World:
         self.directions = np.array([s.g for s in self.signatures]).T
         self.null = simulate_null(self.baseline, self.directions, draws=300, seed=number)
         factor = self.null.inflation(len(self.signatures))
-        self.signatures = [s.wary(factor) for s in self.signatures]
-        self.nuisances = [s.wary(factor) for s in self.nuisances]
+        self.signatures = [s.inflated(factor) for s in self.signatures]
+        self.nuisances = [s.inflated(factor) for s in self.nuisances]
         self.plain = with_nuisances(self.baseline.prediction, self.nuisances)
         self.covariance = with_nuisances(self.baseline.inflated(factor).prediction, self.nuisances)
 

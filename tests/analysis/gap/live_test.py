@@ -22,7 +22,8 @@ from dipper_gap.effects import read_catalogue  # noqa: E402
 from dipper_gap.gap_json import as_json, write_json  # noqa: E402
 from dipper_gap.patch import write_patched_case  # noqa: E402
 from dipper_gap.simulator import DipperSimulator, request  # noqa: E402
-from dipper_gap.workflow import FRESH_SEEDS, Workflow  # noqa: E402
+from dipper_gap.plan import FRESH_SEEDS  # noqa: E402
+from dipper_gap.workflow import analyse  # noqa: E402
 
 # Effects whose signatures need no rock to run anew: the whole catalogue takes 60 runs.
 NAMES = ("crowd_friction", "hoist_drive_loss", "scale_gain", "logger_offset")
@@ -53,7 +54,7 @@ def test_a_hidden_effect_is_named_added_and_the_gap_shrinks(mine):
     work, model, measured = mine
     catalogue = {n: e for n, e in read_catalogue(twin.ROOT / "analysis/effects").items() if n in NAMES}
     simulator = DipperSimulator(model, catalogue, program(), work / "cache")
-    out = Workflow(measured, simulator, catalogue, 1, lambda text: print(text, flush=True)).run()
+    out = analyse(measured, simulator, catalogue, 1, lambda text: print(text, flush=True))
     answer = as_json(out, catalogue, {"case": simulator.identity()})
     write_json(answer, work / "gap.json")
     a = json.loads((work / "gap.json").read_text())

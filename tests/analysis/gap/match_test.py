@@ -1,4 +1,5 @@
 """Matching on data with known truth: evidence against quadrature, coverage, and what is said of each truth."""
+import functools
 from dataclasses import replace
 
 import numpy as np
@@ -62,9 +63,12 @@ class Case:
         return decide(p, m, w.signatures, w.covariance, w.plain, residual, w.baseline, self.null)
 
 
-@pytest.fixture(scope="module")
+case_of = functools.lru_cache(None)(Case)
+
+
+@pytest.fixture
 def case():
-    return Case(0)
+    return case_of(0)
 
 
 @pytest.mark.parametrize("multiple, least_right", [(1, 0.75), (2, 0.90)])
@@ -72,7 +76,7 @@ def test_effects_are_named_at_their_limit_and_twice_it(multiple, least_right):
     """In three worlds, each mine with seeds and noise of its own."""
     verdicts = []
     for number in range(3):
-        case = Case(number)
+        case = case_of(number)
         for k, (n, x) in enumerate(case.limits.items()):
             if multiple * x <= fake_mine.CATALOGUE[n].reference() * 1.5:
                 verdicts.append((n, case.decide(case.w.residual({n: multiple * x}, 100 * multiple + k))))
@@ -139,7 +143,7 @@ def test_effects_that_look_alike_are_a_class(case):
 def test_intervals_cover(case):
     """90 % intervals over effects, strengths and mines of two worlds."""
     covered = []
-    for c in (case, Case(1)):
+    for c in (case, case_of(1)):
         for n, limit in c.limits.items():
             for k, multiple in enumerate((1.0, 1.5, 2.0)):
                 truth = multiple * limit

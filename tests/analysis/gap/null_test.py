@@ -41,20 +41,20 @@ def world(number, tails=None, trucks=1, more=0):
     baseline, keep = make_baseline(cells(), rows[:RUNS], own, common, range(1, PASSES + 1), trucks)
     seen = rows[RUNS:].reshape(MINES, trucks, n)
     seen = seen + rng.standard_normal(seen.shape) * np.sqrt(np.diag(own)) + rng.standard_normal((MINES, 1, 1)) * common
-    return baseline.knowing((rng.standard_normal((more, n)) @ lower.T)[:, keep]), seen[:, :, keep]
+    return baseline.with_deviations((rng.standard_normal((more, n)) @ lower.T)[:, keep]), seen[:, :, keep]
 
 
 def p_values(count, trucks=1, more=0):
     omnibus, cell = [], []
     for number in range(count):
         baseline, mines = world(number, None, trucks, more)
-        null, found = None, []
-        for rows in mines:
-            if trucks > 1:  # each mine's own scatter, as the workflow takes it
-                baseline = replace(baseline, scatter=scatter(rows, np.diag(baseline.own), np.diag(baseline.seed)))
-            if trucks > 1 or null is None:
-                null = simulate_null(baseline, draws=DRAWS, seed=number)
-            found.append(localise(rows.mean(axis=0) - baseline.mean, baseline, null))
+        tails, nulls, found = find_tails(baseline), {}, []
+        for rows in mines:  # each mine's own scatter, as the workflow takes it
+            own = scatter(rows, np.diag(baseline.own), np.diag(baseline.seed))
+            baseline = replace(baseline, scatter=own)
+            if own not in nulls:
+                nulls[own] = simulate_null(baseline, draws=DRAWS, seed=number, tails=tails)
+            found.append(localise(rows.mean(axis=0) - baseline.mean, baseline, nulls[own]))
         omnibus.append([f.omnibus_p for f in found])
         cell.append([f.p_adjusted.min() for f in found])
     return np.array(omnibus), np.array(cell)

@@ -5,26 +5,28 @@ usage: analyse.py limits FILE [EFFECT ...]  the model's own detection limits, {e
        analyse.py run FOLDER OUT [CASE ...]   results into FOLDER/results, reports into OUT
        analyse.py nulls COUNT FILE      how often nothing is called something, COUNT times over
 """
+import functools
 import json
 import shutil
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[3]
-sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis")]
+sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis/gap")]
 from dipper_gap.__main__ import cache_folder, program  # noqa: E402
 from dipper_gap.decide import OMNIBUS_P, decide  # noqa: E402
 from dipper_gap.effects import read_catalogue  # noqa: E402
 from dipper_gap.localise import localise  # noqa: E402
 from dipper_gap.match import match  # noqa: E402
 from dipper_gap.null import find_tails, make_runs, phase_labels, root  # noqa: E402
-from dipper_gap.simulator import DipperSimulator, request  # noqa: E402
-from dipper_gap.workflow import FRESH_FROM, Workflow, scatter_of  # noqa: E402
+from dipper_gap.simulator import DipperSimulator  # noqa: E402
+from dipper_gap.model import compare, learn, predict  # noqa: E402
+from dipper_gap.plan import FRESH_FROM, make_plan  # noqa: E402
+from dipper_gap.workflow import Runner, look  # noqa: E402
 from make import TRUCKS, as_mine  # noqa: E402
 
 CASE = ROOT / "cases/screening"
@@ -38,25 +40,24 @@ def simulator(catalogue):
 
 
 def prepared(runs):
-    """The workflow made ready for mines of TRUCKS trucks: (Workflow)."""
+    """What is known of mines of TRUCKS trucks, one of which is made of these seeds: (Model, its mine, Runner)."""
     catalogue = read_catalogue(ROOT / "analysis/effects")
-    sim = simulator(catalogue)
-    mine = as_mine(sim.run([request({}, s, catalogue) for s in runs]), np.random.default_rng(0))
-    flow = Workflow(mine, sim, catalogue, 1, lambda text: None)
-    flow.prepare()
-    return flow
+    runner = Runner(simulator(catalogue), catalogue, lambda text: None)
+    mine = as_mine(runner.run({}, runs), np.random.default_rng(0))
+    plan = make_plan(catalogue, TRUCKS, 1)
+    folders = runner.simulator.run(plan.requests(), runner.say)
+    return learn(plan, dict(zip(plan.requests(), folders)), mine), mine, runner
 
 
-def simulated_mines(flow, count, rng):
-    """Residuals (count, n) of mines like the model: trucks and baseline's seeds with the tails these have."""
-    b = flow.whole
+def simulated_mines(b, at, count, rng):
+    """Residuals (count, n) of mines like the baseline b, at these cells: trucks and seeds with the tails these have."""
     tails, labels, seed, noise = find_tails(b), phase_labels(b.cells), root(b.seed), root(b.noise)
     out = []
     for _ in range(count):
         made = make_runs(seed, b.trucks + b.seeds, tails, labels, rng)
         out.append(made[:b.trucks].mean(axis=0) - made[b.trucks:].mean(axis=0)
                    + noise @ rng.standard_normal(len(b.mean)))
-    return np.array(out)[:, flow.out.training.at]
+    return np.array(out)[:, at]
 
 
 def limits(names):
@@ -64,12 +65,13 @@ def limits(names):
 
     The mines are the model's own, on the side of the upper bound; naming is without the confirmation on the hold-out.
     """
-    flow = prepared(range(1, TRUCKS + 1))
-    part, null = flow.out.training, flow.null
-    mines = simulated_mines(flow, MINES, np.random.default_rng(1))
+    model, mine, runner = prepared(range(1, TRUCKS + 1))
+    prediction = predict(model, runner.catalogue, model.scatter(mine))
+    part, null = compare(model, prediction, mine)[0], prediction.null
+    mines = simulated_mines(prediction.baseline, part.at, MINES, np.random.default_rng(1))
 
     def named(residual, name):
-        if localise(residual, part.baseline, null, flow.directions).omnibus_p >= OMNIBUS_P:
+        if localise(residual, part.baseline, null, prediction.directions).omnibus_p >= OMNIBUS_P:
             return False
         m = match(residual, part.covariance, part.signatures, part.baseline, largest=2)
         v = decide(0.0, m, part.signatures, part.covariance, part.plain, residual, part.baseline, null)
@@ -108,33 +110,21 @@ def run(folder, out, cases):
     return 0
 
 
-def take(flow, ready, mine):
-    """The workflow for another mine; made ready anew only where its trucks scatter otherwise."""
-    rows, training = flow.features(mine), ready.training
-    if scatter_of(rows, flow.whole, training.passes) != flow.whole.scatter:
-        other = Workflow(mine, flow.simulator, flow.catalogue, 1, flow.say)
-        other.prepare()
-        return other
-    y = rows.mean(axis=0)
-    flow.out = replace(ready, training=replace(training, y=y[training.at]),
-                       holdout=replace(ready.holdout, y=y[ready.holdout.at]))
-    return flow
-
-
 def nulls(count, file):
     """Fresh runs of the model itself, TRUCKS of NULL_SEEDS at a time, each through its own instruments' noise."""
     seeds = [1 + FRESH_FROM + k for k in range(NULL_SEEDS)]
-    flow = prepared(seeds[:TRUCKS])
-    runs = flow.simulator.run([request({}, s, flow.catalogue) for s in seeds])
-    rng, ready = np.random.default_rng(20), flow.out
+    model, _, runner = prepared(seeds[:TRUCKS])
+    predicted = functools.lru_cache(None)(lambda scatter: predict(model, runner.catalogue, scatter))
+    runs, rng = runner.run({}, seeds), np.random.default_rng(20)
     with open(file, "w") as f:
         f.write("case,verdict,omnibus_p\n")
         for _ in range(count):
             chosen = sorted(rng.choice(NULL_SEEDS, TRUCKS, replace=False))
-            seen = take(flow, ready, as_mine([runs[k] for k in chosen], rng))
-            seen.look()
-            f.write(f"seeds {' '.join(str(seeds[k]) for k in chosen)},{seen.out.verdict.verdict},"
-                    f"{seen.out.disagreement.omnibus_p:.4f}\n")
+            mine = as_mine([runs[k] for k in chosen], rng)
+            prediction = predicted(model.scatter(mine))
+            seen = look(model, prediction, *compare(model, prediction, mine), runner)
+            f.write(f"seeds {' '.join(str(seeds[k]) for k in chosen)},{seen.verdict.verdict},"
+                    f"{seen.disagreement.omnibus_p:.4f}\n")
 
 
 def main(words):

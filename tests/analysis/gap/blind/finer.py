@@ -14,7 +14,7 @@ from analyse import program, read_catalogue, ROOT, simulator
 from dipper_gap.features import TIME
 from dipper_gap.measured import read_measured
 from dipper_gap.simulator import request
-from dipper_gap.vectors import Vectors, places
+from dipper_gap.vectors import Vectors, indices_of
 from make import CHANNELS
 
 EFFECTS = ("crowd_friction", "hoist_drive_loss", "logger_offset")
@@ -47,7 +47,7 @@ def main(words):
     def shift(before, after):
         rows = [(vectors.of_run(a), vectors.of_run(b)) for a, b in zip(after, before)]
         cells = [c for c in vectors.cells if all(c in view[0] for pair in rows for view in pair)]
-        return cells, np.mean([a[1][places(a[0], cells)] - b[1][places(b[0], cells)] for a, b in rows], axis=0)
+        return cells, np.mean([a[1][indices_of(cells, a[0])] - b[1][indices_of(cells, b[0])] for a, b in rows], axis=0)
 
     print("| effect | strength | cells | rank correlation, all cells | cells that move by half an instrument's sd |")
     print("|---|---|---|---|---|")
@@ -56,8 +56,8 @@ def main(words):
         coarse_cells, coarse = shift(plain, sim.run([request({name: s}, k, catalogue) for k in seeds]))
         fine_cells, fine = shift([finer(b, None, 0) for b in bases], [finer(b, name, s) for b in bases])
         cells = [c for c in coarse_cells if c in set(fine_cells) and c.channel != TIME]
-        x, y = coarse[places(coarse_cells, cells)], fine[places(fine_cells, cells)]
-        sd = np.sqrt(np.diag(vectors.own) + (vectors.common**2).sum(axis=0))[places(vectors.cells, cells)]
+        x, y = coarse[indices_of(cells, coarse_cells)], fine[indices_of(cells, fine_cells)]
+        sd = np.sqrt(np.diag(vectors.own) + (vectors.common**2).sum(axis=0))[indices_of(cells, vectors.cells)]
         moves = np.abs(x) > 0.5 * sd
         print(f"| {name} | {s:g} {catalogue[name].unit} | {len(cells)} | {spearmanr(x / sd, y / sd)[0]:.2f} | "
               f"{spearmanr((x / sd)[moves], (y / sd)[moves])[0]:.2f} of {moves.sum()} |", flush=True)

@@ -1,0 +1,156 @@
+"""What the runs say of a mine's passes: the unchanged case, its spread from seed to seed, and each effect.
+
+Two stages, each a function of values that do not change: `learn` takes the runs, `predict` what is known of the
+mine beside its readings. A mine's values enter neither, so one model serves all mines that log the same.
+"""
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .baseline import Baseline, make_baseline, scatter
+from .isolability import with_nuisances
+from .match import gains
+from .measured import MASS
+from .null import Null, Tails, find_tails, left_out_inflation, simulate_null
+from .plan import Plan, split
+from .signatures import deviations, fit_signature
+from .vectors import Vectors, indices_of
+
+NEED_PASSES = 2
+LEFT_OUT_DRAWS = 200
+
+
+@dataclass(frozen=True)
+class SignatureRuns:
+    strengths: tuple
+    seed_index: tuple    # of the baseline's runs; None where the seed is another
+    values: np.ndarray   # (J, n)
+    same_rock: bool      # observed or replayed, not run
+
+
+@dataclass(frozen=True)
+class Model:
+    """Over the cells that mine and runs share; of the mine it holds channels, trucks and passes, no reading."""
+
+    plan: Plan
+    passes: tuple         # numbers of all passes, training and held out
+    vectors: Vectors
+    baseline: Baseline    # its trucks scatter as its seeds do
+    bias: np.ndarray      # (channels, n): shift by a constant in one channel
+    runs: dict            # {effect: SignatureRuns}
+    tails: Tails
+    inflation: float      # of the seeds' covariance, as leaving each seed out in turn asks
+    folders: tuple        # of the baseline's runs
+
+    def of_runs(self, folders):
+        """(runs, n) features of noise-free folders."""
+        rows = (self.vectors.of_run(m) for m in folders)
+        return np.array([row[indices_of(self.baseline.cells, cells)] for cells, row in rows])
+
+    def of_mine(self, measured):
+        """(trucks, n) features of a mine's folder."""
+        cells, rows, _ = self.vectors.of_mine(measured)
+        return rows[:, indices_of(self.baseline.cells, cells)]
+
+    def scatter(self, measured):
+        """How much a mine's trucks vary in the training passes, in variances of the model's runs."""
+        part, at = self.baseline.part(split(self.passes)[0])
+        return scatter(self.of_mine(measured)[:, at], np.diag(part.own), np.diag(part.seed))
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """What is to be expected of a mine whose trucks vary so much, with and without each effect."""
+
+    baseline: Baseline
+    signatures: tuple       # of all effects, over all passes
+    directions: np.ndarray  # (training cells, K) in which the null looks
+    null: Null
+    inflation: float        # of what few runs tell of the seeds, for fits along the signatures
+
+
+@dataclass(frozen=True)
+class Part:
+    """Training or hold-out passes: what was measured there, and what the model says."""
+
+    passes: tuple
+    y: np.ndarray
+    baseline: Baseline
+    signatures: list
+    nuisances: list
+    plain: np.ndarray        # covariance of the prediction, nuisances included
+    covariance: np.ndarray   # the same, inflated for what few runs leave unknown of the seeds'
+    bias: np.ndarray         # (channels, n): shift by a constant in one channel
+    at: list                 # these cells among those of all passes
+
+
+def learn(plan, folders, measured):
+    """The model from the runs {request: folder} of a plan, for a mine that logs as `measured` does."""
+    numbers = common_passes(measured, folders.values())
+    base = [folders[r] for r in plan.baseline]
+    vectors = Vectors(measured.channels, numbers, base)
+    mine_cells, _, _ = vectors.of_mine(measured)
+    seen = {r: vectors.of_run(m) for r, m in folders.items()}
+    everywhere = set(mine_cells).intersection(*(cells for cells, _ in seen.values()))
+    cells = [c for c in mine_cells if c in everywhere]
+    rows = {r: row[indices_of(cells, own)] for r, (own, row) in seen.items()}
+    at = indices_of(cells, vectors.cells)
+    baseline, keep = make_baseline(cells, np.array([rows[r] for r in plan.baseline]), vectors.own[np.ix_(at, at)],
+                                   vectors.common[:, at], numbers, len(measured.trucks()))
+    runs = {n: SignatureRuns(tuple(p.strength for p in planned), tuple(p.seed_index for p in planned),
+                             np.array([rows[p.request][keep] for p in planned]), planned[0].request.how != "run")
+            for n, planned in plan.signatures.items()}
+    ran = {plan.signatures[n][0].request: r for n, r in runs.items() if not r.same_rock}  # each run once
+    baseline = baseline.with_deviations(np.concatenate(
+        [baseline.more] + [deviations(r.strengths, r.seed_index, r.values, baseline) for r in ran.values()]))
+    tails = find_tails(baseline)  # of any size: the same when inflated
+    one = replace(baseline, trucks=1)
+    inflation = left_out_inflation(one, simulate_null(one, draws=LEFT_OUT_DRAWS, tails=tails))
+    responses = measured.responses() + ([MASS] if MASS in measured.channels else [])
+    size = np.array([measured.channels[n].common_sigma for n in responses])
+    bias = baseline.common / np.where(size > 0, size, 1.0)[:, None]
+    return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, tails, inflation, tuple(base))
+
+
+def common_passes(measured, folders):
+    """Numbers of the passes that are both measured and in every run; throws ValueError when they are too few."""
+    common = set(p.number for p in measured.passes)
+    for m in folders:
+        common &= set(p.number for p in m.passes)
+    if len(common) < NEED_PASSES:
+        raise ValueError(f"{len(common)} passes are both measured and simulated; {NEED_PASSES} or more "
+                         "are needed, one to train on and one to hold out")
+    return sorted(common)
+
+
+def predict(model, catalogue, trucks_scatter):
+    """The prediction for a mine whose trucks vary so much (Model.scatter)."""
+    baseline = replace(model.baseline, scatter=trucks_scatter)
+    signatures = [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
+    training = split(model.passes)[0]
+    part, at = baseline.part(training)
+    named = [s.part(at) for s in signatures if not s.effect.nuisance]
+    directions = np.column_stack([s.g for s in named] + [gains(part)])
+    null = simulate_null(baseline, directions, passes=training, tails=model.tails)
+    inflation = null.inflation(len(named))
+    return Prediction(baseline, tuple(s.inflated(inflation) for s in signatures), directions, null, inflation)
+
+
+def signature(effect, baseline, runs):
+    return fit_signature(effect, baseline, runs.strengths, runs.seed_index, runs.values, runs.same_rock)
+
+
+def compare(model, prediction, measured):
+    """The training and the hold-out passes of a mine beside the prediction."""
+    y = model.of_mine(measured).mean(axis=0)
+    return tuple(_part(model, prediction, passes, y) for passes in split(model.passes))
+
+
+def _part(model, prediction, passes, y):
+    baseline, at = prediction.baseline.part(passes)
+    cut = [s.part(at) for s in prediction.signatures]
+    nuisances = [s for s in cut if s.effect.nuisance]
+    plain = with_nuisances(baseline.prediction, nuisances)
+    inflated = with_nuisances(baseline.inflated(prediction.inflation).prediction, nuisances)
+    return Part(passes, y[at], baseline, [s for s in cut if not s.effect.nuisance], nuisances, plain, inflated,
+                model.bias[:, at], at)
