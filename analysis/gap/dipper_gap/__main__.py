@@ -19,9 +19,10 @@ from .findings import BadInput
 from .gap_json import as_json, write_json
 from .measured import read_measured
 from .model import NEED_PASSES
+from .motion import compare_motion, read_motion
 from .patch import write_patched_case
 from .report import write_report
-from .simulator import JOBS, DipperSimulator, RunFailed
+from .simulator import JOBS, DipperSimulator, RunFailed, check
 from .workflow import analyse
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -46,22 +47,17 @@ def program():
 
 
 def read_case(folder):
-    file = folder / "case.yaml"
-    if not file.is_file():
-        raise BadInput([f"{folder}: case.yaml is not there; name a case's folder"])
-    try:
-        data = yaml.safe_load(file.read_text())
-    except yaml.YAMLError as e:
-        raise BadInput([f"{file}: not YAML: {e}"]) from None
-    if (data or {}).get("effects"):
-        raise BadInput([f"{file}: effects: the case has some already; give the case without them"])
+    """What case.yaml holds; the program has checked it."""
+    data = yaml.safe_load((folder / "case.yaml").read_text())
+    if data.get("effects"):
+        raise BadInput([f"{folder / 'case.yaml'}: effects: the case has some already; give the case without them"])
     return data
 
 
 def usable(catalogue, simulator):
     """The effects this case can take at the strengths to be run, and a line for each that it cannot."""
     def fault(effect):
-        return next(filter(None, (simulator.check([(effect.name, s)]) for s in effect.strengths(False))), "")
+        return next(filter(None, (check(simulator.program, simulator.case, [(effect.name, s)]) for s in effect.strengths(False))), "")
 
     kept, left_out = {}, []
     with ThreadPoolExecutor(JOBS) as pool:
@@ -89,10 +85,16 @@ def say(text):
 
 def main(words=None):
     args = arguments(words)
+    bad = check(program(), args.case)
+    if bad:
+        print(bad, file=sys.stderr)
+        return 2
     try:
         data = read_case(args.case)
         catalogue = read_catalogue(ROOT / "analysis/effects", args.case / "effects")
         measured = read_measured(args.measured, NEED_PASSES)
+        for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
+            say(f"gap: {question}")
     except BadInput as e:
         for finding in e.findings:
             print(finding, file=sys.stderr)
@@ -101,10 +103,6 @@ def main(words=None):
     for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
         signal.signal(number, signal.default_int_handler)
     simulator = DipperSimulator(args.case, catalogue, program(), cache_folder())
-    bad = simulator.check()
-    if bad:
-        print(bad, file=sys.stderr)
-        return 2
     catalogue, left_out = usable(catalogue, simulator)
     out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
     try:

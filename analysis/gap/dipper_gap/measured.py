@@ -6,7 +6,6 @@
 
 `sigma` is the standard deviation of one reading, `common_sigma` that of an error all readings share.
 """
-import csv
 import math
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,6 +14,7 @@ import numpy as np
 import yaml
 
 from .findings import Findings
+from .text_file import number, read_text, read_yaml, said
 
 DRIVEN = "driven"
 RESPONSE = "response"
@@ -42,6 +42,7 @@ MASS = "truck_mass_t"
 MOTION = ("hoist_m", "crowd_m", "swing_rad")
 PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
 TRUCK = "truck"
+LONGEST_SHOWN = 40  # characters of a cell that is no number
 LEAST_SAMPLES = 10  # a pass with fewer readings cannot be cut into phases
 
 
@@ -90,6 +91,11 @@ class Measured:
         signals = {n: v[span] for n, v in self.signals.items()}
         return replace(self, passes=passes, time_s=self.time_s[span], signals=signals)
 
+    def questions(self):
+        """What is legal in channels.yaml and hardly ever meant, a line each."""
+        return tuple(f"{c.name}: sigma is 0: no instrument reads without an error of its own, and what it errs will be "
+                     "taken for a gap" for c in self.channels.values() if c.role == RESPONSE and c.sigma == 0)
+
     def responses(self):
         """Names of the signals that answer to the rock, in a fixed order."""
         return [n for n in KNOWN if n in self.signals and self.channels[n].role == RESPONSE]
@@ -121,18 +127,9 @@ def _channels(file, found):
         found.add(file, 0, "file", "not there",
                   "list each channel as NAME: {unit, role, sigma, common_sigma}")
         return {}
-    try:
-        root = yaml.compose(file.read_text())
-    except yaml.YAMLError as e:
-        mark = getattr(e, "problem_mark", None)
-        found.add(file, mark.line + 1 if mark else 0, "YAML", getattr(e, "problem", str(e)),
-                  "a map of channels")
-        return {}
-    if not isinstance(root, yaml.MappingNode):
-        found.add(file, 1, "channels", "not a map", "NAME: {unit, role, sigma, common_sigma}")
-        return {}
+    root = read_yaml(file, found, "a map of channels, NAME: {unit, role, sigma, common_sigma}")
     out = {}
-    for key, node in root.value:
+    for key, node in root.value if root else []:
         channel = _channel(file, key, node, found)
         if channel and channel.name in out:
             found.add(file, key.start_mark.line + 1, channel.name, "given twice", "keep one")
@@ -142,14 +139,16 @@ def _channels(file, found):
 
 
 def _channel(file, key, node, found):
-    name, line = key.value, key.start_mark.line + 1
+    name, line = said(key), key.start_mark.line + 1
     if name not in KNOWN:
         found.add(file, line, name, "unknown channel", "one of " + ", ".join(KNOWN))
         return None
     if not isinstance(node, yaml.MappingNode):
         found.add(file, line, name, "not a map", "{unit, role, sigma, common_sigma}")
         return None
-    values = {k.value: (v.value, k.start_mark.line + 1) for k, v in node.value}
+    values = {said(k): (said(v), k.start_mark.line + 1) for k, v in node.value}
+    if len(values) < len(node.value):
+        found.add(file, line, name, "a key given twice", "keep one")
     for extra in sorted(set(values) - {"unit", "role", "sigma", "common_sigma"}):
         found.add(file, values[extra][1], f"{name}.{extra}", "unknown key",
                   "unit, role, sigma or common_sigma")
@@ -163,34 +162,33 @@ def _channel(file, key, node, found):
     sizes = []
     for field in ("sigma", "common_sigma"):
         text, at = values.get(field, (None, line))
-        number = _number(text)
-        if number is None or number < 0:
+        size = number(text)
+        if size is None or size < 0:
             found.add(file, at, f"{name}.{field}", f"is {text}", f"a number in {KNOWN[name].unit}, 0 or more")
-            number = 0.0
-        sizes.append(number)
+            size = 0.0
+        sizes.append(size)
     return Channel(name, KNOWN[name].unit, role, *sizes)
-
-
-def _number(text):
-    try:
-        value = float(text)
-    except (TypeError, ValueError):
-        return None
-    return value if math.isfinite(value) else None
 
 
 def _rows(file, found):
     """Header and rows of a CSV, each with its line number; `#` starts a comment line."""
-    lines = [(i, text) for i, text in enumerate(file.read_text().splitlines(), 1)
-             if text.strip() and not text.lstrip().startswith("#")]
+    text = read_text(file, found)
+    if text is None:
+        return 0, [], []
+    lines = [(i, line) for i, line in enumerate(text.split("\n"), 1)
+             if line.strip() and not line.lstrip().startswith("#")]
     if not lines:
         found.add(file, 1, "file", "empty", "a header and a row a reading")
         return 0, [], []
-    parsed = [(i, [c.strip() for c in next(csv.reader([text]))]) for i, text in lines]
+    first, header = lines[0]
+    if ";" in header and "," not in header:
+        found.add(file, first, "columns", "are parted by semicolons", "commas, and points in numbers")
+        return 0, [], []
+    parsed = [(i, [c.strip().strip('"') for c in line.split(",")]) for i, line in lines]
     return parsed[0][0], parsed[0][1], parsed[1:]
 
 
-def _table(file, need, found, allowed=None):
+def read_table(file, need, found, allowed=None):
     """Columns of numbers by name, and the line of each row; unreadable cells are findings."""
     header_line, header, rows = _rows(file, found)
     if not header:
@@ -198,9 +196,12 @@ def _table(file, need, found, allowed=None):
     for name in need:
         if name not in header:
             found.add(file, header_line, name, "column missing", "header: " + ",".join(need))
+    twice = sorted({name for name in header if header.count(name) > 1})
+    for name in twice:
+        found.add(file, header_line, name, "column given twice", "keep one")
+    if twice:
+        return {}, []
     for name in header:
-        if header.count(name) > 1:
-            found.add(file, header_line, name, "column given twice", "keep one")
         if allowed is not None and name not in allowed:
             found.add(file, header_line, name, "unknown channel",
                       "declare it in channels.yaml, as one of " + ", ".join(KNOWN))
@@ -210,13 +211,13 @@ def _table(file, need, found, allowed=None):
             found.add(file, line, "row", f"{len(row)} values", f"{len(header)}, as in the header")
             row = (row + [""] * len(header))[:len(header)]
         for name, text in zip(header, row):
-            number = _number(text)
-            if number is None:
-                found.add(file, line, name, f"is '{text}'", "a finite number")
-                number = math.nan
-            elif name in KNOWN and abs(number) > KNOWN[name].largest:
-                found.add(file, line, name, f"is {number:g}", f"in {KNOWN[name].unit} ({KNOWN[name].hint})")
-            values[name].append(number)
+            value = number(text)
+            if value is None:
+                found.add(file, line, name, f"is '{text[:LONGEST_SHOWN]}'", "a finite number")
+                value = math.nan
+            elif name in KNOWN and abs(value) > KNOWN[name].largest:
+                found.add(file, line, name, f"is {value:g}", f"in {KNOWN[name].unit} ({KNOWN[name].hint})")
+            values[name].append(value)
     return {k: np.array(v) for k, v in values.items()}, [line for line, _ in rows]
 
 
@@ -225,22 +226,22 @@ def _passes(file, channels, need_passes, found):
         found.add(file, 0, "file", "not there", ",".join(PASS_COLUMNS))
         return []
     need = PASS_COLUMNS if MASS in channels else PASS_COLUMNS[:3]
-    table, lines = _table(file, need, found)
+    table, lines = read_table(file, need, found)
     if not all(name in table for name in need):
         return []
     masses = table.get(MASS, np.full(len(lines), math.nan))
     trucks = table.get(TRUCK, np.ones(len(lines)))
     passes, last_end, last_number, last_truck = [], -math.inf, 0, 0
-    for line, truck, number, start, end, mass in zip(lines, trucks, table["pass"], table["t_start_s"],
-                                                     table["t_end_s"], masses):
+    for line, truck, index, start, end, mass in zip(lines, trucks, table["pass"], table["t_start_s"],
+                                                    table["t_end_s"], masses):
         if truck != last_truck:
             last_number = 0
-        if not (math.isfinite(number) and math.isfinite(truck)):
+        if not (math.isfinite(index) and math.isfinite(truck)):
             continue  # the table has told it
         if not (truck == int(truck) and truck >= max(1, last_truck)):
             found.add(file, line, TRUCK, f"is {truck:g}", "rising whole numbers from 1, a new one for each load")
-        if number != int(number) or number <= last_number:
-            found.add(file, line, "pass", f"is {number:g}", "whole numbers that rise, from 1"
+        if index != int(index) or index <= last_number:
+            found.add(file, line, "pass", f"is {index:g}", "whole numbers that rise, from 1"
                       + ("" if TRUCK in table else f"; a column {TRUCK} tells loads apart"))
         if not end > start:
             found.add(file, line, "t_end_s", f"is {end:g}", f"after t_start_s, {start:g}")
@@ -249,8 +250,8 @@ def _passes(file, channels, need_passes, found):
                       f"{last_end:g} or later: passes must not overlap")
         if mass < 0:
             found.add(file, line, MASS, f"is {mass:g}", "0 or more")
-        passes.append(Pass(int(number), float(start), float(end), float(mass), int(truck)))
-        last_end, last_number, last_truck = end, number, truck
+        passes.append(Pass(int(index), float(start), float(end), float(mass), int(truck)))
+        last_end, last_number, last_truck = end, index, truck
     first = [p.number for p in passes if p.truck == passes[0].truck]
     for truck in dict.fromkeys(p.truck for p in passes):
         numbers = [p.number for p in passes if p.truck == truck]
@@ -273,7 +274,7 @@ def _signals(file, channels, passes, found):
             found.add(file, 0, "file", "not there, but channels.yaml declares " + ", ".join(declared),
                       "time_s," + ",".join(declared))
         return np.zeros(0), {}
-    table, lines = _table(file, ["time_s"] + declared, found, {"time_s"} | set(declared))
+    table, lines = read_table(file, ["time_s"] + declared, found, {"time_s"} | set(declared))
     if "time_s" not in table or not lines:
         return np.zeros(0), {}
     for name in MOTION:
@@ -297,7 +298,7 @@ def _readings(time, p):
 
 def _optional_table(file, columns, found):
     if file.is_file():
-        _table(file, columns, found)
+        read_table(file, columns, found)
 
 
 def write_measured(m, folder):

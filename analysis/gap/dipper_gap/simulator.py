@@ -7,6 +7,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -17,6 +18,7 @@ from pathlib import Path
 from .measured import read_measured
 from .patch import referenced_files
 
+KEEPER = Path(__file__).with_name("keeper.py")
 JOBS = 2
 WAIT_S = 0.5  # between looks at a run that another process makes
 ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
@@ -79,28 +81,27 @@ class Simulator:
         raise NotImplementedError
 
 
+def check(program, case, effects=()):
+    """What `dipper check` has against the case with these (name, strength); empty when it is sound."""
+    made = subprocess.run([str(program), "check", str(case)] + _settings(effects), capture_output=True, text=True)
+    return "" if made.returncode == 0 else (made.stdout + made.stderr).strip()
+
+
 class DipperSimulator(Simulator):
     def __init__(self, case, catalogue, program, cache):
         self.case, self.catalogue, self.program = Path(case), catalogue, str(program)
         self.cache = Path(cache)
-        self._size = ""
         self._identity = _digest(self.case, self.program)
         self._children, self._lock, self._stopped = {}, threading.Lock(), False
+        self._alive, self._held = os.pipe()  # ends when this process does, however it ends
 
     def identity(self):
         return self._identity
 
-    def check(self, effects=()):
-        """What `dipper check` has against the case with these (name, strength); empty when it is sound."""
-        made = subprocess.run([self.program, "check", str(self.case)] + _settings(effects),
-                              capture_output=True, text=True)
-        if made.returncode == 0 and not effects:
-            self._size = made.stdout
-        return "" if made.returncode == 0 else (made.stdout + made.stderr).strip()
-
     def _guess(self):
         """Seconds a run may take, from the size `dipper check` tells; None without it."""
-        size = re.search(r"about (\d+) rocks,.* in (\d+) steps.*after (\d+) steps", self._size)
+        told = subprocess.run([self.program, "check", str(self.case)], capture_output=True, text=True).stdout
+        size = re.search(r"about (\d+) rocks,.* in (\d+) steps.*after (\d+) steps", told)
         return int(size[1]) * (int(size[2]) + int(size[3])) / ROCK_STEPS_PER_S if size else None
 
     def folder(self, r):
@@ -185,8 +186,9 @@ class DipperSimulator(Simulator):
             with self._lock:
                 if self._stopped:
                     return 4
-                child = subprocess.Popen(words, stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
-                                         pass_fds=(lock.fileno(),))
+                shared = (self._alive, lock.fileno())
+                child = subprocess.Popen([sys.executable, "-S", "-E", str(KEEPER), *map(str, shared), *words], stdout=log,
+                                         stderr=subprocess.STDOUT, start_new_session=True, pass_fds=shared)
                 self._children[child.pid] = child
             status = child.wait()
             with self._lock:

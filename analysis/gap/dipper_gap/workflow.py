@@ -129,7 +129,7 @@ def conclude(model, prediction, measured, runner):
 
 def warnings(model, prediction, measured):
     """What a reader should know of the comparison itself."""
-    out = motion_warnings(model, measured)
+    out = [*measured.questions(), *motion_warnings(model, measured)]
     if prediction.baseline.scatter > SCATTERS:
         out.append(f"the trucks' passes vary {np.sqrt(prediction.baseline.scatter):.1f} times as much as the "
                    "model's from seed to seed: was each dug at a face like the case's?")

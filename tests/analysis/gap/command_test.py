@@ -1,5 +1,6 @@
 """`dipper gap` as a command: what ends it, and how. The simulator is a script that would run for a minute."""
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -29,7 +30,8 @@ def words(tmp_path):
     program.write_text(SLOW)
     program.chmod(0o755)
     (tmp_path / "case").mkdir()
-    (tmp_path / "case" / "case.yaml").write_text("seed: 1\n")
+    (tmp_path / "case" / "case.yaml").write_text("seed: 1\nmachine: {motion: motion.csv}\n")
+    shutil.copy(synthetic.ROOT / "cases/aitik/motion.csv", tmp_path / "case")
     write_measured(synthetic.with_noise(synthetic.run({}, seed=1), 1), tmp_path / "mine")
     return [sys.executable, "-B", "-m", "dipper_gap", str(tmp_path / "case"), "--measured", str(tmp_path / "mine"), "--out",
             str(tmp_path / "out")]
@@ -60,6 +62,46 @@ def test_an_interrupt_ends_it_within_seconds_and_leaves_nothing(words, tmp_path)
     assert "goes on from the runs already made" in err
     assert "runs, 0 of them kept" in out
     assert not left(tmp_path) and not (tmp_path / "out").exists()
+
+
+def test_a_kill_leaves_no_run(words, tmp_path):
+    gap = start(words, tmp_path)
+    until = time.monotonic() + 60
+    while len(list(tmp_path.glob("started/*"))) < 2:
+        assert gap.poll() is None and time.monotonic() < until
+        time.sleep(0.05)
+    gap.kill()
+    gap.communicate()
+    until = time.monotonic() + 20
+    while left(tmp_path):
+        assert time.monotonic() < until
+        time.sleep(0.05)
+
+
+def test_a_case_with_another_number_of_passes_starts_nothing(words, tmp_path):
+    rows = (tmp_path / "case" / "motion.csv").read_text().splitlines()
+    (tmp_path / "case" / "motion.csv").write_text("\n".join(rows[:3 + 2 * 50]) + "\n")
+    gap = start(words, tmp_path)
+    _, err = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and "3 measured, and the case's motion digs 1" in err
+    assert not (tmp_path / "started").exists()
+
+
+def test_a_sigma_of_0_and_another_motion_are_questioned_before_the_first_run(words, tmp_path):
+    channels, motion = tmp_path / "mine" / "channels.yaml", tmp_path / "case" / "motion.csv"
+    channels.write_text(channels.read_text().replace("sigma: 25,", "sigma: 0,", 1))
+    rows = [line.split(",") for line in motion.read_text().splitlines()]
+    motion.write_text("\n".join(",".join(r[:3] + [str(float(r[3]) + 20)] + r[4:] if r[0][0].isdigit() else r)
+                                for r in rows) + "\n")
+    gap = start(words, tmp_path)
+    until = time.monotonic() + 60
+    while not list(tmp_path.glob("started/*")):
+        assert gap.poll() is None and time.monotonic() < until
+        time.sleep(0.05)
+    gap.send_signal(signal.SIGINT)
+    out, _ = gap.communicate(timeout=20)
+    before = out[:out.index("runs, 0 of them kept")]
+    assert "hoist_force_kN: sigma is 0" in before and "swing_rad is 0.35 rad (rms) off" in before and "hoist_m is" not in before
 
 
 def test_bad_measurements_start_nothing(words, tmp_path):

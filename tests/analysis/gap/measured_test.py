@@ -127,3 +127,66 @@ def test_everything_at_once(folder):
 
 def test_missing_folder(tmp_path):
     assert "not there" in findings(tmp_path / "none")[0]
+
+
+FILES = ("channels.yaml", "passes.csv", "signals.csv")
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_text_that_is_no_utf8_is_told_with_its_line(folder, file):
+    data = (folder / file).read_bytes()
+    third = data.index(b"\n", data.index(b"\n") + 1) + 1
+    (folder / file).write_bytes(data[:third] + b"\xe9" + data[third:])
+    assert any(f"{file}:3: encoding: byte 0xE9 is not UTF-8" in f for f in findings(folder))
+    (folder / file).write_bytes(data.decode().encode("utf-16"))
+    assert any(f"{file}:1: encoding: is UTF-16" in f for f in findings(folder))
+    (folder / file).write_bytes(data.decode().encode("utf-16-le"))
+    assert any(f"{file}:1: encoding: a zero byte" in f for f in findings(folder))
+    (folder / file).write_bytes(b"\xef\xbb\xbf" + data.replace(b"\n", b"\r\n"))
+    read_measured(folder)
+
+
+@pytest.mark.parametrize("new, what", [
+    ("sigma: [25, 3]", "hoist_force_kN.sigma: is a list; a number"),
+    ("sigma: {a: 1}", "hoist_force_kN.sigma: is a map; a number"),
+    ("[1]: 2, sigma: 25", "hoist_force_kN.a list: unknown key"),
+    ("sigma: 1_0", "hoist_force_kN.sigma: is 1_0"),
+    ("sigma: 1, sigma: 2", "hoist_force_kN: a key given twice"),
+    ("sigma: &a [*a]", "hoist_force_kN.sigma: is a list"),
+])
+def test_lists_where_numbers_belong(folder, new, what):
+    change(folder / "channels.yaml", "sigma: 25", new)
+    all_of_it = findings(folder)
+    assert any("channels.yaml:5: " + what in f for f in all_of_it), all_of_it
+
+
+def test_deep_yaml_and_repeated_columns_and_semicolons(folder):
+    text = (folder / "channels.yaml").read_text()
+    (folder / "channels.yaml").write_text("a: " + "[" * 3000)
+    assert any("channels.yaml: YAML: lists within lists" in f for f in findings(folder))
+    (folder / "channels.yaml").write_text(text)
+    change(folder / "signals.csv", "hoist_m", "time_s")
+    assert any("signals.csv:1: time_s: column given twice" in f for f in findings(folder))
+    passes = folder / "passes.csv"
+    passes.write_text(passes.read_text().replace(",", ";"))
+    assert any("passes.csv:1: columns: are parted by semicolons" in f for f in findings(folder))
+
+
+def test_damaged_folders_are_read_or_refused(folder):
+    """Bytes changed, cut out and put in at random: findings or a sound folder, never another exception."""
+    whole = {f: (folder / f).read_bytes() for f in FILES}
+    rng, refused = np.random.default_rng(6), 0
+    for _ in range(250):
+        for file, data in whole.items():
+            data = bytearray(data[:400])
+            for _ in range(rng.integers(0, 4)):
+                at = int(rng.integers(len(data)))
+                data[at:at + int(rng.integers(0, 12))] = rng.choice([b"", b"[", b"{", b": ", b",", b"\n", b"\0", b"\xff",
+                                                                     b"nan", b"1e999", b"&a *a", b"\"", b"- ", b"\x85"])
+            (folder / file).write_bytes(data)
+        try:
+            read_measured(folder, 1, simulated=True)
+        except BadInput as e:
+            refused += 1
+            assert all(str(folder) in f for f in e.findings)
+    assert refused > 100

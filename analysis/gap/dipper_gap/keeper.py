@@ -1,0 +1,27 @@
+"""keeper.py PIPE LOCK PROGRAM WORD...: runs a program that must not outlive whoever holds the pipe's other end.
+
+The analysis may be killed in any way; its runs would go on by themselves for minutes. When the pipe ends, or on an
+interrupt, the program is interrupted, so that it leaves a checkpoint. It shares the open file LOCK. Exit status: the program's.
+"""
+import select
+import signal
+import subprocess
+import sys
+
+LOOK_S = 0.2
+
+
+def main(pipe, lock, words):
+    child = subprocess.Popen(words, pass_fds=[lock])
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda *_: child.send_signal(signal.SIGINT))
+    held = True
+    while child.poll() is None:
+        if select.select([pipe] if held else [], [], [], LOOK_S)[0]:
+            held = False  # nobody writes to it: readable means ended
+            child.send_signal(signal.SIGINT)
+    return child.returncode if child.returncode >= 0 else 128 - child.returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1]), int(sys.argv[2]), sys.argv[3:]))
