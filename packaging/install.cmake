@@ -21,5 +21,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # libraries; below, what is started by name
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-    "liggghts, openmpi-bin, python3, python3-numpy, python3-scipy, python3-sklearn, python3-h5py, python3-yaml")
+    "liggghts, openmpi-bin, python3, python3-numpy, python3-scipy, python3-h5py, python3-yaml")
 include(CPack)

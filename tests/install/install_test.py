@@ -1,6 +1,5 @@
 """`cmake --install`: the tree runs from where it is moved to, by anybody, without the repository."""
 import json
-import pathlib
 import shutil
 import subprocess
 import unittest

@@ -8,7 +8,8 @@ import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ["DIPPER_BUILD"])
-PROGRAMS = ["bin/dipper", *(f"libexec/dipper/{p}" for p in ("dipper-dem", "dipper-mbs", "dipper-liggghts", "bench-cut"))]
+PROGRAMS = ["bin/dipper", *(f"libexec/dipper/{p}"
+                            for p in ("dipper-dem", "dipper-mbs", "dipper-liggghts", "bench-cut"))]
 NOBODY = 65534
 
 

@@ -57,7 +57,8 @@ def read_case(folder):
 def usable(catalogue, simulator):
     """The effects this case can take at the strengths to be run, and a line for each that it cannot."""
     def fault(effect):
-        return next(filter(None, (check(simulator.program, simulator.case, [(effect.name, s)]) for s in effect.strengths(False))), "")
+        told = (check(simulator.program, simulator.case, [(effect.name, s)]) for s in effect.strengths(False))
+        return next(filter(None, told), "")
 
     kept, left_out = {}, []
     with ThreadPoolExecutor(JOBS) as pool:

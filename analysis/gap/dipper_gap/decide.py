@@ -115,4 +115,3 @@ def _rejected(lead, members, m, by_name):
 
 def _behind(m, name):
     return (max(m.log_weight.values()) - m.log_weight[(name,)]) / np.log(10)
-

@@ -133,5 +133,3 @@ class FeatureMap:
         for i, (_, v) in enumerate(self._columns(signals, masses)):
             out[:, i] = v
         return out
-
-

@@ -1,7 +1,8 @@
 """keeper.py PIPE LOCK PROGRAM WORD...: runs a program that must not outlive whoever holds the pipe's other end.
 
 The analysis may be killed in any way; its runs would go on by themselves for minutes. When the pipe ends, or on an
-interrupt, the program is interrupted, so that it leaves a checkpoint. It shares the open file LOCK. Exit status: the program's.
+interrupt, the program is interrupted, so that it leaves a checkpoint. It shares the open file LOCK. Exit status: the
+program's.
 """
 import select
 import signal

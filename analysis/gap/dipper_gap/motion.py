@@ -63,7 +63,8 @@ def compare_motion(measured, plan):
         start, end = plan.passes[p.number - 1]
         mine, planned = p.t_end_s - p.t_start_s, end - start
         if abs(mine - planned) > DURATION * planned:
-            out.append(f"pass {p.number} takes {mine:.1f} s in the mine and {planned:.1f} s in the case: {MEASURED_ONE}")
+            out.append(f"pass {p.number} takes {mine:.1f} s in the mine and {planned:.1f} s in the case: "
+                       + MEASURED_ONE)
     names = [n for n in MOTION if n in first.signals]
     if names:
         rms = min((_rms(first, passes, plan, names, lag) for lag in LAGS_S),

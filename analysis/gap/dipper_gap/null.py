@@ -33,8 +33,9 @@ class Tails:
 class Null:
     stats: np.ndarray   # (draws, statistics)
     z: np.ndarray       # (draws, n)
-    fits: np.ndarray = None  # (draws, FACTORS, K): squared scores of the catalogue's effects, the seeds' covariance
-                             # times each factor; the largest at 1 is the last statistic
+    # (draws, FACTORS, K): squared scores of the catalogue's effects, the seeds' covariance times each factor; the
+    # largest at 1 is the last statistic
+    fits: np.ndarray = None
 
     def plain(self):
         """The same without that statistic."""

@@ -38,8 +38,9 @@ def make_plan(catalogue, trucks, first_seed):
     for effect in sorted(catalogue.values(), key=lambda e: e.nuisance):
         first = shared.setdefault(effect.overlay or effect.name, effect)
         strengths = first.strengths(request({first.name: 1.0}, 0, catalogue).how != "run")
-        signatures[effect.name] = tuple(PlannedRun(strengths[i], k, request({first.name: strengths[i]}, seeds[k], catalogue))
-                                        for i, k in SIGNATURE_RUNS)
+        signatures[effect.name] = tuple(
+            PlannedRun(strengths[i], k, request({first.name: strengths[i]}, seeds[k], catalogue))
+            for i, k in SIGNATURE_RUNS)
     return Plan(first_seed, tuple(request({}, s, catalogue) for s in seeds), signatures)
 
 

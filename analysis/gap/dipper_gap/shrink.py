@@ -66,4 +66,3 @@ def _between_features(baseline, key):
         seen = baseline.seed[np.ix_(at, at)] / np.outer(safe[at], safe[at])
         correlation[pair] = np.where(correlation[pair] == 0, seen, correlation[pair])
     return correlation[np.ix_(key, key)] * np.outer(sd, sd)
-

@@ -187,8 +187,9 @@ class DipperSimulator(Simulator):
                 if self._stopped:
                     return 4
                 shared = (self._alive, lock.fileno())
-                child = subprocess.Popen([sys.executable, "-S", "-E", str(KEEPER), *map(str, shared), *words], stdout=log,
-                                         stderr=subprocess.STDOUT, start_new_session=True, pass_fds=shared)
+                kept = [sys.executable, "-S", "-E", str(KEEPER), *map(str, shared), *words]
+                child = subprocess.Popen(kept, stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
+                                         pass_fds=shared)
                 self._children[child.pid] = child
             status = child.wait()
             with self._lock:

@@ -100,14 +100,16 @@ def test_passes_of_several_trucks(folder):
     rows = text.splitlines()
     (folder / "passes.csv").write_text("\n".join(r.rsplit(",", 1)[0] for r in rows))
     assert [p.truck for p in read_measured(folder).passes] == [1, 1, 1]
-    (folder / "passes.csv").write_text("\n".join(rows[:1] + ["1,0,20,30,1", "2,20,40,30,1", "1,60,80,31,2", "2,80,100,31,2"]))
+    two = ["1,0,20,30,1", "2,20,40,30,1", "1,60,80,31,2", "2,80,100,31,2"]
+    (folder / "passes.csv").write_text("\n".join(rows[:1] + two))
     trucks = read_measured(folder, 2).trucks()
     assert [[(p.number, p.t_start_s) for p in t.passes] for t in trucks] == [[(1, 0), (2, 20)], [(1, 60), (2, 80)]]
 
 
 @pytest.mark.parametrize("rows, what", [
     (["1,0,20,30,1", "2,20,40,30,1", "1,60,80,31,2"], "truck 2: has passes 1; 1, 2, as truck 1"),
-    (["1,0,20,30,2", "2,20,40,30,2", "1,60,80,31,1", "2,80,100,31,1"], "passes.csv:4: truck: is 1; rising whole numbers"),
+    (["1,0,20,30,2", "2,20,40,30,2", "1,60,80,31,1", "2,80,100,31,1"],
+     "passes.csv:4: truck: is 1; rising whole numbers"),
     (["1,0,20,30,1", "1,20,40,30,2", "2,60,80,31,1.5"], "passes.csv:4: truck: is 1.5; rising whole numbers"),
     (["1,0,20,30,1", "1,20,40,30,2"], "1 found; 2 or more are needed"),
     (["1,0,20,30,T12", "2,20,40,30,T12"], "passes.csv:2: truck: is 'T12'; a finite number"),
@@ -172,6 +174,9 @@ def test_deep_yaml_and_repeated_columns_and_semicolons(folder):
     assert any("passes.csv:1: columns: are parted by semicolons" in f for f in findings(folder))
 
 
+PIECES = [b"", b"[", b"{", b": ", b",", b"\n", b"\0", b"\xff", b"nan", b"1e999", b"&a *a", b"\"", b"- ", b"\x85"]
+
+
 def test_damaged_folders_are_read_or_refused(folder):
     """Bytes changed, cut out and put in at random: findings or a sound folder, never another exception."""
     whole = {f: (folder / f).read_bytes() for f in FILES}
@@ -181,8 +186,7 @@ def test_damaged_folders_are_read_or_refused(folder):
             data = bytearray(data[:400])
             for _ in range(rng.integers(0, 4)):
                 at = int(rng.integers(len(data)))
-                data[at:at + int(rng.integers(0, 12))] = rng.choice([b"", b"[", b"{", b": ", b",", b"\n", b"\0", b"\xff",
-                                                                     b"nan", b"1e999", b"&a *a", b"\"", b"- ", b"\x85"])
+                data[at:at + int(rng.integers(0, 12))] = rng.choice(PIECES)
             (folder / file).write_bytes(data)
         try:
             read_measured(folder, 1, simulated=True)

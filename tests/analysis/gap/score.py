@@ -161,7 +161,8 @@ def table(rows, nulls=(0, 0)):
     for r in rows:
         covered = {None: "-", True: "yes", False: "no"}[r.covered]
         closure = "-" if r.closure is None else f"{r.closure:.2f}"
-        out.append(f"| {r.case} | {r.kind} | {r.truth} | {r.times:.2g} | {r.verdict} | {r.said} | {r.outcome} | {covered} | {closure} |")
+        out.append(f"| {r.case} | {r.kind} | {r.truth} | {r.times:.2g} | {r.verdict} | {r.said} | {r.outcome} | "
+                   f"{covered} | {closure} |")
     return "\n".join(out) + "\n"
 
 

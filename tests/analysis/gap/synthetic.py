@@ -73,7 +73,7 @@ def run(effects=None, seed=0, rate_hz=1.0, spread=1.0):
     for k, ph in enumerate(phase_index(rate_hz)):
         start = CYCLE_S * k
         pen, fill, out = ph["penetrate"], ph["fill"], ph["breakout"]
-        dump, back = ph["dump"], ph["return"]
+        dump = ph["dump"]
         here = (t >= start) & (t <= start + CYCLE_S)
         deep = 1 + 0.015 * spread * rng.standard_normal()
         stand = e.get("standoff", 0.0) + e.get("standoff_scan", 0.0)
@@ -95,8 +95,8 @@ def run(effects=None, seed=0, rate_hz=1.0, spread=1.0):
         wet = e.get("cohesion", 0.0)
         rub = e.get("friction_pair", 0.0) + 0.3 * e.get("friction_line", 0.0)
         crust = e.get("crust", 0.0) * 0.55**k
-        dig_crowd = 650 * deep * crowd_wobble * (push * (1 + 0.10 * wet + 0.8 * rub) + 0.45 * lift * (1 + 0.06 * wet
-                                                                                            + 0.25 * rub))
+        dig_crowd = 650 * deep * crowd_wobble * (push * (1 + 0.10 * wet + 0.8 * rub)
+                                                 + 0.45 * lift * (1 + 0.06 * wet + 0.25 * rub))
         dig_crowd = dig_crowd + push * (9.0 * e.get("worn_teeth", 0.0) - 3.0 * e.get("rake", 0.0))
         dig_crowd = dig_crowd + crust * 260 * bump(t, pen[0], pen[0] + 0.6 * (pen[1] - pen[0]))
         dig_hoist = 750 * deep * hoist_wobble * lift * (1 + 0.07 * wet + 0.9 * rub + 0.03 * high)

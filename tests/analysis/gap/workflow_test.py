@@ -18,7 +18,8 @@ from dipper_gap.workflow import Runner, analyse, conclude
 from trucks import in_a_row
 
 # Fewer effects than the whole catalogue: a test needs seconds, not a minute.
-SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_gain", "cohesion", "truck_spillage", "density")}
+SMALL = {n: fake_mine.CATALOGUE[n]
+         for n in ("fines", "crowd_friction", "scale_gain", "cohesion", "truck_spillage", "density")}
 
 
 def mine_with(truth, seed):
@@ -30,7 +31,7 @@ def answer(out):
 
 
 @functools.lru_cache(None)
-def known(trucks=1):
+def known(trucks):
     """(Model, Prediction) of mines with so many trucks that scatter as the seeds do: the costly part of an analysis,
     the same for all of them; and the simulator that was asked."""
     plan, simulator = make_plan(SMALL, trucks, 1), fake_mine.FakeSimulator()
@@ -83,7 +84,7 @@ def test_the_json_is_the_contract(fines, tmp_path):
 
 def test_observation_effects_cost_no_run_and_the_count_is_told_before(fines):
     _, a, simulator = fines
-    model, _, before = known()
+    model, _, before = known(1)
     # Baseline runs; three each of fines, crowd friction, cohesion and density; five to confirm.
     assert len(before.made) == LEAST_SEEDS + 4 * 3 and len(simulator.made) == 5
     assert a["runs"] == LEAST_SEEDS + 4 * 3 + 5

@@ -60,7 +60,7 @@ class Report(RunTest):
         self.assertEqual([float(r["in_dipper_kg"]) for r in rows], metrics["frames"]["in_dipper_kg"])
 
     def check_walls(self, run, metrics):
-        """The teeth have dug: pressure times area is of the order of the dig force, wear has grown on some triangles."""
+        """The teeth have dug: pressure times area is of the order of the dig force, wear has grown on some."""
         fields = {(w["body"], w["field"]): w for w in metrics["walls"]}
         self.assertEqual(len(fields), 6)
         wear = self.read_csv(run / "report/wall_dipper_wear.csv")
@@ -121,7 +121,7 @@ class Report(RunTest):
 
         frame.write_text(text[:len(text) // 2])
         refused("cut short", r"\.dump:\d+: .*cut short")
-        frame.write_text(text.replace("x y z vx vy vz omegax omegay omegaz radius", "x y z vx vy vz omegax omegay omegaz q"))
+        frame.write_text(text.replace("vx vy vz omegax omegay omegaz radius", "vx vy vz omegax omegay omegaz q"))
         refused("no radius", r"\.dump:9: particles without radius")
         rows = text.split("\n")
         rows[3] = str(int(rows[3]) // 2)

@@ -1,7 +1,5 @@
 """The optional rock physics in paired runs: each works there, and does what docs/physics_options.md says."""
 
-import json
-import pathlib
 import subprocess
 import unittest
 

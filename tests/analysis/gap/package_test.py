@@ -1,0 +1,19 @@
+"""The package installs with what Debian has, without a network, and brings its data along."""
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[3] / "analysis/gap"
+
+
+def test_pip_installs_it(tmp_path):
+    shutil.copytree(SOURCE, tmp_path / "source")
+    made = subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps",
+                           "--no-build-isolation", "--target", str(tmp_path / "site"), str(tmp_path / "source")],
+                          capture_output=True, text=True)
+    assert made.returncode == 0, made.stderr
+    words = "from dipper_gap.next_experiment import propose; print(propose({'liners': 1, 'carry_back': 1}))"
+    said = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, cwd=tmp_path,
+                          env={"PYTHONPATH": str(tmp_path / "site")})
+    assert said.returncode == 0 and "tare" in said.stdout, said.stderr
