@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "coupler/launch/mpi_scratch.hpp"
+
 namespace dipper::launch {
 
 Process::Process(const std::vector<std::string>& command, const std::filesystem::path& log) {
@@ -93,6 +95,9 @@ std::vector<std::string> mpirun(int ranks, std::vector<std::string> program) {
   std::vector<std::string> command = {"mpirun", "--oversubscribe",     "--bind-to", binding,
                                       "--mca",  "mpi_yield_when_idle", yield,       "--mca",
                                       "btl",    "self,vader"};
+  for (const char* where : {"orte_tmpdir_base", "btl_vader_backing_directory"}) {
+    command.insert(command.end(), {"--mca", where, mpi_scratch().string()});
+  }
   if (geteuid() == 0) command.push_back("--allow-run-as-root");
   command.insert(command.end(), {"-np", std::to_string(ranks)});
   command.insert(command.end(), program.begin(), program.end());
