@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "coupler/transport/codec.hpp"
-#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
+#include "coupler/transport/sealed_transport.hpp"
 #include "coupler/transport/serve.hpp"
 #include "dem/liggghts_rock.hpp"
 
@@ -53,9 +53,10 @@ void run(const char* config_file) {
       transport::answer(rock, m);
     }
   }
-  transport::LcmTransport transport(config.lcm_url, {transport::Channels::to_dem});
-  transport::serve(transport, transport::Channels::to_dem, transport::Channels::from_dem,
-                   config.identity, [&](const core::Message& m) {
+  const auto transport =
+      transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::to_dem);
+  transport::serve(*transport, transport::Channels::to_dem, transport::Channels::from_dem, config,
+                   [&](const core::Message& m) {
                      share(transport::encode(m));
                      return transport::answer(rock, m);
                    });

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "common/json_values.hpp"
-#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
+#include "coupler/transport/sealed_transport.hpp"
 #include "coupler/transport/serve.hpp"
 #include "machine/machine_condition.hpp"
 #include "machine/machine_data.hpp"
@@ -31,9 +31,9 @@ void run(const char* config_file) {
   Shovel shovel(machine::in_condition(
                     machine::load_machine(settings.at("model").get<std::string>()), condition),
                 machine::Motion::load(settings.at("motion").get<std::string>()), X_W0, rake);
-  transport::LcmTransport transport(config.lcm_url, {transport::Channels::to_mbs});
-  transport::serve(transport, transport::Channels::to_mbs, transport::Channels::from_mbs,
-                   config.identity,
+  const auto transport =
+      transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::to_mbs);
+  transport::serve(*transport, transport::Channels::to_mbs, transport::Channels::from_mbs, config,
                    [&](const core::Message& m) { return transport::answer(shovel, m); });
 }
 

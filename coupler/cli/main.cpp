@@ -63,6 +63,14 @@ fs::path run_folder(const Words& words, const std::string& name) {
   return folder;
 }
 
+/// Says so aloud where the run cannot be by itself.
+void enter_network() {
+  if (launch::enter_private_network()) return;
+  fmt::print(stderr,
+             "dipper: the kernel refuses this run a network of its own; it shares the host's. Its "
+             "messages are sealed, so nobody can speak in them, but all users can read them\n");
+}
+
 int run_command(const Words& words) {
   if (check::check_command(words.folder, overrides(words), std::cout) != 0) return 2;
   std::vector<cases::Finding> findings;
@@ -98,7 +106,7 @@ int run_command(const Words& words) {
     if (!changed.empty()) return 2;
   }
   launch::catch_interrupts();
-  launch::enter_private_network();
+  enter_network();
   return static_cast<int>(run::paired_run(c, options));
 }
 
@@ -112,7 +120,7 @@ int changed_machine_command(const Words& words) {
   if (findings.empty()) findings = check::check_case(changed);
   for (const cases::Finding& f : findings) fmt::print(stderr, "{}\n", cases::to_string(f));
   if (!findings.empty()) return 2;
-  launch::enter_private_network();
+  enter_network();
   run::observe_changed_machine(words.folder, changed, words.out);
   return 0;
 }
@@ -120,19 +128,20 @@ int changed_machine_command(const Words& words) {
 int replay_command(const Words& words) {
   if (!words.set.empty()) return changed_machine_command(words);
   if (!words.case_folder.empty()) throw CLI::ValidationError("--case", "goes with --set");
-  launch::enter_private_network();
+  enter_network();
   const run::ReplayResult r = run::replay(words.folder, words.side);
   fmt::print(
-      "{}: {} requests asked again in {:.1f} s; the paired run took {:.1f} s over them "
+      "{}: {} requests of {} leg{} asked again in {:.1f} s; the paired run took {:.1f} s over them "
       "({:.3f} times as long)\n",
-      words.side, r.requests, r.wall_s, r.recorded_wall_s, r.recorded_wall_s / r.wall_s);
+      words.side, r.requests, r.legs, r.legs == 1 ? "" : "s", r.wall_s, r.recorded_wall_s,
+      r.recorded_wall_s / r.wall_s);
   if (r.different == 0) {
     fmt::print("every answer is the recorded one to the bit\n");
   } else {
     fmt::print("{} answers differ: force by up to {:.3g} N, position by up to {:.3g} m\n",
                r.different, r.force_N, r.position_m);
   }
-  return 0;
+  return r.different == 0 ? 0 : static_cast<int>(run::Outcome::failed);
 }
 
 int observe_command(const Words& words) {

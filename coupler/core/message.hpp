@@ -11,7 +11,6 @@ namespace dipper::core {
 
 /// In front of every message.
 struct Envelope {
-  std::string run_token;
   std::string run_id;
   std::string case_hash;
   std::int64_t step_index = 0;

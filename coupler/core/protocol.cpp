@@ -4,14 +4,12 @@
 
 namespace dipper::core {
 
-bool is_ours(const Envelope& ours, const Envelope& theirs) {
-  if (theirs.run_token != ours.run_token) return false;
+void require_ours(const Envelope& ours, const Envelope& theirs) {
   if (theirs.run_id != ours.run_id || theirs.case_hash != ours.case_hash) {
-    throw ProtocolError("a message carries this run's token but belongs to run '" + theirs.run_id +
+    throw ProtocolError("a message carries this run's seal but belongs to run '" + theirs.run_id +
                         "' of case " + theirs.case_hash.substr(0, 12) + ", not to run '" +
                         ours.run_id + "' of case " + ours.case_hash.substr(0, 12));
   }
-  return true;
 }
 
 Envelope Requester::begin(std::int64_t step_index, std::int64_t t_ns) {
@@ -24,10 +22,7 @@ Envelope Requester::begin(std::int64_t step_index, std::int64_t t_ns) {
 }
 
 bool Requester::accept(const Envelope& reply) {
-  if (!is_ours(identity_, reply)) {
-    ++counts_.foreign;
-    return false;
-  }
+  require_ours(identity_, reply);
   if (reply.sequence > identity_.sequence) {
     throw ProtocolError("reply " + std::to_string(reply.sequence) + " to a request never made; " +
                         "the last was " + std::to_string(identity_.sequence));
@@ -41,10 +36,7 @@ bool Requester::accept(const Envelope& reply) {
 }
 
 Responder::Verdict Responder::judge(const Envelope& request) {
-  if (!is_ours(identity_, request)) {
-    ++counts_.foreign;
-    return Verdict::ignore;
-  }
+  require_ours(identity_, request);
   if (request.sequence > last_ + 1) {
     throw ProtocolError("request " + std::to_string(request.sequence) + " came after request " +
                         std::to_string(last_) + ": one in between is lost");

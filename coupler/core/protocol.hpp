@@ -1,4 +1,4 @@
-// Exactly-once requests over a transport that may drop, repeat, reorder and mix in strangers.
+// Exactly-once requests over a transport that may drop, repeat and reorder.
 // Pure: no clock, no I/O. One request is outstanding at a time; requests are numbered from 1.
 #pragma once
 
@@ -19,12 +19,12 @@ struct ProtocolError : std::runtime_error {
 struct LinkCounts {
   std::int64_t resends = 0;   ///< requests sent again because no reply came in time
   std::int64_t repeated = 0;  ///< requests or replies that had been dealt with already
-  std::int64_t foreign = 0;   ///< messages of another run
+  std::int64_t foreign = 0;   ///< packets that are no message of this run; the transport's count
 };
 
-/// Tells this run's messages from those of others on the same network.
-/// Throws ProtocolError when the token is ours but the run or the case is not: a mix-up.
-bool is_ours(const Envelope& ours, const Envelope& theirs);
+/// Strangers do not come this far: the transport passes on what carries the run's seal only. Throws
+/// ProtocolError when the seal is ours but the run or the case is not: a mix-up.
+void require_ours(const Envelope& ours, const Envelope& theirs);
 
 /// The asking side's end of a link.
 class Requester {
@@ -34,11 +34,10 @@ class Requester {
   /// Numbers a new request. The previous one must have been answered.
   Envelope begin(std::int64_t step_index, std::int64_t t_ns);
 
-  /// The reply awaited? False for strangers and for replies already taken.
+  /// The reply awaited? False for replies already taken.
   bool accept(const Envelope& reply);
 
   void count_resend() { ++counts_.resends; }
-  void count_foreign() { ++counts_.foreign; }
   const LinkCounts& counts() const { return counts_; }
 
  private:
@@ -55,7 +54,7 @@ class Responder {
   enum class Verdict {
     execute,  ///< new: carry it out, then `remember` the reply
     repeat,   ///< already carried out: send `reply()` again
-    ignore    ///< a stranger, or older than what has been carried out
+    ignore    ///< older than what has been carried out
   };
   /// Throws ProtocolError when a request has been skipped: it can never be served in order.
   Verdict judge(const Envelope& request);

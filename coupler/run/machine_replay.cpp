@@ -14,9 +14,9 @@
 #include "coupler/run/summary.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
-#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
 #include "coupler/transport/remote.hpp"
+#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -48,8 +48,9 @@ class LoneMachine {
                   std::vector<std::string>{installed_program("dipper-mbs"),
                                            (folder / "mbs.json").string()}),
                  log_),
-        transport_(config.lcm_url, {transport::Channels::from_mbs}),
-        link_("mbs", transport_, transport::Channels::to_mbs, transport::Channels::from_mbs,
+        transport_(
+            transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::from_mbs)),
+        link_("mbs", *transport_, transport::Channels::to_mbs, transport::Channels::from_mbs,
               config.identity, options()),
         machine_(link_) {}
   ~LoneMachine() {
@@ -73,7 +74,7 @@ class LoneMachine {
 
   fs::path log_;
   launch::Process process_;
-  transport::LcmTransport transport_;
+  std::unique_ptr<transport::Transport> transport_;
   transport::Link link_;
   transport::RemoteMachine machine_;
 };

@@ -68,6 +68,7 @@ class TimedRock final : public core::Rock {
 struct RunFolder {
   explicit RunFolder(const fs::path& folder) : root(fs::absolute(folder)) {
     for (const auto& sub : {deck(), dumps(), checkpoints(), logs()}) fs::create_directories(sub);
+    fs::permissions(logs(), fs::perms::owner_all);  // they hold the secret of the run's messages
   }
   fs::path deck() const { return root / "deck"; }
   fs::path dumps() const { return root / "dumps"; }
@@ -158,9 +159,10 @@ class Leg {
     setup.ranks = case_.dem.ranks;
     setup.timeout_s = case_.coupling.timeout_s;
     setup.logs = folder_.logs();
+    setup.checkpoints = folder_.checkpoints();
     setup.dem_screen = folder_.logs() / "dem.screen";
-    setup.message_log = folder_.root / (from_ ? fmt::format("events-{}.lcmlog", from_->step_index)
-                                              : std::string("events.lcmlog"));
+    if (from_) setup.leg = fmt::format("-{}", from_->step_index);
+    setup.message_log = folder_.root / ("events" + setup.leg + ".lcmlog");
     setup.dem = sides::dem_settings(case_, shovel_, folder_.deck(), folder_.dumps(), folder_.logs(),
                                     restart, from_ ? std::optional(from_->memory) : std::nullopt);
     setup.mbs = sides::mbs_settings(case_, layers_);

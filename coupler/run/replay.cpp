@@ -11,9 +11,9 @@
 #include "coupler/launch/last_words.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/transport/codec.hpp"
-#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/link.hpp"
 #include "coupler/transport/peer_config.hpp"
+#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -36,8 +36,13 @@ std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
   std::map<std::int64_t, Exchange> by_number;
   while (const lcm::LogEvent* event = log.readNextEvent()) {
     if (event->channel != to && event->channel != from) continue;
-    core::Message m = transport::decode(
-        {static_cast<const char*>(event->data), static_cast<std::size_t>(event->datalen)});
+    core::Message m;
+    try {
+      m = transport::decode(
+          {static_cast<const char*>(event->data), static_cast<std::size_t>(event->datalen)});
+    } catch (const transport::DecodeError& e) {
+      throw std::runtime_error(file.string() + ": " + e.what());
+    }
     Exchange& e = by_number[m.envelope.sequence];
     if (event->channel == to && e.asked_us == 0) {
       e.asked_us = event->timestamp;
@@ -53,6 +58,22 @@ std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
       break;  // the recording ends here: "stop", or a fault
     all.push_back(std::move(e));
   }
+  return all;
+}
+
+/// The legs of a run in order, as their files are named: "", then "-N" for each that was resumed
+/// after N sync steps.
+std::vector<std::string> legs(const fs::path& run) {
+  std::map<std::int64_t, std::string> by_start;
+  for (const auto& entry : fs::directory_iterator(run)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".lcmlog" || name.rfind("events", 0) != 0) continue;
+    const std::string leg = name.substr(6);
+    if (leg.empty()) by_start[0] = leg;
+    if (leg.size() > 1) by_start[std::stoll(leg.substr(1))] = leg;
+  }
+  std::vector<std::string> all;
+  for (const auto& [start, leg] : by_start) all.push_back(leg);
   return all;
 }
 
@@ -94,16 +115,28 @@ void compare(const core::Body& now, const core::Body& before, ReplayResult& resu
 
 bool is_window(const Exchange& e) { return !std::holds_alternative<core::Command>(e.request.body); }
 
-}  // namespace
+/// The request with the files it names in `scratch`, the one it reads copied there.
+core::Body redirected(core::Body request, const fs::path& scratch) {
+  auto* c = std::get_if<core::Command>(&request);
+  if (c == nullptr || c->file.empty()) return request;
+  const fs::path file = c->file;
+  c->file = (scratch / file.filename()).string();
+  if (c->action == core::Action::load) {
+    fs::copy_file(file, c->file, fs::copy_options::overwrite_existing);
+  }
+  return request;
+}
 
-ReplayResult replay(const fs::path& run, const std::string& side) {
+void replay_leg(const fs::path& run, const std::string& side, const std::string& leg,
+                ReplayResult& result) {
   const bool dem = side == "dem";
   const char* to = dem ? transport::Channels::to_dem : transport::Channels::to_mbs;
   const char* from = dem ? transport::Channels::from_dem : transport::Channels::from_mbs;
-  const auto exchanges = read_log(run / "events.lcmlog", to, from);
-  transport::PeerConfig config = transport::read_peer_config(run / "logs" / (side + ".json"));
+  const auto exchanges = read_log(run / ("events" + leg + ".lcmlog"), to, from);
+  transport::PeerConfig config = transport::read_peer_config(run / "logs" / (side + leg + ".json"));
   const fs::path scratch = scratch_folder();
   config.settings = redirected(config.settings, side, scratch);
+  config.checkpoints = scratch;
   const fs::path config_file = scratch / (side + ".json");
   transport::write_peer_config(config_file, config);
 
@@ -112,40 +145,50 @@ ReplayResult replay(const fs::path& run, const std::string& side) {
                                             config_file.string()};
   launch::Process process(dem ? launch::mpirun(config.settings.at("ranks"), command) : command,
                           log);
-  transport::LcmTransport transport(config.lcm_url, {from});
+  const auto transport = transport::sealed_lcm(config.lcm_url, config.secret, from);
   transport::LinkOptions options;
   options.timeout = std::chrono::minutes(10);
   options.watch = [&] {
     if (process.ended())
       throw transport::PeerError(side, launch::last_words(log, scratch / "dem.screen"));
   };
-  transport::Link link(side, transport, to, from, config.identity, options);
+  transport::Link link(side, *transport, to, from, config.identity, options);
 
-  ReplayResult result;
+  const double wall_s = result.wall_s, recorded_wall_s = result.recorded_wall_s;  // of legs before
   std::optional<std::chrono::steady_clock::time_point> began;
   std::int64_t recorded_us = 0;
   for (const auto& e : exchanges) {
-    core::Body request = e.request.body;
-    if (auto* c = std::get_if<core::Command>(&request); c != nullptr && !c->file.empty()) {
-      c->file = (scratch / fs::path(c->file).filename()).string();
-    }
     if (is_window(e) && !began) {
       began = std::chrono::steady_clock::now();
       recorded_us = e.asked_us;
     }
-    const core::Body reply =
-        link.ask(std::move(request), e.request.envelope.step_index, e.request.envelope.t_ns);
+    const core::Body reply = link.ask(redirected(e.request.body, scratch),
+                                      e.request.envelope.step_index, e.request.envelope.t_ns);
     ++result.requests;
     if (!is_window(e)) continue;
     compare(reply, e.reply, result);
     result.wall_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - *began).count();
-    result.recorded_wall_s = static_cast<double>(e.answered_us - recorded_us) * 1e-6;
+        wall_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - *began).count();
+    result.recorded_wall_s =
+        recorded_wall_s + static_cast<double>(e.answered_us - recorded_us) * 1e-6;
   }
   link.tell(core::Command{core::Action::stop, ""}, 0, 0);
   process.wait(std::chrono::seconds(20));
   process.end();
   fs::remove_all(scratch);
+  ++result.legs;
+}
+
+}  // namespace
+
+ReplayResult replay(const fs::path& run, const std::string& side) {
+  ReplayResult result;
+  if (fs::is_directory(run)) {
+    for (const std::string& leg : legs(run)) replay_leg(run, side, leg, result);
+  }
+  if (result.legs == 0) {
+    throw std::runtime_error("no recording to replay: no events.lcmlog in " + run.string());
+  }
   return result;
 }
 

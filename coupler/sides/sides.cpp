@@ -1,31 +1,29 @@
 #include "coupler/sides/sides.hpp"
 
 #include <fmt/core.h>
-#include <sys/random.h>
+#include <sys/stat.h>
 
-#include <array>
 #include <chrono>
 
 #include "common/installation.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/last_words.hpp"
-#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/logged_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
+#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::sides {
 namespace {
 
 constexpr const char* kLcmUrl = "udpm://239.255.76.67:7667?ttl=0";
 
-std::string random_token() {
-  std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("the kernel gives no random bytes for a run token");
-  }
-  std::string token;
-  for (const auto b : bytes) token += fmt::format("{:02x}", b);
-  return token;
+/// A log of messages that only its owner can read: it shows what the run computes.
+std::shared_ptr<lcm::LogFile> open_log(const std::filesystem::path& file) {
+  const mode_t old = umask(077);
+  auto log = std::make_shared<lcm::LogFile>(file.string(), "w");
+  umask(old);
+  if (!log->good()) throw std::runtime_error("cannot write " + file.string());
+  return log;
 }
 
 }  // namespace
@@ -33,24 +31,23 @@ std::string random_token() {
 Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   const std::string url = kLcmUrl;
   core::Envelope identity;
-  identity.run_token = random_token();
   identity.run_id = setup.run_id;
   identity.case_hash = setup.case_hash;
 
-  const auto log = std::make_shared<lcm::LogFile>(setup.message_log.string(), "w");
-  if (!log->good()) throw std::runtime_error("cannot write " + setup.message_log.string());
+  const std::string secret = transport::random_secret();
+  const auto log = open_log(setup.message_log);
   const auto listen = [&](const char* channel) {
-    return std::make_unique<transport::LoggedTransport>(
-        std::make_unique<transport::LcmTransport>(url, std::vector<std::string>{channel}), log);
+    return std::make_unique<transport::LoggedTransport>(transport::sealed_lcm(url, secret, channel),
+                                                        log);
   };
   from_dem_ = listen(transport::Channels::from_dem);
   from_mbs_ = listen(transport::Channels::from_mbs);
-  const auto dem_config = setup.logs / "dem.json";
-  const auto mbs_config = setup.logs / "mbs.json";
+  const auto dem_config = setup.logs / ("dem" + setup.leg + ".json");
+  const auto mbs_config = setup.logs / ("mbs" + setup.leg + ".json");
   nlohmann::json dem = setup.dem;
   dem["ranks"] = setup.ranks;  // for a replay
-  transport::write_peer_config(dem_config, {url, identity, dem});
-  transport::write_peer_config(mbs_config, {url, identity, setup.mbs});
+  transport::write_peer_config(dem_config, {url, secret, identity, setup.checkpoints, dem});
+  transport::write_peer_config(mbs_config, {url, secret, identity, setup.checkpoints, setup.mbs});
   dem_ = std::make_unique<launch::Process>(
       launch::mpirun(setup.ranks, {installed_program("dipper-dem"), dem_config.string()}),
       setup.logs / "dem.log");
@@ -91,11 +88,13 @@ void Sides::end() {
 }
 
 void Sides::stop() {
-  machine_->stop();
-  rock_->stop();
-  for (auto* process : {mbs_.get(), dem_.get()}) {
-    if (!process->wait(std::chrono::seconds(20))) process->end();
+  for (int said = 0; said < 200 && !(mbs_->ended() && dem_->ended()); ++said) {
+    machine_->stop();  // nobody answers this: a lost one is said again
+    rock_->stop();
+    mbs_->wait(std::chrono::milliseconds(50));
+    dem_->wait(std::chrono::milliseconds(50));
   }
+  end();
 }
 
 }  // namespace dipper::sides

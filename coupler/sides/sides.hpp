@@ -18,8 +18,10 @@ struct SidesSetup {
   double timeout_s = 60;
   nlohmann::json dem, mbs;            ///< each side's settings
   std::filesystem::path logs;         ///< folder
+  std::filesystem::path checkpoints;  ///< folder
   std::filesystem::path dem_screen;   ///< where LIGGGHTS writes its errors
-  std::filesystem::path message_log;  ///< every message of the run, as an LCM log
+  std::string leg;                    ///< "", or "-N" of one resumed after N sync steps
+  std::filesystem::path message_log;  ///< every message of the leg, as an LCM log
 };
 
 /// The two processes of a run and the links to them. Whoever waits on a link also watches both
@@ -31,8 +33,8 @@ class Sides {
 
   transport::RemoteMachine& machine() { return *machine_; }
   transport::RemoteRock& rock() { return *rock_; }
-  const core::LinkCounts& machine_link() const { return mbs_link_->counts(); }
-  const core::LinkCounts& rock_link() const { return dem_link_->counts(); }
+  core::LinkCounts machine_link() const { return mbs_link_->counts(); }
+  core::LinkCounts rock_link() const { return dem_link_->counts(); }
 
   /// Tells both to stop and waits; CPU times are known afterwards.
   void stop();

@@ -9,6 +9,7 @@
 namespace dipper::transport {
 
 using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
 
 Link::Link(std::string side, Transport& transport, std::string to, std::string from,
            core::Envelope identity, LinkOptions options)
@@ -19,48 +20,78 @@ Link::Link(std::string side, Transport& transport, std::string to, std::string f
       requester_(std::move(identity)),
       options_(std::move(options)) {}
 
+core::LinkCounts Link::counts() const {
+  core::LinkCounts counts = requester_.counts();
+  counts.foreign = transport_.foreign();
+  return counts;
+}
+
 core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
+  // Nothing that has come can be the answer yet; a queue that is full would lose it.
+  const auto enough = Clock::now() + 10ms;
+  while (const auto old = transport_.receive(0us)) {
+    reply_in(*old);  // counts it
+    if (Clock::now() > enough) break;
+  }
   const std::string bytes = encode({requester_.begin(step_index, t_ns), std::move(request)});
   transport_.publish(to_, bytes);
   const auto start = Clock::now();
-  auto sent = start;
+  const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
   // Until the other side has answered once it may still be starting: ask often, and count nothing.
-  auto patience = established_ ? options_.resend : std::chrono::milliseconds(100);
-  while (true) {
+  std::chrono::duration<double> patience = 100ms;
+  if (established_) patience = std::min<decltype(patience)>(1s, 1ms + 2 * answer_time_);
+  bool resent = false;
+  for (auto sent = start;;) {
     options_.watch();
-    const auto packet = transport_.receive(std::min(patience, std::chrono::milliseconds(50)));
-    if (packet && packet->channel == from_) {
-      try {
-        core::Message reply = decode(packet->bytes);
-        if (requester_.accept(reply.envelope)) {
-          core::require_sound(reply, side_, bodies);
-          const auto* status = std::get_if<core::Status>(&reply.body);
-          if (status != nullptr && !status->ok) throw PeerError(side_, status->text);
-          established_ = true;
-          return std::move(reply.body);
-        }
-      } catch (const DecodeError&) {
-        requester_.count_foreign();  // not one of ours: ours are whole
-      }
-      continue;
-    }
+    const std::chrono::duration<double> left = patience - (Clock::now() - sent);
+    const auto packet =
+        transport_.receive(std::clamp(std::chrono::duration_cast<std::chrono::microseconds>(left),
+                                      0us, std::chrono::microseconds(50ms)));
+    auto reply = packet ? reply_in(*packet) : std::nullopt;
     const auto now = Clock::now();
-    if (now - start > options_.timeout) {
-      throw PeerError(side_, fmt::format("no answer for {} s",
-                                         static_cast<double>(options_.timeout.count()) * 1e-3));
+    if (reply) {
+      // Which request of several was answered nobody knows. So such a time is not counted (with
+      // losses the estimate would run away), but many of them in a row say that it is too short.
+      if (resent) {
+        answer_time_ = std::min<decltype(answer_time_)>(500ms, 1.02 * answer_time_);
+      } else if (established_) {
+        answer_time_ += (now - start - answer_time_) / 8;
+      }
+      established_ = true;
+      return std::move(*reply);
     }
-    if (now - sent > patience) {
-      transport_.publish(to_, bytes);
-      sent = now;
-      if (!established_) continue;
-      requester_.count_resend();
-      patience *= 2;  // a long window is no loss
+    if (now - start > limit) {
+      throw PeerError(side_,
+                      fmt::format("no answer for {} s", static_cast<double>(limit.count()) * 1e-3));
     }
+    if (now - sent < patience) continue;
+    transport_.publish(to_, bytes);
+    sent = now;
+    if (!established_) continue;
+    resent = true;
+    requester_.count_resend();
+    patience = std::min<decltype(patience)>(1s, 1.25 * patience);
   }
 }
 
+std::optional<core::Body> Link::reply_in(const Packet& packet) {
+  if (packet.channel != from_) return std::nullopt;
+  core::Message reply;
+  try {
+    reply = decode(packet.bytes);
+  } catch (const DecodeError& e) {
+    throw PeerError(side_, e.what());  // under our own seal: another version
+  }
+  if (!requester_.accept(reply.envelope)) return std::nullopt;
+  core::require_sound(reply, side_, bodies);
+  const auto* status = std::get_if<core::Status>(&reply.body);
+  if (status != nullptr && !status->ok) throw PeerError(side_, status->text);
+  return std::move(reply.body);
+}
+
 void Link::tell(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
-  transport_.publish(to_, encode({requester_.begin(step_index, t_ns), std::move(request)}));
+  if (told_.empty()) told_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
+  transport_.publish(to_, told_);
 }
 
 }  // namespace dipper::transport

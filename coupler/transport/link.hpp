@@ -19,14 +19,18 @@ struct PeerError : std::runtime_error {
 
 /// How long to wait, and what to look after meanwhile.
 struct LinkOptions {
-  std::chrono::milliseconds resend{1000};
   std::chrono::milliseconds timeout{60000};
+  /// For the first answer of all: on a loaded machine a process takes its time to start, and one
+  /// that ends is seen by `watch`.
+  std::chrono::milliseconds start{300000};
   /// Called at least every 50 ms while waiting; throws when waiting has become pointless
   /// (a process ended, the user wants to stop).
   std::function<void()> watch = [] {};
 };
 
-/// The asking end: sends a request until its reply comes.
+/// The asking end: sends a request until its reply comes. It sends again when the reply takes more
+/// than twice as long as replies have taken lately, at first 51 ms, at most 1 s, then a quarter
+/// more slowly each time: a packet lost costs little time, a long window few packets.
 class Link {
  public:
   /// `transport` hears nothing but `from`: what is left over on it is counted here.
@@ -36,21 +40,27 @@ class Link {
   /// Throws PeerError when the other side says it failed or says nothing until the timeout.
   core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns);
 
-  /// Sends the last request of all, without waiting: after "stop" the other side is gone.
+  /// Sends the last request of all, without waiting: after "stop" the other side is gone. Again, as
+  /// often as it is called.
   void tell(core::Body request, std::int64_t step_index, std::int64_t t_ns);
 
   const std::string& side() const { return side_; }
-  const core::LinkCounts& counts() const { return requester_.counts(); }
+  core::LinkCounts counts() const;
   /// Names for messages about bodies; known once the other side has said hello.
   std::vector<std::string> bodies;
 
  private:
+  /// The reply, if that is what the packet is.
+  std::optional<core::Body> reply_in(const Packet& packet);
+
   std::string side_;
   Transport& transport_;
   std::string to_, from_;
   core::Requester requester_;
   LinkOptions options_;
   bool established_ = false;
+  std::chrono::duration<double> answer_time_{0.025};  ///< smoothed
+  std::string told_;
 };
 
 }  // namespace dipper::transport

@@ -9,7 +9,7 @@ void LoggedTransport::publish(const std::string& channel, const std::string& byt
   transport_->publish(channel, bytes);
 }
 
-std::optional<Packet> LoggedTransport::receive(std::chrono::milliseconds timeout) {
+std::optional<Packet> LoggedTransport::receive(std::chrono::microseconds timeout) {
   auto packet = transport_->receive(timeout);
   if (packet) write(packet->channel, packet->bytes);
   return packet;

@@ -14,7 +14,8 @@ class LoggedTransport final : public Transport {
   LoggedTransport(std::unique_ptr<Transport> transport, std::shared_ptr<lcm::LogFile> log)
       : transport_(std::move(transport)), log_(std::move(log)) {}
   void publish(const std::string& channel, const std::string& bytes) override;
-  std::optional<Packet> receive(std::chrono::milliseconds timeout) override;
+  std::optional<Packet> receive(std::chrono::microseconds timeout) override;
+  std::int64_t foreign() const override { return transport_->foreign(); }
 
  private:
   void write(const std::string& channel, const std::string& bytes);

@@ -9,7 +9,7 @@ class MemoryNetwork::Endpoint final : public Transport {
   void publish(const std::string& channel, const std::string& bytes) override {
     network_.publish({channel, bytes});
   }
-  std::optional<Packet> receive(std::chrono::milliseconds timeout) override {
+  std::optional<Packet> receive(std::chrono::microseconds timeout) override {
     return network_.receive(*inbox_, timeout);
   }
 
@@ -47,7 +47,7 @@ void MemoryNetwork::publish(const Packet& packet) {
   arrived_.notify_all();
 }
 
-std::optional<Packet> MemoryNetwork::receive(Inbox& inbox, std::chrono::milliseconds timeout) {
+std::optional<Packet> MemoryNetwork::receive(Inbox& inbox, std::chrono::microseconds timeout) {
   std::unique_lock lock(mutex_);
   if (!arrived_.wait_for(lock, timeout, [&] { return !inbox.packets.empty(); })) {
     return std::nullopt;

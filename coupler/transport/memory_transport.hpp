@@ -35,7 +35,7 @@ class MemoryNetwork {
     std::optional<Packet> held;
   };
   void publish(const Packet& packet);
-  std::optional<Packet> receive(Inbox& inbox, std::chrono::milliseconds timeout);
+  std::optional<Packet> receive(Inbox& inbox, std::chrono::microseconds timeout);
 
   Faults faults_;
   std::mt19937 random_;

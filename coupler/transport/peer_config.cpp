@@ -16,9 +16,10 @@ void write_peer_config(const std::filesystem::path& file, const PeerConfig& conf
   std::ofstream out(file);
   umask(old);
   out << json{{"lcm_url", config.lcm_url},
-              {"run_token", config.identity.run_token},
+              {"secret", config.secret},
               {"run_id", config.identity.run_id},
               {"case_hash", config.identity.case_hash},
+              {"checkpoints", config.checkpoints.string()},
               {"settings", config.settings}}
              .dump(2)
       << '\n';
@@ -31,9 +32,10 @@ PeerConfig read_peer_config(const std::filesystem::path& file) {
   const json j = json::parse(in);
   PeerConfig c;
   c.lcm_url = j.at("lcm_url");
-  c.identity.run_token = j.at("run_token");
+  c.secret = j.at("secret");
   c.identity.run_id = j.at("run_id");
   c.identity.case_hash = j.at("case_hash");
+  c.checkpoints = j.at("checkpoints").get<std::string>();
   c.settings = j.at("settings");
   return c;
 }

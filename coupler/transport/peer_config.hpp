@@ -9,10 +9,12 @@
 namespace dipper::transport {
 
 /// What the launcher tells a side: where to listen, who it is, and the side's own settings. Written
-/// to a file that only its owner can read, because of the run token.
+/// to a file that only its owner can read, because of the secret; a command line is for all to see.
 struct PeerConfig {
   std::string lcm_url;
+  std::string secret;  ///< of this leg of the run; seals its messages
   core::Envelope identity;
+  std::filesystem::path checkpoints;  ///< the one folder to save to and load from
   nlohmann::json settings;
 };
 

@@ -17,7 +17,7 @@ class RemoteMachine final : public core::Machine {
   void load(const std::filesystem::path& file) override;
   /// For the headers of messages, after a checkpoint has been loaded.
   void resume_at(std::int64_t step_index, std::int64_t t_ns);
-  void stop();
+  void stop();  ///< may be called again until the process has ended
 
  private:
   Link& link_;
@@ -37,7 +37,7 @@ class RemoteRock final : public core::Rock {
   std::string state_hash() override;
   /// For the headers of messages, when the other side has started from a checkpoint.
   void resume_at(std::int64_t step_index, std::int64_t dem_step);
-  void stop();
+  void stop();  ///< may be called again until the process has ended
 
  private:
   core::RockState move(std::int64_t n_steps, const std::vector<Pose>& X_WB);

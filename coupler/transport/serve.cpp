@@ -1,5 +1,8 @@
 #include "coupler/transport/serve.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/info_json.hpp"
 
@@ -58,19 +61,49 @@ core::Body answer(core::Rock& rock, const core::Message& request) {
   throw core::ProtocolError("a rock answers motions and commands only");
 }
 
+namespace {
+
+void require_in_checkpoints(const core::Message& request, const std::filesystem::path& folder) {
+  const auto* c = std::get_if<core::Command>(&request.body);
+  if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load)) return;
+  const auto root = std::filesystem::weakly_canonical(folder);
+  const auto file = std::filesystem::weakly_canonical(c->file);
+  const auto [at, _] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+  if (at == root.end()) return;
+  throw core::ProtocolError("refused to save or load " + file.string() + ": it is not below " +
+                            root.string());
+}
+
+/// The last of the messages that have gathered. The other side has one request under way, so all
+/// before it are copies of what has been dealt with; and a queue that is full loses what comes
+/// next.
+std::optional<Packet> last_waiting(Transport& transport) {
+  const auto enough = std::chrono::steady_clock::now() + std::chrono::milliseconds(10);
+  std::optional<Packet> last;
+  while (std::chrono::steady_clock::now() < enough) {
+    auto packet = transport.receive(std::chrono::microseconds(0));
+    if (!packet) break;
+    last = std::move(packet);
+  }
+  return last;
+}
+
+}  // namespace
+
 void serve(Transport& transport, const std::string& in, const std::string& out,
-           const core::Envelope& identity,
-           const std::function<core::Body(const core::Message&)>& handle,
+           const PeerConfig& config, const std::function<core::Body(const core::Message&)>& handle,
            const std::function<bool()>& alive) {
-  core::Responder responder(identity);
+  core::Responder responder(config.identity);
+  std::optional<Packet> waiting;
   while (alive()) {
-    const auto packet = transport.receive(std::chrono::milliseconds(50));
+    const auto packet = waiting ? std::exchange(waiting, std::nullopt)
+                                : transport.receive(std::chrono::milliseconds(50));
     if (!packet || packet->channel != in) continue;
     core::Message request;
     try {
       request = decode(packet->bytes);
     } catch (const DecodeError&) {
-      continue;  // not one of ours: ours are whole
+      continue;  // sealed by a program of another version
     }
     switch (responder.judge(request.envelope)) {
       case core::Responder::Verdict::ignore:
@@ -83,11 +116,13 @@ void serve(Transport& transport, const std::string& in, const std::string& out,
     }
     try {
       core::require_sound(request, "the coupler", {});
+      require_in_checkpoints(request, config.checkpoints);
       responder.remember(encode({request.envelope, handle(request)}));
     } catch (const std::exception& e) {
       transport.publish(out, encode({request.envelope, core::Status{false, e.what()}}));
       throw;
     }
+    waiting = last_waiting(transport);
     transport.publish(out, responder.reply());
     const auto* c = std::get_if<core::Command>(&request.body);
     if (c != nullptr && c->action == core::Action::stop) return;

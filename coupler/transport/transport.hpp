@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -19,8 +20,15 @@ class Transport {
   virtual ~Transport() = default;
   virtual void publish(const std::string& channel, const std::string& bytes) = 0;
   /// The next message on a subscribed channel, or nothing after `timeout`.
-  virtual std::optional<Packet> receive(std::chrono::milliseconds timeout) = 0;
+  virtual std::optional<Packet> receive(std::chrono::microseconds timeout) = 0;
+  /// How many packets have come that are not what they should be, and were dropped.
+  virtual std::int64_t foreign() const { return 0; }
 };
+
+/// A receiver that drops packets looks at the clock after this many of them: some milliseconds'
+/// work. So a call with no time left still empties what has gathered, and a flood cannot hold it
+/// up.
+inline constexpr int kDropsPerLook = 1000;
 
 /// Channel names of a run: who is spoken to, who speaks.
 struct Channels {

@@ -5,7 +5,7 @@
 namespace dipper::core {
 namespace {
 
-Envelope identity() { return {"token", "run", "case", 0, 0, 0}; }
+Envelope identity() { return {"run", "case", 0, 0, 0}; }
 
 using Verdict = Responder::Verdict;
 
@@ -18,7 +18,7 @@ TEST(Protocol, EveryRequestIsNumberedAndCarriesTheStepAndTime) {
   EXPECT_EQ(second.sequence, 2);
   EXPECT_EQ(second.step_index, 7);
   EXPECT_EQ(second.t_ns, 20);
-  EXPECT_EQ(second.run_token, "token");
+  EXPECT_EQ(second.run_id, "run");
 }
 
 TEST(Protocol, ARepeatedRequestIsAnsweredAgainButNotCarriedOutAgain) {
@@ -58,18 +58,7 @@ TEST(Protocol, AnEarlierReplyIsNotTakenForTheCurrentOne) {
   EXPECT_FALSE(ask.accept(first));
 }
 
-TEST(Protocol, StrangersAreCountedAndIgnoredOnBothSides) {
-  Requester ask(identity());
-  Responder serve(identity());
-  Envelope request = ask.begin(0, 0);
-  request.run_token = "another";
-  EXPECT_FALSE(ask.accept(request));
-  EXPECT_EQ(serve.judge(request), Verdict::ignore);
-  EXPECT_EQ(ask.counts().foreign, 1);
-  EXPECT_EQ(serve.counts().foreign, 1);
-}
-
-TEST(Protocol, OurTokenOnAnotherCaseIsAMixUp) {
+TEST(Protocol, OurSealOnAnotherCaseIsAMixUp) {
   Responder serve(identity());
   Envelope request = identity();
   request.sequence = 1;

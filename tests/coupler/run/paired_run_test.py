@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import shutil
+import struct
 import subprocess
 import time
 import unittest
@@ -61,8 +62,7 @@ class PairedRun(RunTest):
     def test_each_side_replays_to_the_bit(self):
         self.run_case(self.folder / "r")
         for side, requests in (("dem", 700), ("mbs", 1400)):
-            done = subprocess.run([DIPPER, "replay", self.folder / "r", "--side", side], text=True,
-                                  capture_output=True, timeout=PATIENCE_S)
+            done = self.replay(self.folder / "r", side)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("to the bit", done.stdout)
             self.assertGreater(int(done.stdout.split()[1]), requests)
@@ -110,6 +110,15 @@ class PairedRun(RunTest):
         self.run_case(self.folder / "parts", "--resume")
         whole, parts = self.folder / "whole", self.folder / "parts"
         self.assertEqual(self.summary(parts)["dem"]["steps"], 7000)
+        for side in ("dem", "mbs"):
+            done = self.replay(parts, side)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("of 2 legs", done.stdout)
+            self.assertIn("to the bit", done.stdout)
+        self.change_an_answer(next(parts.glob("events-*.lcmlog")), b"DIPPER_FROM_MBS")
+        done = self.replay(parts, "mbs")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("1 answers differ", done.stdout)
         with h5py.File(whole / "record.h5") as a, h5py.File(parts / "record.h5") as b:
             np.testing.assert_array_equal(a["time_s"][:], b["time_s"][:])
             np.testing.assert_array_equal(a["step_index"][:], b["step_index"][:])
@@ -121,6 +130,22 @@ class PairedRun(RunTest):
                                        rtol=0, atol=1e-9)
             force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
             np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-5 * np.abs(force_a).max())
+
+    def replay(self, run, side):
+        return subprocess.run([DIPPER, "replay", run, "--side", side], text=True, capture_output=True,
+                              timeout=PATIENCE_S)
+
+    @staticmethod
+    def change_an_answer(log, channel):
+        """Flips the last bit of the last number of the log's hundredth packet on `channel`."""
+        data = bytearray(log.read_bytes())
+        at = count = 0
+        while count < 100:
+            name, size = struct.unpack_from(">II", data, at + 20)
+            count += data[at + 28:at + 28 + name] == channel
+            at += 28 + name + size
+        data[at - 1] ^= 1
+        log.write_bytes(data)
 
     def observed(self, *command):
         """hoist and crowd force of signals.csv that a command writes, kN."""

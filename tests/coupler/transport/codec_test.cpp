@@ -7,7 +7,7 @@
 namespace dipper::transport {
 namespace {
 
-core::Envelope envelope() { return {"token", "run", "hash", 12, 34, 56'000'000'000}; }
+core::Envelope envelope() { return {"run", "hash", 12, 34, 56'000'000'000}; }
 
 TEST(Codec, AWrenchSurvivesToTheLastBit) {
   core::WallWrench w;
@@ -20,7 +20,7 @@ TEST(Codec, AWrenchSurvivesToTheLastBit) {
   w.bodies = {load, core::BodyLoad{}};
   w.channels = {1.25, -2.5};
   const core::Message m = decode(encode({envelope(), w}));
-  EXPECT_EQ(m.envelope.run_token, "token");
+  EXPECT_EQ(m.envelope.run_id, "run");
   EXPECT_EQ(m.envelope.step_index, 12);
   EXPECT_EQ(m.envelope.sequence, 34);
   EXPECT_EQ(m.envelope.t_ns, 56'000'000'000);
@@ -66,6 +66,23 @@ TEST(Codec, RefusesEveryCutAndEveryExtension) {
     EXPECT_THROW(decode(bytes.substr(0, n)), DecodeError) << n;
   }
   EXPECT_THROW(decode(bytes + "x"), DecodeError);
+}
+
+// LCM's own decoder reads out of place for the first and asks for gigabytes for the second.
+TEST(Codec, LengthsThatCannotBeAreRefusedBeforeAnythingIsMadeOfThem) {
+  const std::string command = encode({envelope(), core::Command{core::Action::save, "file"}});
+  const std::size_t run_id = 8 + 32;
+  for (const char* length : {"\x80\0\0\0", "\xff\xff\xff\xff", "\0\0\0\0", "\x7f\xff\xff\xff"}) {
+    std::string wild = command;
+    wild.replace(run_id, 4, std::string(length, 4));
+    EXPECT_THROW(decode(wild), DecodeError);
+    wild = command;
+    wild.replace(wild.size() - 9, 4, std::string(length, 4));  // of "file"
+    EXPECT_THROW(decode(wild), DecodeError);
+  }
+  std::string wrench = encode({envelope(), core::WallWrench{}});
+  wrench.replace(wrench.size() - 8, 4, std::string("\x7f\xff\xff\xff", 4));  // bodies
+  EXPECT_THROW(decode(wrench), DecodeError);
 }
 
 TEST(Codec, GarbageIsAnErrorNotACrash) {

@@ -1,11 +1,20 @@
 // LCM itself, on the private network that a run makes.
 #include "coupler/transport/lcm_transport.hpp"
 
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <random>
+#include <thread>
 
 #include "coupler/launch/network.hpp"
+#include "coupler/transport/codec.hpp"
+#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::transport {
 namespace {
@@ -27,6 +36,103 @@ TEST(LcmTransport, CarriesBytesBetweenEndpointsOnThePrivateNetwork) {
     ASSERT_TRUE(a.receive(1000ms)) << i;
   }
   EXPECT_FALSE(a.receive(10ms));
+}
+
+/// Sends bytes as they are to the group.
+class Stranger {
+ public:
+  Stranger() : socket_(socket(AF_INET, SOCK_DGRAM, 0)) {
+    group_.sin_family = AF_INET;
+    group_.sin_port = htons(7667);
+    inet_pton(AF_INET, "239.255.76.67", &group_.sin_addr);
+  }
+  ~Stranger() { close(socket_); }
+  void send(const std::string& bytes) const {
+    sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&group_),
+           sizeof group_);
+  }
+
+ private:
+  int socket_;
+  sockaddr_in group_{};
+};
+
+std::string big_endian(std::uint32_t n) {
+  const std::uint32_t net = htonl(n);
+  return {reinterpret_cast<const char*>(&net), 4};
+}
+
+// Each of these ends a process whose receiver is liblcm's.
+TEST(LcmTransport, PacketsThatAreNoneAreCountedAndDropped) {
+  ASSERT_TRUE(launch::enter_private_network());
+  const std::string url = "udpm://239.255.76.67:7667?ttl=0";
+  LcmTransport a(url, {"TO_A"}), b(url, {"TO_B"});
+  const Stranger stranger;
+  const std::string no_nul = "LC02" + big_endian(1) + std::string(200, 'x');
+  const std::string no_end = "LC02" + big_endian(1) + "TO_A";
+  const std::string empty, magic = "LC02";
+  // Of a message of 100 bytes, the piece at 4 GB.
+  const std::string wild = "LC03" + big_endian(7) + big_endian(100) + big_endian(0xfffffff0u) +
+                           std::string("\0\0\0\2", 4) + std::string("TO_A\0 wild", 10);
+  for (int k = 0; k < 20; ++k) {
+    for (const auto& bytes : {no_nul, no_end, empty, magic, wild}) stranger.send(bytes);
+  }
+  b.publish("TO_A", "still there");
+  const auto packet = a.receive(1000ms);
+  ASSERT_TRUE(packet);
+  EXPECT_EQ(packet->bytes, "still there");
+  EXPECT_EQ(a.foreign(), 100);
+}
+
+TEST(LcmTransport, WhatDoesNotFitOnePacketIsNotSent) {
+  ASSERT_TRUE(launch::enter_private_network());
+  LcmTransport a("udpm://239.255.76.67:7667?ttl=0", {"TO_A"});
+  const std::string most(65499 - 5, 'x');  // with "TO_A" and its NUL
+  a.publish("TO_A", most);
+  const auto packet = a.receive(1000ms);
+  ASSERT_TRUE(packet);
+  EXPECT_EQ(packet->bytes, most);
+  EXPECT_THROW(a.publish("TO_A", most + "x"), std::runtime_error);
+}
+
+TEST(LcmTransport, AnswersComeThroughAFlood) {
+  ASSERT_TRUE(launch::enter_private_network());
+  const std::string url = "udpm://239.255.76.67:7667?ttl=0";
+  const auto a = sealed_lcm(url, "secret", "TO_A"), b = sealed_lcm(url, "secret", "TO_B");
+  std::atomic<bool> over{false};
+  std::atomic<long> sent{0};
+  std::thread flood([&] {  // 40,000 a second, on the channel itself
+    const Stranger stranger;
+    std::mt19937 random(1);
+    const auto began = std::chrono::steady_clock::now();
+    while (!over) {
+      const auto due = 40 * ((std::chrono::steady_clock::now() - began) / 1ms);
+      for (; sent < due; ++sent) {
+        std::string bytes = "LC02" + big_endian(1) + std::string("TO_A\0", 5);
+        bytes.resize(bytes.size() + random() % 400, static_cast<char>(random()));
+        stranger.send(bytes);
+      }
+      std::this_thread::sleep_for(1ms);
+    }
+  });
+  const std::string message = encode({{"run", "case", 0, 0, 0}, core::Status{true, "text"}});
+  int heard = 0;
+  const auto began = std::chrono::steady_clock::now();
+  int asked = 0;
+  for (; asked < 500 || a->foreign() < 5000; ++asked) {
+    while (a->receive(0us)) ++heard;  // empties the queue, as Link does
+    b->publish("TO_A", message);
+    if (a->receive(200ms)) ++heard;
+  }
+  const auto took = std::chrono::steady_clock::now() - began;
+  over = true;
+  flood.join();
+  EXPECT_GT(heard, asked * 8 / 10);
+  EXPECT_LT(took, 30s);
+  // And silence ends when it should.
+  const auto waited = std::chrono::steady_clock::now();
+  EXPECT_FALSE(b->receive(300ms));
+  EXPECT_LT(std::chrono::steady_clock::now() - waited, 600ms);
 }
 
 TEST(LcmTransport, WithoutARouteNamesTheCommandThatMakesOne) {

@@ -9,6 +9,7 @@
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/memory_transport.hpp"
 #include "coupler/transport/remote.hpp"
+#include "coupler/transport/sealed_transport.hpp"
 #include "coupler/transport/serve.hpp"
 #include "tests/coupler/transport/pair_fakes.hpp"
 
@@ -17,32 +18,35 @@ namespace {
 
 using namespace std::chrono_literals;
 
-core::Envelope identity() { return {"token", "run", "case", 0, 0, 0}; }
+core::Envelope identity() { return {"run", "case", 0, 0, 0}; }
+
+constexpr const char* kSecret = "the secret";
+
+PeerConfig config() { return {"", kSecret, identity(), "/tmp/dipper-no-such-folder", {}}; }
 
 /// Master in this thread, both sides in threads of their own.
 class LossyPair {
  public:
   explicit LossyPair(const Faults& faults) : network_(faults) {
-    from_dem_ = network_.connect({Channels::from_dem});
-    from_mbs_ = network_.connect({Channels::from_mbs});
-    auto dem = network_.connect({Channels::to_dem});
-    auto mbs = network_.connect({Channels::to_mbs});
+    from_dem_ = connect(Channels::from_dem);
+    from_mbs_ = connect(Channels::from_mbs);
+    auto dem = connect(Channels::to_dem);
+    auto mbs = connect(Channels::to_mbs);
     const auto alive = [this] { return !over_; };
     dem_thread_ = std::thread([this, alive, t = std::shared_ptr<Transport>(std::move(dem))] {
       try {
         serve(
-            *t, Channels::to_dem, Channels::from_dem, identity(),
+            *t, Channels::to_dem, Channels::from_dem, config(),
             [this](const core::Message& m) { return answer(rock, m); }, alive);
       } catch (const std::exception&) {  // told to the master as a status
       }
     });
     mbs_thread_ = std::thread([this, alive, t = std::shared_ptr<Transport>(std::move(mbs))] {
       serve(
-          *t, Channels::to_mbs, Channels::from_mbs, identity(),
+          *t, Channels::to_mbs, Channels::from_mbs, config(),
           [this](const core::Message& m) { return answer(machine, m); }, alive);
     });
     LinkOptions options;
-    options.resend = 5ms;
     options.timeout = 20s;
     dem_link = std::make_unique<Link>("dem", *from_dem_, Channels::to_dem, Channels::from_dem,
                                       identity(), options);
@@ -72,6 +76,9 @@ class LossyPair {
   MemoryNetwork& network() { return network_; }
 
  private:
+  std::unique_ptr<Transport> connect(const char* channel) {
+    return std::make_unique<SealedTransport>(network_.connect({channel}), kSecret);
+  }
   MemoryNetwork network_;
   std::unique_ptr<Transport> from_dem_, from_mbs_;
   std::atomic<bool> over_{false};
@@ -97,9 +104,9 @@ TEST(LossyLink, APerfectNetworkNeedsNoResend) {
 }
 
 TEST(LossyLink, DropsDuplicatesAndSwapsChangeNothing) {
-  constexpr int kWindows = 200;
+  constexpr int kWindows = 60;
   for (const unsigned seed : {1u, 2u, 3u}) {
-    LossyPair pair({0.1, 0.1, 0.1, seed});
+    LossyPair pair({0.3, 0.2, 0.2, seed});
     EXPECT_EQ(pair.run(kWindows), reference(kWindows)) << "seed " << seed;
     EXPECT_EQ(pair.rock.windows, kWindows);
     EXPECT_EQ(pair.machine.commits, kWindows);
@@ -111,15 +118,66 @@ TEST(LossyLink, DropsDuplicatesAndSwapsChangeNothing) {
 TEST(LossyLink, StrangersAndGarbageAreCountedAndIgnored) {
   LossyPair pair({});
   auto stranger = pair.network().connect({});
-  core::Envelope other = identity();
-  other.run_token = "another run";
+  SealedTransport other(pair.network().connect({}), "another run's secret");
   for (int i = 0; i < 20; ++i) {
-    stranger->publish(Channels::from_dem, encode({other, core::Status{true, "{}"}}));
-    stranger->publish(Channels::to_dem, encode({other, core::Command{core::Action::stop, ""}}));
+    other.publish(Channels::from_dem, encode({identity(), core::Status{true, "{}"}}));
+    other.publish(Channels::to_dem, encode({identity(), core::Command{core::Action::stop, ""}}));
     stranger->publish(Channels::from_dem, "not a message at all");
   }
   EXPECT_EQ(pair.run(20), reference(20));
   EXPECT_EQ(pair.dem_link->counts().foreign, 40);
+}
+
+TEST(LossyLink, WhatIsHeardOnTheWireOpensNothingWhenPlayedAgain) {
+  LossyPair pair({});
+  auto tap = pair.network().connect({Channels::to_dem, Channels::from_dem, Channels::to_mbs});
+  pair.run(20);
+  std::vector<Packet> heard;
+  while (auto packet = tap->receive(0us)) heard.push_back(*packet);
+  ASSERT_GT(heard.size(), 60u);
+  const int windows = pair.rock.windows, commits = pair.machine.commits;
+  for (const Packet& packet : heard) tap->publish(packet.channel, packet.bytes);
+  for (const Packet& packet : heard)
+    tap->publish(Channels::from_dem, packet.bytes);  // turned round
+  RemoteRock rock(*pair.dem_link);
+  EXPECT_EQ(rock.info().bodies, pair.rock.info().bodies);
+  EXPECT_EQ(pair.rock.windows, windows);
+  EXPECT_EQ(pair.machine.commits, commits);
+  EXPECT_GT(pair.dem_link->counts().foreign, 0);
+}
+
+TEST(LossyLink, FilesOutsideTheCheckpointsAreRefused) {
+  for (const char* file : {"/tmp/elsewhere", "/tmp/dipper-no-such-folder/../elsewhere",
+                           "/tmp/dipper-no-such-folder-2/rock.restart"}) {
+    LossyPair pair({});
+    RemoteRock rock(*pair.dem_link);
+    EXPECT_THAT([&] { rock.save(file); },
+                testing::ThrowsMessage<PeerError>(testing::HasSubstr("refused to save")))
+        << file;
+  }
+  LossyPair pair({});
+  RemoteRock rock(*pair.dem_link);
+  rock.save("/tmp/dipper-no-such-folder/000000600.part/rock.restart");
+}
+
+/// Hears nothing it waits for, but always something.
+class Flood final : public Transport {
+ public:
+  void publish(const std::string&, const std::string&) override {}
+  std::optional<Packet> receive(std::chrono::microseconds) override {
+    return Packet{Channels::from_dem, "noise"};
+  }
+};
+
+TEST(LossyLink, AFloodDoesNotPutOffTheTimeout) {
+  SealedTransport flooded(std::make_unique<Flood>(), kSecret);
+  LinkOptions options;
+  options.timeout = options.start = 500ms;
+  Link link("dem", flooded, Channels::to_dem, Channels::from_dem, identity(), options);
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_THROW(link.ask(core::Command{core::Action::hello, ""}, 0, 0), PeerError);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, 1500ms);
+  EXPECT_GT(link.counts().foreign, 1000);
 }
 
 TEST(LossyLink, ANaNStopsTheRunNamingSideStepAndBody) {
@@ -150,7 +208,7 @@ TEST(LossyLink, SilenceEndsInATimeout) {
   MemoryNetwork network;
   auto alone = network.connect({Channels::from_dem});
   LinkOptions options;
-  options.timeout = 300ms;
+  options.timeout = options.start = 300ms;
   Link link("dem", *alone, Channels::to_dem, Channels::from_dem, identity(), options);
   EXPECT_THROW(link.ask(core::Command{core::Action::hello, ""}, 0, 0), PeerError);
 }
