@@ -41,10 +41,15 @@ class FirstCase(unittest.TestCase):
 
 class Links(unittest.TestCase):
     def test_every_relative_link_of_the_docs_leads_somewhere(self):
-        for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
             for target in re.findall(r"\]\(([^)#\s]+)[^)]*\)", page.read_text()):
                 if "://" not in target:
                     self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
+
+    def test_every_file_that_contributing_names_is_there(self):
+        for name in re.findall(r"`([\w.]+/[\w./]+)`", (ROOT / "CONTRIBUTING.md").read_text()):
+            if "NAME" not in name and not name.startswith("build/"):
+                self.assertTrue((ROOT / name).exists(), name)
 
     def test_every_page_is_reached_from_the_way_in(self):
         way_in = (ROOT / "docs/README.md").read_text()
