@@ -21,11 +21,10 @@ from .measured import read_measured
 from .model import NEED_PASSES
 from .motion import compare_motion, read_motion
 from .patch import write_patched_case
+from .program import ROOT, ProgramFailed, program
 from .report import write_report
 from .simulator import JOBS, DipperSimulator, RunFailed, check
 from .workflow import analyse
-
-ROOT = Path(__file__).resolve().parents[3]
 
 
 def arguments(words):
@@ -40,10 +39,6 @@ def arguments(words):
 def cache_folder():
     base = os.environ.get("XDG_CACHE_HOME")
     return (Path(base) if base else Path.home() / ".cache") / "dipper" / "gap"
-
-
-def program():
-    return os.environ.get("DIPPER", str(ROOT / "build/release/bin/dipper"))
 
 
 def read_case(folder):
@@ -112,7 +107,7 @@ def main(words=None):
     except KeyboardInterrupt:
         print("gap: interrupted; the same command goes on from the runs already made", file=sys.stderr)
         return 4
-    except RunFailed as e:
+    except (RunFailed, ProgramFailed) as e:
         print(f"gap: {e}", file=sys.stderr)
         return 3
     except ValueError as e:

@@ -96,17 +96,17 @@ class FeatureMap:
         self._spans = []
         self.durations = []
         if measured.signals:
-            for index, p in enumerate(self.passes):
-                self._add_pass(index, p)
+            driven = (measured.signals["crowd_m"], measured.signals["swing_rad"])
+            spans = [(p.t_start_s, p.t_end_s) for p in self.passes]
+            for index, phases in enumerate(find_phases(measured.time_s, *driven, spans)):
+                self._add_pass(index, phases)
         self.cells = [cell for cell, _ in self._columns(measured.signals, self.masses())]
 
     def masses(self):
         return np.array([p.truck_mass_t for p in self.passes])
 
-    def _add_pass(self, index, p):
+    def _add_pass(self, index, phases):
         m = self.measured
-        phases = find_phases(m.time_s, m.signals["crowd_m"], m.signals["swing_rad"],
-                             p.t_start_s, p.t_end_s)
         self.durations.append({phase: b - a for phase, (a, b) in phases.items()})
         for phase, (a, b) in phases.items():
             inner = m.time_s[(m.time_s > a) & (m.time_s < b)]

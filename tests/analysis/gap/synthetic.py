@@ -38,7 +38,7 @@ def motion(rate_hz=1.0):
 def phase_index(rate_hz=1.0):
     """(pass, phase times) of the three cycles."""
     t, _, crowd, swing = motion(rate_hz)
-    return [find_phases(t, crowd, swing, CYCLE_S * k, CYCLE_S * (k + 1)) for k in range(3)]
+    return find_phases(t, crowd, swing, [(CYCLE_S * k, CYCLE_S * (k + 1)) for k in range(3)])
 
 
 def bump(t, a, b):

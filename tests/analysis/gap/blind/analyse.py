@@ -17,7 +17,8 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[3]
 sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis/gap")]
-from dipper_gap.__main__ import cache_folder, program  # noqa: E402
+from dipper_gap.__main__ import cache_folder  # noqa: E402
+from dipper_gap.program import program  # noqa: E402
 from dipper_gap.decide import OMNIBUS_P, decide  # noqa: E402
 from dipper_gap.effects import read_catalogue  # noqa: E402
 from dipper_gap.localise import localise  # noqa: E402

@@ -1,0 +1,30 @@
+"""The program `dipper`, which is asked for what it knows rather than have it known twice."""
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+class ProgramFailed(RuntimeError):
+    """The program did not answer; the message is its own."""
+
+
+def program():
+    """$DIPPER, which `dipper gap` sets to itself; else this tree's, else the one on the path."""
+    built = ROOT / "build/release/bin/dipper"
+    return os.environ.get("DIPPER") or (str(built) if built.exists() else shutil.which("dipper") or "dipper")
+
+
+def ask(*words, given=None):
+    """The JSON that `dipper WORDS` writes, to whom `given` is written as JSON."""
+    try:
+        made = subprocess.run([program(), *map(str, words)], input=None if given is None else json.dumps(given),
+                              capture_output=True, text=True)
+    except OSError as e:
+        raise ProgramFailed(f"{program()}: {e.strerror}; build it, or set DIPPER to it") from e
+    if made.returncode != 0:
+        raise ProgramFailed(made.stderr.strip())
+    return json.loads(made.stdout)
