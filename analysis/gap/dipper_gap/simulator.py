@@ -1,7 +1,5 @@
 """Runs of a case, as the workflow asks for them: by `dipper run`, two at a time, each kept and found again."""
-import fcntl
 import hashlib
-import json
 import os
 import re
 import shutil
@@ -11,16 +9,15 @@ import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from . import run_cache
 from .measured import read_measured
 from .patch import referenced_files
 
 KEEPER = Path(__file__).with_name("keeper.py")
 JOBS = 2
-WAIT_S = 0.5  # between looks at a run that another process makes
 ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
 # What a replay of the machine against the recorded rock answers exactly: the dipper's motion is prescribed.
 REPLAYED = {"machine.crowd_friction_N", "machine.hoist_loss"}
@@ -92,6 +89,7 @@ class DipperSimulator(Simulator):
         self.case, self.catalogue, self.program = Path(case), catalogue, str(program)
         self.cache = Path(cache)
         self._identity = _digest(self.case, self.program)
+        self._sound = {}  # {folder: what was said of it}
         self._children, self._lock, self._stopped = {}, threading.Lock(), False
         self._alive, self._held = os.pipe()  # ends when this process does, however it ends
 
@@ -110,13 +108,13 @@ class DipperSimulator(Simulator):
 
     def plan(self, requests):
         need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
-        kept = [r for r in need if self._done(r)]
-        took = [json.loads((self.folder(r) / "done.json").read_text())["wall_s"] for r in kept]
+        kept = [r for r in need if self._kept(r)]
+        took = [self._kept(r)["wall_s"] for r in kept]
         return len(need) - len(kept), len(kept), (sum(took) / len(took) if took else self._guess())
 
     def run(self, requests, say=print):
         need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
-        todo = [r for r in need if not self._done(r)]
+        todo = [r for r in need if not self._kept(r)]
         began, failures = time.monotonic(), []
         with ThreadPoolExecutor(JOBS) as pool:
             futures = {pool.submit(self._make, r): r for r in todo}
@@ -137,30 +135,24 @@ class DipperSimulator(Simulator):
             raise RunFailed("\n".join(failures))
         return [self._observed(r) for r in requests]
 
-    def _done(self, r):
-        return (self.folder(r) / "done.json").is_file()
-
-    @contextmanager
-    def _alone(self, folder):
-        """While another process makes the same, waits for it, or until stopped. Yields the lock, which a run under
-        way shares: it holds as long as either lives."""
-        folder.mkdir(parents=True, exist_ok=True)
-        with open(folder / "lock", "w") as lock:
-            while not self._stopped:
-                try:
-                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                    break
-                except BlockingIOError:
-                    time.sleep(WAIT_S)
-            yield lock
+    def _kept(self, r):
+        """What was said of a run when it was kept; None where it is not, or is damaged. Looked at once."""
+        folder = self.folder(r)
+        if folder not in self._sound:
+            told = run_cache.facts(folder)
+            if told is None:
+                return None
+            self._sound[folder] = told
+        return self._sound[folder]
 
     def _make(self, r):
-        with self._alone(self.folder(r)) as lock:
-            if not (self._stopped or self._done(r)):
+        with run_cache.locked(self.folder(r), lambda: self._stopped) as lock:
+            if not (self._stopped or self._kept(r)):
                 self._make_alone(r, lock)
 
     def _make_alone(self, r, lock):
         folder = self.folder(r)
+        folder.mkdir(exist_ok=True)
         run = folder / "run"
         words = [self.program, "run", str(self.case), "--out", str(run), "--ranks", "1", "--seed", str(r.seed)]
         words += [w for setting in QUIET for w in ("--set", setting)] + _settings(r.effects)
@@ -177,9 +169,7 @@ class DipperSimulator(Simulator):
         for heavy in ("dumps", "checkpoints", "events.lcmlog"):
             path = run / heavy
             shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
-        text = json.dumps({"effects": dict(r.effects), "seed": r.seed, "wall_s": time.monotonic() - began})
-        (folder / "done.tmp").write_text(text)
-        os.replace(folder / "done.tmp", folder / "done.json")
+        run_cache.seal(folder, {"effects": dict(r.effects), "seed": r.seed, "wall_s": time.monotonic() - began})
 
     def _call(self, words, folder, lock):
         with open(folder / "run.log", "w") as log:
@@ -215,14 +205,17 @@ class DipperSimulator(Simulator):
     def _observed(self, r):
         if r.how == "run":
             return read_measured(self.folder(r) / "run" / "observed", simulated=True)
-        out = self.folder(r) / "observed"
-        with self._alone(out.parent):
-            if not (out / "passes.csv").is_file():
-                words = self._again(r) + ["--out", str(out)]
+        folder = self.folder(r)
+        with run_cache.locked(folder, lambda: self._stopped):
+            if not self._kept(r):
+                shutil.rmtree(folder, ignore_errors=True)
+                folder.mkdir()
+                words = self._again(r) + ["--out", str(folder / "observed")]
                 made = subprocess.run(words, capture_output=True, text=True)
                 if made.returncode != 0:
                     raise RunFailed(f"dipper {r.how} failed ({r}): {made.stderr.strip()}")
-        return read_measured(out, simulated=True)
+                run_cache.seal(folder, {"effects": dict(r.effects), "seed": r.seed})
+        return read_measured(folder / "observed", simulated=True)
 
 
 def _values(effect, strength):

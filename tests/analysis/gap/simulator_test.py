@@ -137,6 +137,30 @@ def test_a_changed_mesh_is_another_case(world):
     assert simulator().plan([request({}, 1, catalogue)])[:2] == (1, 0)
 
 
+@pytest.mark.parametrize("damaged", ["run/observed/passes.csv", "manifest.json"])
+def test_a_damaged_run_is_never_used(world, capsys, damaged):
+    simulator, catalogue, _, folder = world
+    asked = [request({}, 1, catalogue), request({"scale_gain": 0.1}, 1, catalogue)]
+    assert masses(simulator().run(asked, str)) == [81, 90]
+    file = simulator().folder(asked[0]) / damaged
+    file.write_bytes(file.read_bytes().replace(b"8", b"9", 1)[:-3])
+    assert simulator().plan(asked)[:2] == (1, 0)
+    assert f"{file} is not as it was written; moved to" in capsys.readouterr().err
+    assert masses(simulator().run(asked, str)) == [81, 90]
+    assert len(list((folder / "cache").glob("*.damaged-1"))) == 1
+
+
+def test_a_damaged_observation_is_never_used(world, capsys):
+    simulator, catalogue, _, folder = world
+    asked = [request({"scale_gain": 0.1}, 1, catalogue)]
+    assert masses(simulator().run(asked, str)) == [90]
+    file = simulator().folder(asked[0]) / "observed" / "passes.csv"
+    file.write_text(file.read_text().replace("90", "91"))
+    assert masses(simulator().run(asked, str)) == [90]
+    assert "made again" in capsys.readouterr().err
+    assert [c.split()[0] for c in calls(folder)] == ["run", "observe", "observe"]
+
+
 def test_a_failed_run_is_named_and_the_others_are_kept(world):
     simulator, catalogue, _, _ = world
     asked = [request({}, s, catalogue) for s in (1, 13)]

@@ -1,0 +1,92 @@
+"""Entries of the cache: whole or not there, written by one process at a time, never used when damaged.
+
+An entry is a folder with a manifest of the SHA-256 sums of its files, written last. A damaged entry is moved aside, told,
+and made again. The rules are those of common/cache_entry.hpp.
+"""
+import fcntl
+import hashlib
+import json
+import os
+import sys
+import time
+from contextlib import contextmanager
+
+MANIFEST = "manifest.json"
+WAIT_S = 0.5  # between looks at an entry that another process makes
+
+
+@contextmanager
+def locked(entry, stopped):
+    """Waits while another process makes the same, or until stopped(). Yields the lock, a file beside the entry, which
+    a run under way shares: it holds as long as either lives."""
+    entry.parent.mkdir(parents=True, exist_ok=True)
+    with open(entry.with_name(entry.name + ".lock"), "w") as lock:
+        while not stopped():
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                break
+            except BlockingIOError:
+                time.sleep(WAIT_S)
+        yield lock
+
+
+def seal(entry, facts):
+    """Makes a folder an entry: `facts` (a dict) and the sums of its files, on the disk before the manifest is."""
+    sums = {}
+    for file in _files(entry):
+        sums[str(file.relative_to(entry))] = _sha256(file)
+        _to_disk(file)
+    part = entry / (MANIFEST + ".part")
+    part.write_text(json.dumps({**facts, "sha256": sums}, indent=1) + "\n")
+    _to_disk(part)
+    os.replace(part, entry / MANIFEST)
+    _to_disk(entry)
+
+
+def facts(entry):
+    """What was said of a sound entry; None where there is none. A damaged one is moved aside."""
+    try:
+        text = (entry / MANIFEST).read_text()
+    except FileNotFoundError:
+        return None
+    except (OSError, UnicodeDecodeError):
+        text = ""
+    try:
+        told = json.loads(text)
+        sums = dict(told["sha256"])
+    except (ValueError, KeyError, TypeError):
+        return _move_aside(entry, MANIFEST)
+    there = {str(file.relative_to(entry)) for file in _files(entry)}
+    for name, expected in sums.items():
+        if name not in there or _sha256(entry / name) != expected:
+            return _move_aside(entry, name)
+    return told
+
+
+def _move_aside(entry, name):
+    number = 1
+    while (aside := entry.with_name(f"{entry.name}.damaged-{number}")).exists():
+        number += 1
+    try:
+        os.rename(entry, aside)
+    except FileNotFoundError:  # another process has
+        return None
+    print(f"gap: {entry / name} is not as it was written; moved to {aside}, made again", file=sys.stderr, flush=True)
+    return None
+
+
+def _files(entry):
+    return [f for f in sorted(entry.rglob("*")) if f.is_file() and not f.name.startswith(MANIFEST)]
+
+
+def _sha256(file):
+    with open(file, "rb") as f:
+        return hashlib.file_digest(f, "sha256").hexdigest()
+
+
+def _to_disk(path):
+    handle = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
