@@ -1,7 +1,7 @@
 """Entries of the cache: whole or not there, written by one process at a time, never used when damaged.
 
-An entry is a folder with a manifest of the SHA-256 sums of its files, written last. A damaged entry is moved aside, told,
-and made again. The rules are those of common/cache_entry.hpp.
+An entry is a folder with a manifest of the SHA-256 sums of its files, written last. A damaged entry is moved aside, and
+made again. The rules are those of common/cache_entry.hpp.
 """
 import fcntl
 import hashlib
