@@ -18,7 +18,7 @@ bool make_once(const std::filesystem::path& entry,
                const std::function<void()>& while_waiting);
 
 /// An entry's name: the SHA-256 of `what`, the text of `files`, and names and text of all that a
-/// deck holds but case.in, which also has what an entry does not depend on.
+/// deck holds but its folders and case.in, which also have what an entry does not depend on.
 std::string deck_hash(std::string what, const std::vector<std::filesystem::path>& files,
                       const std::filesystem::path& deck);
 

@@ -3,8 +3,10 @@
 #include <abstract_mesh.h>
 #include <atom.h>
 #include <atom_vec.h>
+#include <comm.h>
 #include <fix_mesh_surface.h>
 #include <fix_multisphere.h>
+#include <fmt/core.h>
 #include <lammps.h>
 #include <modify.h>
 #include <tri_mesh.h>
@@ -14,6 +16,7 @@
 #include <cstdint>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "common/mesh/signed_distance.hpp"
 #include "dem/parked_rock.hpp"
@@ -99,6 +102,26 @@ Cleared clear_start(LAMMPS_NS::LAMMPS& lmp, const std::vector<std::string>& mesh
   LAMMPS_NS::bigint left = atom->nlocal;
   MPI_Allreduce(&left, &atom->natoms, 1, MPI_LMP_BIGINT, MPI_SUM, comm);
   return cleared;
+}
+
+ClearStart::ClearStart(LAMMPS_NS::LAMMPS& lmp, std::vector<std::string> meshes)
+    : lmp_(lmp), meshes_(std::move(meshes)) {}
+
+std::vector<core::Channel> ClearStart::channels() const {
+  return {{"rocks_removed", "1", "-"}, {"mass_removed", "kg", "-"}};
+}
+
+void ClearStart::measure(const std::vector<Pose>&, std::vector<double>& parts) const {
+  parts.insert(parts.end(), {cleared_.rocks, cleared_.mass_kg});
+}
+
+void ClearStart::before_set_up() {
+  const Cleared cleared = clear_start(lmp_, meshes_, lmp_.world);
+  if (lmp_.comm->me != 0) return;
+  cleared_ = cleared;
+  if (cleared_.rocks > 0)
+    fmt::print("{:.0f} rocks, {:.0f} kg, overlapped a wall at the start and were removed\n",
+               cleared_.rocks, cleared_.mass_kg);
 }
 
 }  // namespace dipper::dem

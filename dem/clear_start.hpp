@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "dem/rock_feature.hpp"
+
 namespace LAMMPS_NS {
 class LAMMPS;
 }
@@ -24,5 +26,20 @@ struct Cleared {
 /// in the dipper's hollow stays. To be called after the deck and before the first run. Collective.
 /// Throws std::runtime_error when the deck has no such mesh.
 Cleared clear_start(LAMMPS_NS::LAMMPS& lmp, const std::vector<std::string>& meshes, MPI_Comm comm);
+
+/// Clears the start. Channels: rocks_removed, mass_removed; 0 in the rows after a resume.
+class ClearStart final : public RockFeature {
+ public:
+  ClearStart(LAMMPS_NS::LAMMPS& lmp, std::vector<std::string> meshes);
+
+  std::vector<core::Channel> channels() const override;
+  void measure(const std::vector<Pose>& X_WB, std::vector<double>& parts) const override;
+  void before_set_up() override;
+
+ private:
+  LAMMPS_NS::LAMMPS& lmp_;
+  std::vector<std::string> meshes_;
+  Cleared cleared_;  ///< on rank 0 alone, since the record gets sums
+};
 
 }  // namespace dipper::dem

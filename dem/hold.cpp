@@ -67,13 +67,7 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
       numbers_(lmp),
       parked_(lmp, numbers_),
       policy_(settings, numbers_.size()),
-      flags_(numbers_.size(), 0),
-      fixed_(numbers_.size(), 0),
-      mask_(numbers_.size(), 0),
-      carried_(numbers_.size(), Vector3d::Zero()),
-      excess_(numbers_.size(), Vector3d::Zero()),
-      place_(numbers_.size(), Vector3d::Zero()),
-      placed_(numbers_.size(), -1),
+      rocks_(numbers_.size()),
       checked_(lmp.update->ntimestep),
       gathered_(lmp.update->ntimestep),
       followed_(lmp.update->ntimestep) {
@@ -87,16 +81,18 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
   }
   if (const int group = lmp.group->find(kLayerGroup); group >= 0)
     layer_ = lmp.group->bitmask[group];
+  // Of every rock, joined over the ranks: its integrators' bits and the layer's.
+  std::vector<int> bits(numbers_.size(), 0);
   for (int i = 0; i < lmp_.atom->nlocal; ++i) {
-    if ((lmp_.atom->mask[i] & layer_) != 0) fixed_[numbers_.of_sphere(lmp_.atom->tag[i])] = 1;
     largest_m_ = std::max(largest_m_, lmp_.atom->radius[i]);
-    mask_[numbers_.of_sphere(lmp_.atom->tag[i])] |= lmp_.atom->mask[i] & integrated_;
+    bits[numbers_.of_sphere(lmp_.atom->tag[i])] |= lmp_.atom->mask[i] & (integrated_ | layer_);
   }
-  MPI_Allreduce(MPI_IN_PLACE, mask_.data(), static_cast<int>(mask_.size()), MPI_INT, MPI_BOR,
-                comm_);
+  MPI_Allreduce(MPI_IN_PLACE, bits.data(), static_cast<int>(bits.size()), MPI_INT, MPI_BOR, comm_);
   MPI_Allreduce(MPI_IN_PLACE, &largest_m_, 1, MPI_DOUBLE, MPI_MAX, comm_);
-  MPI_Allreduce(MPI_IN_PLACE, fixed_.data(), static_cast<int>(fixed_.size()), MPI_BYTE, MPI_BOR,
-                comm_);
+  for (std::size_t k = 0; k < bits.size(); ++k) {
+    rocks_[k].groups = bits[k] & integrated_;
+    rocks_[k].of_layer = (bits[k] & layer_) != 0;
+  }
   hold_layer();
 }
 
@@ -127,20 +123,23 @@ void HoldRock::for_each_rock(const Visit& visit) const {
   }
 }
 
-void HoldRock::join(std::vector<std::uint8_t>& bytes) const {
-  MPI_Allreduce(MPI_IN_PLACE, bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, MPI_BOR,
+void HoldRock::join_flags() {
+  std::vector<std::uint8_t> flags = policy_.flags();
+  MPI_Allreduce(MPI_IN_PLACE, flags.data(), static_cast<int>(flags.size()), MPI_BYTE, MPI_BOR,
                 comm_);
+  policy_.set_flags(flags);
 }
 
 void HoldRock::follow_loads(double dt_s) {
   const double part = std::min(1.0, dt_s / settings_.average_s);
   for_each_rock([&](const Facts& f, const auto&...) {
-    if (policy_.of(f.rock) != Rest::held || fixed_[f.rock] != 0) return;
-    Vector3d& excess = excess_[f.rock];
-    excess += part * (f.force + carried_[f.rock] - excess);
+    HeldRecord& rock = rocks_[f.rock];
+    if (policy_.of(f.rock) != Rest::held || rock.of_layer) return;
+    rock.excess_N += part * (f.force + rock.carried_N - rock.excess_N);
     const double limit = settings_.unbalance * f.weight;
-    if (excess.norm() > limit) flags_[f.rock] |= rest_flag::disturbed;
-    if (excess.norm() > kStruck * limit) flags_[f.rock] |= rest_flag::struck;
+    const double excess = rock.excess_N.norm();
+    if (excess > limit) policy_.flag(f.rock, rest_flag::disturbed);
+    if (excess > kStruck * limit) policy_.flag(f.rock, rest_flag::struck);
   });
 }
 
@@ -148,12 +147,13 @@ void HoldRock::look_at_motion(double dt_s) {
   for_each_rock([&](const Facts& f, const Vector3d& x, const auto&...) {
     // What was on another rank is judged by its speed: rock that chatters on the boundary between
     // two would else never come to rest.
-    const bool known = placed_[f.rock] == gathered_;
-    const double way = known ? (x - place_[f.rock]).norm() : f.v_W.norm() * dt_s;
+    HeldRecord& rock = rocks_[f.rock];
+    const bool seen = rock.seen_step == gathered_;
+    const double way = seen ? (x - rock.seen_p_W).norm() : f.v_W.norm() * dt_s;
     const bool calm = settings_.below_m_s > 0 && way <= settings_.below_m_s * dt_s;
-    place_[f.rock] = x;
-    placed_[f.rock] = lmp_.update->ntimestep;
-    if (policy_.of(f.rock) == Rest::moving && !calm) flags_[f.rock] |= rest_flag::busy;
+    rock.seen_p_W = x;
+    rock.seen_step = lmp_.update->ntimestep;
+    if (policy_.of(f.rock) == Rest::moving && !calm) policy_.flag(f.rock, rest_flag::busy);
   });
 }
 
@@ -162,13 +162,13 @@ void HoldRock::look(const std::vector<WallZone>& near, const std::vector<WallZon
     return std::any_of(zones.begin(), zones.end(),
                        [&](const WallZone& z) { return z.holds(p, r); });
   };
-  const auto place = [&](std::size_t rock, const Vector3d& p, double r) {
+  const auto flag = [&](std::size_t rock, const Vector3d& p, double r) {
     if (!within(soon, p, r)) return;
-    flags_[rock] |= rest_flag::soon;
-    if (within(near, p, r)) flags_[rock] |= rest_flag::near;
+    policy_.flag(rock, rest_flag::soon);
+    if (within(near, p, r)) policy_.flag(rock, rest_flag::near);
   };
-  for_each_rock([&](const Facts& f, const Vector3d& x, double r) { place(f.rock, x, r); });
-  for (const auto& s : parked_.spheres()) place(s.rock, s.p_W, s.radius_m);
+  for_each_rock([&](const Facts& f, const Vector3d& x, double r) { flag(f.rock, x, r); });
+  for (const auto& s : parked_.spheres()) flag(s.rock, s.p_W, s.radius_m);
 }
 
 Reach HoldRock::moving(const std::vector<Rest>& rest, double gap_m, double ahead_s) const {
@@ -204,16 +204,16 @@ Reach HoldRock::moving(const std::vector<Rest>& rest, double gap_m, double ahead
 
 void HoldRock::expose(const std::vector<Rest>& rest, const Reach& reach) {
   const LAMMPS_NS::Atom* atom = lmp_.atom;
-  for (auto& f : flags_) f &= static_cast<std::uint8_t>(~rest_flag::exposed);
+  policy_.keep_flags(static_cast<std::uint8_t>(~rest_flag::exposed));
   for (int i = 0; i < atom->nlocal; ++i) {
     const std::size_t rock = numbers_.of_sphere(atom->tag[i]);
     if (rest[rock] != Rest::moving && reach.touches(vector(atom->x[i]), atom->radius[i]))
-      flags_[rock] |= rest_flag::exposed;
+      policy_.flag(rock, rest_flag::exposed);
   }
   for (const auto& s : parked_.spheres())
     if (rest[s.rock] != Rest::moving && reach.touches(s.p_W, s.radius_m))
-      flags_[s.rock] |= rest_flag::exposed;
-  join(flags_);
+      policy_.flag(s.rock, rest_flag::exposed);
+  join_flags();
 }
 
 void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>& bodies) {
@@ -233,33 +233,34 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
   }
   look(near, soon);
   // What moves until the next check, and some: lists reach over the skin.
-  expose(policy_.all(), moving(policy_.all(), lmp_.neighbor->skin, 2 * settings_.check_s));
-  const bool alarm = HoldPolicy::alarms(policy_.all(), flags_);
+  const std::vector<Rest> at_rest = policy_.all();
+  expose(at_rest, moving(at_rest, lmp_.neighbor->skin, 2 * settings_.check_s));
+  const bool alarm = policy_.alarms();
   const double since = static_cast<double>(now - gathered_) * dt;
   const bool gather = since >= settings_.gather_s;
   if (gather) {
     look_at_motion(since);
-    join(flags_);
-    policy_.observe(flags_, since);
+    join_flags();
+    policy_.observe(since);
     gathered_ = now;
   }
   if (alarm || gather || park_again_) {
-    std::vector<Rest> next = policy_.decide(flags_);
+    std::vector<Rest> next = policy_.decide();
     expose(next, moving(next, settings_.layer_m, settings_.sight_s));
-    if (!frame) HoldPolicy::park(next, flags_);
+    if (!frame) policy_.park(next);
     // Lists are built anew for a change: not for a few rocks more at rest.
-    const auto in_lists = static_cast<std::size_t>(std::count_if(
-        policy_.all().begin(), policy_.all().end(), [](Rest r) { return r != Rest::parked; }));
+    const auto in_lists = static_cast<std::size_t>(
+        std::count_if(at_rest.begin(), at_rest.end(), [](Rest r) { return r != Rest::parked; }));
     if (alarm || policy_.changes(next) > in_lists / 50) {
       for (std::size_t r = 0; r < next.size(); ++r)
-        if (next[r] == Rest::moving) fixed_[r] = 0;
+        if (next[r] == Rest::moving) rocks_[r].of_layer = false;
       apply(std::move(next));
       park_again_ = frame;
     }
   }
   // What is disturbed stays so until the next look at who is.
   const std::uint8_t keep = gather ? 0 : rest_flag::disturbed;
-  for (auto& f : flags_) f &= keep;
+  policy_.keep_flags(keep);
 }
 
 void HoldRock::unpark() {
@@ -272,13 +273,13 @@ void HoldRock::unpark() {
 void HoldRock::release() {
   const std::vector<Rest> all(numbers_.size(), Rest::moving);
   if (policy_.changes(all) > 0) apply(all);
-  std::fill(flags_.begin(), flags_.end(), 0);
+  policy_.keep_flags(0);
 }
 
 void HoldRock::hold_layer() {
   std::vector<Rest> rest = policy_.all();
   for (std::size_t r = 0; r < rest.size(); ++r)
-    if (fixed_[r] != 0 && rest[r] == Rest::moving) rest[r] = Rest::held;
+    if (rocks_[r].of_layer && rest[r] == Rest::moving) rest[r] = Rest::held;
   if (policy_.changes(rest) > 0) apply(std::move(rest));
 }
 
@@ -290,7 +291,7 @@ void HoldRock::apply(std::vector<Rest> rest) {
   std::vector<bool> was_held(numbers_.size(), false);
   for_each_rock([&](const Facts& f, const auto&...) {
     was_held[f.rock] = policy_.of(f.rock) == Rest::held;
-    before[f.rock] = f.force + carried_[f.rock];
+    before[f.rock] = f.force + rocks_[f.rock].carried_N;
   });
   lmp_.modify->setup_pre_exchange();  // contact history goes from the lists to the spheres
   set_held(rest);
@@ -300,10 +301,10 @@ void HoldRock::apply(std::vector<Rest> rest) {
   for_each_rock([&](const Facts& f, const auto&...) {
     if (rest[f.rock] != Rest::held) return;
     const Vector3d load = was_held[f.rock] ? before[f.rock] : Vector3d::Zero();
-    carried_[f.rock] = load - f.force;
-    if (!was_held[f.rock]) excess_[f.rock].setZero();
+    rocks_[f.rock].carried_N = load - f.force;
+    if (!was_held[f.rock]) rocks_[f.rock].excess_N.setZero();
   });
-  policy_.adopt(std::move(rest));
+  policy_.adopt(rest);
 }
 
 void HoldRock::set_held(const std::vector<Rest>& rest) {
@@ -312,9 +313,9 @@ void HoldRock::set_held(const std::vector<Rest>& rest) {
   double zero[] = {0, 0, 0};
   for (int i = 0; i < atom->nlocal; ++i) {
     const std::size_t rock = numbers_.of_sphere(atom->tag[i]);
-    if (fixed_[rock] == 0) atom->mask[i] &= ~layer_;
+    if (!rocks_[rock].of_layer) atom->mask[i] &= ~layer_;
     if (rest[rock] == Rest::moving) {
-      atom->mask[i] |= mask_[rock];
+      atom->mask[i] |= rocks_[rock].groups;
       continue;
     }
     atom->mask[i] &= ~integrated_;

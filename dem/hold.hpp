@@ -29,7 +29,21 @@ inline constexpr const char* kLayerGroup = "held_layer";
 /// Puts the rock of the layer into the group, before the first run. Collective.
 void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer);
 
-/// All methods but the last are collective.
+/// What HoldRock keeps of one rock, beside what the rules keep of it.
+struct HeldRecord {
+  bool of_layer = false;  ///< held whatever its load; the same on every rank
+  /// The integrators' bits of its spheres, taken from the mask while it rests. The same on every
+  /// rank: a rock that has just crossed a boundary migrates as it comes to rest.
+  int groups = 0;
+  // Of rock on this rank.
+  Vector3d carried_N = Vector3d::Zero();  ///< held: makes up for contacts that are not computed
+  Vector3d excess_N =
+      Vector3d::Zero();  ///< held: averaged change of its load since it came to rest
+  Vector3d seen_p_W = Vector3d::Zero();  ///< where it was at the last look at motion ...
+  std::int64_t seen_step = -1;           ///< ... on this rank, at this step
+};
+
+/// All methods but the last two are collective.
 ///
 /// A held rock keeps its place and the forces on it are still computed; the sum of what it carried
 /// when it came to rest and what has changed since must stay below a part of its weight, or it
@@ -75,7 +89,8 @@ class HoldRock {
   Reach moving(const std::vector<Rest>& rest, double gap_m, double ahead_s) const;
   /// Flags rock at rest that moving rock reaches.
   void expose(const std::vector<Rest>& rest, const Reach& reach);
-  void join(std::vector<std::uint8_t>& bytes) const;
+  /// Joins the flags over the ranks.
+  void join_flags();
   void apply(std::vector<Rest> rest);
   void set_held(const std::vector<Rest>& rest);
 
@@ -86,19 +101,10 @@ class HoldRock {
   RockNumbers numbers_;
   ParkedRock parked_;
   HoldPolicy policy_;
-  double largest_m_ = 0;  ///< radius of the largest sphere
-  int integrated_ = 0;    ///< mask bits of the groups of the spheres' integrators
-  std::vector<std::uint8_t> flags_;
-  int layer_ = 0;            ///< mask bit of the layer's group; 0: none
-  std::vector<char> fixed_;  ///< by rock: of the layer; the same on every rank
-  /// By rock: the integrators' bits of its spheres, taken from the mask while it rests. The same on
-  /// every rank: a rock that has just crossed a boundary migrates as it comes to rest.
-  std::vector<int> mask_;
-  // By rock, of rock on this rank.
-  std::vector<Vector3d> carried_;     ///< held: makes up for contacts that are not computed
-  std::vector<Vector3d> excess_;      ///< held: change of its load since it came to rest, averaged
-  std::vector<Vector3d> place_;       ///< where it was at the last look at motion ...
-  std::vector<std::int64_t> placed_;  ///< ... on this rank, at this step
+  double largest_m_ = 0;           ///< radius of the largest sphere
+  int integrated_ = 0;             ///< mask bits of the groups of the spheres' integrators
+  int layer_ = 0;                  ///< mask bit of the layer's group; 0: none
+  std::vector<HeldRecord> rocks_;  ///< by number; what the rules keep of each is in policy_
   std::int64_t checked_ = 0, gathered_ = 0, followed_ = 0;  ///< steps of the last looks
   bool park_again_ = false;                                 ///< a dump wanted all rock in
 };

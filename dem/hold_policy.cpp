@@ -65,55 +65,76 @@ bool Reach::touches(const Vector3d& p, double radius_m) const {
   return false;
 }
 
-HoldPolicy::HoldPolicy(const HoldSettings& settings, std::size_t rocks)
-    : settings_(settings), rest_(rocks, Rest::moving), calm_s_(rocks, 0.0F) {}
+std::vector<Rest> HoldPolicy::all() const {
+  std::vector<Rest> rest;
+  rest.reserve(rocks_.size());
+  for (const RestRecord& r : rocks_) rest.push_back(r.rest);
+  return rest;
+}
 
-void HoldPolicy::observe(const std::vector<std::uint8_t>& flags, double dt_s) {
-  for (std::size_t r = 0; r < rest_.size(); ++r) {
-    const bool calm = (flags[r] & (rest_flag::busy | rest_flag::near | rest_flag::soon)) == 0;
-    calm_s_[r] = calm ? calm_s_[r] + static_cast<float>(dt_s) : 0.0F;
+void HoldPolicy::keep_flags(std::uint8_t bits) {
+  for (RestRecord& r : rocks_) r.flags &= bits;
+}
+
+std::vector<std::uint8_t> HoldPolicy::flags() const {
+  std::vector<std::uint8_t> flags;
+  flags.reserve(rocks_.size());
+  for (const RestRecord& r : rocks_) flags.push_back(r.flags);
+  return flags;
+}
+
+void HoldPolicy::set_flags(const std::vector<std::uint8_t>& flags) {
+  for (std::size_t k = 0; k < rocks_.size(); ++k) rocks_[k].flags = flags[k];
+}
+
+void HoldPolicy::observe(double dt_s) {
+  for (RestRecord& r : rocks_) {
+    const bool calm = (r.flags & (rest_flag::busy | rest_flag::near | rest_flag::soon)) == 0;
+    r.calm_s = calm ? r.calm_s + static_cast<float>(dt_s) : 0.0F;
   }
 }
 
-bool HoldPolicy::alarms(const std::vector<Rest>& rest, const std::vector<std::uint8_t>& flags) {
-  for (std::size_t r = 0; r < rest.size(); ++r) {
-    if (rest[r] != Rest::moving && (flags[r] & (rest_flag::near | rest_flag::struck)) != 0)
+bool HoldPolicy::alarms() const {
+  return std::any_of(rocks_.begin(), rocks_.end(), [](const RestRecord& r) {
+    if (r.rest != Rest::moving && (r.flags & (rest_flag::near | rest_flag::struck)) != 0)
       return true;
     // Moving rock is about to touch what is not there.
-    if (rest[r] == Rest::parked && (flags[r] & rest_flag::exposed) != 0) return true;
-  }
-  return false;
+    return r.rest == Rest::parked && (r.flags & rest_flag::exposed) != 0;
+  });
 }
 
-std::vector<Rest> HoldPolicy::decide(const std::vector<std::uint8_t>& flags) const {
-  std::vector<Rest> next = rest_;
-  for (std::size_t r = 0; r < next.size(); ++r) {
-    if ((flags[r] & kWakes) != 0) {
-      next[r] = Rest::moving;
-    } else if (next[r] == Rest::moving && calm_s_[r] >= static_cast<float>(settings_.rest_s)) {
-      next[r] = Rest::held;
+std::vector<Rest> HoldPolicy::decide() const {
+  std::vector<Rest> next = all();
+  for (std::size_t k = 0; k < next.size(); ++k) {
+    if ((rocks_[k].flags & kWakes) != 0) {
+      next[k] = Rest::moving;
+    } else if (next[k] == Rest::moving &&
+               rocks_[k].calm_s >= static_cast<float>(settings_.rest_s)) {
+      next[k] = Rest::held;
     }
   }
   return next;
 }
 
-void HoldPolicy::park(std::vector<Rest>& rest, const std::vector<std::uint8_t>& flags) {
-  for (std::size_t r = 0; r < rest.size(); ++r) {
-    if (rest[r] == Rest::moving) continue;
-    rest[r] = (flags[r] & rest_flag::exposed) != 0 ? Rest::held : Rest::parked;
+void HoldPolicy::park(std::vector<Rest>& rest) const {
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    if (rest[k] == Rest::moving) continue;
+    rest[k] = (rocks_[k].flags & rest_flag::exposed) != 0 ? Rest::held : Rest::parked;
   }
 }
 
 std::size_t HoldPolicy::changes(const std::vector<Rest>& rest) const {
   std::size_t n = 0;
-  for (std::size_t r = 0; r < rest.size(); ++r) n += rest[r] != rest_[r];
+  for (std::size_t k = 0; k < rest.size(); ++k) n += rest[k] != rocks_[k].rest;
   return n;
 }
 
-void HoldPolicy::adopt(std::vector<Rest> rest) {
-  for (std::size_t r = 0; r < rest.size(); ++r)
-    if (rest[r] == Rest::moving && rest_[r] != Rest::moving) calm_s_[r] = 0.0F;
-  rest_ = std::move(rest);
+void HoldPolicy::adopt(const std::vector<Rest>& rest) {
+  for (std::size_t k = 0; k < rest.size(); ++k) {
+    RestRecord& r = rocks_[k];
+    if (rest[k] == Rest::moving && r.rest != Rest::moving) r.calm_s = 0.0F;
+    r.rest = rest[k];
+  }
 }
 
 }  // namespace dipper::dem

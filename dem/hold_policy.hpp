@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "common/frames.hpp"
@@ -83,36 +84,55 @@ class Reach {
   std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 
-/// The state of every rock, by its number; the same on every rank.
+/// What the rules keep of one rock; the same on every rank, but for flags until they are joined.
+struct RestRecord {
+  Rest rest = Rest::moving;
+  std::uint8_t flags = 0;  ///< rest_flag: what is known of it at this check
+  float calm_s = 0;        ///< for how long it has been calm, while it moves
+};
+
+/// The state of every rock, by its number.
 class HoldPolicy {
  public:
-  HoldPolicy(const HoldSettings& settings, std::size_t rocks);
+  HoldPolicy(const HoldSettings& settings, std::size_t rocks)
+      : settings_(settings), rocks_(rocks) {}
 
-  Rest of(std::size_t rock) const { return rest_[rock]; }
-  const std::vector<Rest>& all() const { return rest_; }
+  Rest of(std::size_t rock) const { return rocks_[rock].rest; }
+  std::vector<Rest> all() const;
+  std::size_t size() const { return rocks_.size(); }
+
+  void flag(std::size_t rock, std::uint8_t bits) { rocks_[rock].flags |= bits; }
+  /// Keeps of every rock's flags only these bits.
+  void keep_flags(std::uint8_t bits);
+  /// All flags, for joining them over ranks.
+  std::vector<std::uint8_t> flags() const;
+  void set_flags(const std::vector<std::uint8_t>& flags);
 
   /// Counts how long moving rock has been calm; `dt_s` since the last look.
-  void observe(const std::vector<std::uint8_t>& flags, double dt_s);
+  void observe(double dt_s);
 
   /// True when rock at rest must wake at once.
-  static bool alarms(const std::vector<Rest>& rest, const std::vector<std::uint8_t>& flags);
+  bool alarms() const;
 
   /// Who moves and who is held from here on: wakes what is near, soon near, disturbed; holds what
   /// has been calm for long enough.
-  std::vector<Rest> decide(const std::vector<std::uint8_t>& flags) const;
+  std::vector<Rest> decide() const;
 
-  /// Of the rock that rests in `rest`: held where exposed, else parked.
-  static void park(std::vector<Rest>& rest, const std::vector<std::uint8_t>& flags);
+  /// Splits the rock that `rest` has at rest: held where exposed, parked elsewhere.
+  void park(std::vector<Rest>& rest) const;
 
   /// How many rocks differ.
   std::size_t changes(const std::vector<Rest>& rest) const;
 
-  void adopt(std::vector<Rest> rest);
+  void adopt(const std::vector<Rest>& rest);
+
+  /// Everything, for a checkpoint.
+  const std::vector<RestRecord>& records() const { return rocks_; }
+  void restore(std::vector<RestRecord> records) { rocks_ = std::move(records); }
 
  private:
   HoldSettings settings_;
-  std::vector<Rest> rest_;
-  std::vector<float> calm_s_;
+  std::vector<RestRecord> rocks_;
 };
 
 }  // namespace dipper::dem

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "coupler/core/server.hpp"
-#include "dem/clear_start.hpp"
+#include "dem/rock_feature.hpp"
 #include "dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
@@ -17,10 +17,14 @@ class LAMMPS;
 
 namespace dipper::dem {
 
-class HoldRock;
+class Holding;
 class WallMotion;
 
-/// Every method is collective: each rank of the communicator makes the same call.
+/// Runs windows of LIGGGHTS's time loop, moves the walls, and calls the rock's features
+/// (rock_feature.hpp) in this order: weighing, holding, crust, collapse, clearing of the start.
+/// A window is: features before it, walls told where to go, steps, features after it, walls' loads
+/// and the features' channels. Every method is collective: each rank of the communicator makes the
+/// same call.
 class LiggghtsRock final : public core::Rock {
  public:
   /// Opens LIGGGHTS and runs the deck. A LIGGGHTS error ends the process, as LIGGGHTS does.
@@ -38,22 +42,14 @@ class LiggghtsRock final : public core::Rock {
   LAMMPS_NS::LAMMPS& liggghts() { return *lmp_; }
 
  private:
-  void start();
   core::RockState state();
-  std::vector<double> weigh() const;
-  void hold(std::int64_t n_steps, const std::vector<Pose>& X_WB_target);
-  bool rock_falls(std::int64_t n_steps) const;
-  void let_rock_in();
-  void check_rock_came(double mass_before_kg) const;
-  double rock_mass() const;
 
   RockSetup setup_;
-  MPI_Comm comm_;
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::vector<WallMotion*> walls_;  // owned by LIGGGHTS
   std::vector<Pose> X_WB_;
-  Cleared cleared_;  // nothing in a run that is resumed
-  std::unique_ptr<HoldRock> hold_;
+  std::vector<std::unique_ptr<RockFeature>> features_;
+  Holding* holding_ = nullptr;  // one of them, or none
 };
 
 }  // namespace dipper::dem

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <thread>
 
 #include "coupler/transport/codec.hpp"
@@ -12,6 +13,7 @@
 #include "coupler/transport/sealed_transport.hpp"
 #include "coupler/transport/serve.hpp"
 #include "dem/liggghts_rock.hpp"
+#include "dem/work_folder.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -45,7 +47,9 @@ void run(const char* config_file) {
   const transport::PeerConfig config = transport::read_peer_config(config_file);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  LiggghtsRock rock(rock_setup_from(config.settings), MPI_COMM_WORLD);
+  const std::filesystem::path links = std::filesystem::absolute(config_file).string() + ".links";
+  LiggghtsRock rock(enter_work_folder(rock_setup_from(config.settings), links, MPI_COMM_WORLD),
+                    MPI_COMM_WORLD);
   if (rank != 0) {
     while (true) {
       const core::Message m = transport::decode(share({}));

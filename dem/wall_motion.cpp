@@ -12,7 +12,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "dem/put_fix.hpp"
+#include "dem/own_fix.hpp"
 
 namespace dipper::dem {
 
@@ -20,7 +20,7 @@ using LAMMPS_NS::FixMeshSurface;
 using NodeVelocity = LAMMPS_NS::MultiVectorContainer<double, 3, 3>;
 
 WallMotion* WallMotion::attach(LAMMPS_NS::LAMMPS* lmp, const std::string& mesh_id) {
-  return put_fix<WallMotion>(lmp, {mesh_id + "_motion", "all", mesh_id});
+  return add_own_fix<WallMotion>(lmp, {mesh_id + "_motion", "all", mesh_id});
 }
 
 WallMotion::WallMotion(LAMMPS_NS::LAMMPS* l, int narg, char** arg) : Fix(l, narg, arg) {

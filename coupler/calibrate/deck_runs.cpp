@@ -28,9 +28,15 @@ namespace dipper::calibrate {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path sheet() { return data_folder() / "dem_in" / "sheet.stl"; }
-
-fs::path script(const DeckRun& run) { return data_folder() / "dem_in" / (run.deck + ".in"); }
+/// All that a run of the deck reads of dem_in.
+std::vector<fs::path> scripts(const DeckRun& run) {
+  std::vector<fs::path> files;
+  for (const std::string& name :
+       {run.deck + ".in", std::string("contact.in"), std::string("check_pour.in"),
+        std::string("check_lost.in"), std::string("sheet.stl")})
+    files.push_back(data_folder() / "dem_in" / name);
+  return files;
+}
 
 const char* const kWorkplace = "part.";  // its name begins so
 
@@ -63,8 +69,9 @@ class Workplace {
     } while (lock_ < 0);
     deck::write_deck(run.c, run.c.rock.shape_folder, folder_ / "deck");
     // The case's own bench: of no use here.
-    for (const char* unused : {"funnel.stl", "sides.stl", "outline.csv", "surface.stl"})
-      fs::remove(folder_ / "deck" / unused);
+    for (const char* unused : {"funnel.stl", "sides.stl", "outline.csv", "surface.stl", "walls"})
+      fs::remove_all(folder_ / "deck" / unused);
+    fs::create_symlink(data_folder() / "dem_in", folder_ / "dem_in");
   }
   ~Workplace() {
     std::error_code gone;
@@ -101,7 +108,7 @@ std::string run_hash(const DeckRun& run, const fs::path& deck) {
   std::string all =
       fmt::format("LIGGGHTS 3.8.0\nseed {}\ntimestep {:.17g}\n", run.c.seed, run.c.dem.timestep_s);
   for (const auto& [name, value] : run.variables) all += name + ' ' + value + '\n';
-  return deck_hash(all, {script(run), sheet()}, deck);
+  return deck_hash(all, scripts(run), deck);
 }
 
 fs::path entry_of(const std::string& hash) { return cache_folder() / "calibrations" / hash; }
@@ -128,10 +135,9 @@ std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
   const std::string binary =
       deck::sticks(run.c) ? installed_program("dipper-liggghts") : "liggghts";
   std::vector<std::string> words = {
-      "env",           "-C",           work.string(), binary,   "-in",  script(run).string(),
-      "-log",          "liggghts.log", "-screen",     "screen", "-var", "deck",
-      "deck",          "-var",         "out",         ".",      "-var", "sheet_mesh",
-      sheet().string()};
+      "env",  "-C",           work.string(), binary,   "-in",  "dem_in/" + run.deck + ".in",
+      "-log", "liggghts.log", "-screen",     "screen", "-var", "deck",
+      "deck", "-var",         "out",         "."};
   for (const auto& [name, value] : run.variables) words.insert(words.end(), {"-var", name, value});
   return words;
 }
@@ -139,6 +145,7 @@ std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
 /// Moves a finished run into the cache. Another may have been faster: its result is the same.
 DeckResult keep(const DeckRun& run, Active& active) {
   const fs::path entry = entry_of(active.hash), work = active.place->folder();
+  fs::remove(work / "dem_in");
   std::ofstream(work / "cpu_s") << active.liggghts->cpu_s() << '\n';
   std::error_code lost_race;
   fs::rename(work, entry, lost_race);

@@ -8,21 +8,24 @@
 namespace dipper::core {
 namespace {
 
-struct Judge {
+struct MessageCheck {
   const Envelope& envelope;
   const std::string& side;
   const std::vector<std::string>& names;
 
-  void require(bool sound, const char* what, std::size_t body) const {
+  void require(bool sound, const char* what, std::size_t body,
+               const char* fault = "is not a finite number") const {
     if (sound) return;
     throw std::runtime_error(
-        fmt::format("{} sent a {} that is not a finite number for body '{}' in sync step {} "
-                    "(t = {:.6f} s)",
-                    side, what, body < names.size() ? names[body] : std::to_string(body),
+        fmt::format("{} sent a {} that {} for body '{}' in sync step {} (t = {:.6f} s)", side, what,
+                    fault, body < names.size() ? names[body] : std::to_string(body),
                     envelope.step_index, static_cast<double>(envelope.t_ns) * 1e-9));
   }
   void pose(const Pose& X, std::size_t body) const {
-    require(is_finite(X) && std::abs(X.R.norm() - 1) < 1e-6, "pose", body);
+    require(is_finite(X), "pose", body);
+    const double norm = X.R.norm();
+    require(std::abs(norm - 1) < 1e-6, "pose", body,
+            fmt::format("has a quaternion of length {:.9g} in place of 1", norm).c_str());
   }
 
   void operator()(const TargetMotion& m) const {
@@ -45,7 +48,7 @@ struct Judge {
 
 void require_sound(const Message& m, const std::string& side,
                    const std::vector<std::string>& bodies) {
-  std::visit(Judge{m.envelope, side, bodies}, m.body);
+  std::visit(MessageCheck{m.envelope, side, bodies}, m.body);
 }
 
 }  // namespace dipper::core

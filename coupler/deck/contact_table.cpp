@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "dem/muck/muck_law.hpp"
+#include "dem/moist/moist_law.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -101,7 +101,7 @@ ContactTable contact_table(const cases::Case& c) {
 
   const int n = types.classes;
   const auto stress = [&](double strength) {
-    return strength > 0 ? dem::muck::pull_off_stress(strength, porosity(c)) : 0.0;
+    return strength > 0 ? dem::moist::pull_off_stress(strength, porosity(c)) : 0.0;
   };
   t.pull_off_Pa.topLeftCorner(n, n).setConstant(stress(k.cohesion_Pa));
   for (const auto& [wall, strength] : {std::pair{types.ground(), k.cohesion_Pa},

@@ -37,7 +37,7 @@ double porosity(const cases::Case& c);
 /// bulk density rho (1 - e) becomes rho (1 - e)(1 + phi e).
 double laden_density(const cases::Case& c);
 
-/// Whether the rock needs the cohesion model `muck`: moist, or with a crust.
+/// Whether the rock needs the cohesion model `moist`: moist, or with a crust.
 bool sticks(const cases::Case& c);
 
 /// All bodies of a class have one mass: size is the volume-equivalent diameter.

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "common/mesh/stl.hpp"
 #include "coupler/case/bench_surface.hpp"
@@ -59,6 +60,17 @@ double skin_m(const cases::RockCase& rock) {
   return 0.4 * grained_size_m(rock, smallest);
 }
 
+std::array<std::pair<std::string, fs::path>, 3> wall_meshes(const cases::Case& c) {
+  return {
+      {{"dipper", c.bodies.at("dipper")}, {"door", c.bodies.at("door")}, {"truck", c.truck.mesh}}};
+}
+
+/// A script cannot name every file (LIGGGHTS ends a word at a blank): a mesh with an absolute path
+/// is copied into the deck.
+std::string mesh_in_deck(const std::string& name, const fs::path& mesh) {
+  return mesh.is_absolute() ? "${deck}/walls/" + name + ".stl" : mesh.generic_string();
+}
+
 std::string case_in(const cases::Case& c) {
   const PileShape pile = pile_shape(c);
   const AtomTypes types = atom_types(c);
@@ -86,7 +98,7 @@ std::string case_in(const cases::Case& c) {
   text("ground_type", std::to_string(types.ground()), "");
   text("truck_type", std::to_string(types.truck()), "");
   text("sides_type", std::to_string(types.sides()), "frictionless");
-  text("cohesion", sticks(c) ? "muck" : "off", "model; muck is in dipper-liggghts only");
+  text("cohesion", sticks(c) ? "moist" : "off", "model; moist is in dipper-liggghts only");
   var("bond_tension", c.crust.tensile_strength_Pa, "Pa, of a crust");
   var("bond_shear", c.crust.shear_ratio * c.crust.tensile_strength_Pa, "Pa");
   text("wear", c.output.wear_m3_J > 0 ? "finnie" : "off", "of dipper and door");
@@ -101,9 +113,8 @@ std::string case_in(const cases::Case& c) {
   var("settle_time", c.pile.settle_s, "s, with the sheet");
   var("relax_time", c.pile.relax_s, "s, without");
   text("pour_seed", std::to_string(prime_seed(c.seed, 0)), "");
-  text("dipper_mesh", c.bodies.at("dipper").generic_string(), "");
-  text("door_mesh", c.bodies.at("door").generic_string(), "");
-  text("truck_mesh", c.truck.mesh.generic_string(), "");
+  for (const auto& [name, mesh] : wall_meshes(c))
+    text(name + "_mesh", mesh_in_deck(name, mesh), "");
   for (int i = 0; i < 3; ++i)
     var(fmt::format("truck_{}", axis[static_cast<std::size_t>(i)]), c.truck.position_m[i], "m");
   var("truck_heading", c.truck.heading_deg, "deg, about z");
@@ -136,7 +147,7 @@ std::string material_in(const cases::Case& c) {
   out += table("coefficientFriction", "mu, Eq. 7", t.friction);
   out += table("coefficientRollingFriction", "mu', Eq. 8", t.rolling);
   if (sticks(c)) {
-    out += table("moistPullOff", "F/d^2 [Pa], dem/muck/muck_law.hpp", t.pull_off_Pa);
+    out += table("moistPullOff", "F/d^2 [Pa], dem/moist/moist_law.hpp", t.pull_off_Pa);
     out +=
         "\n# A crust: strengths [Pa], and where it forms\n"
         "fix bondTensileStrength all property/global bondTensileStrength scalar ${bond_tension}\n"
@@ -273,6 +284,11 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
   }
   write(folder / "funnel.stl", mesh::to_stl("funnel", funnel_walls(c)));
   write(folder / "sides.stl", mesh::to_stl("sides", bench_walls(c)));
+  for (const auto& [name, mesh] : wall_meshes(c)) {
+    if (!mesh.is_absolute()) continue;
+    fs::create_directories(folder / "walls");
+    fs::copy_file(mesh, folder / "walls" / (name + ".stl"), fs::copy_options::overwrite_existing);
+  }
 }
 
 }  // namespace dipper::deck

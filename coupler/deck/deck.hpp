@@ -23,9 +23,10 @@ std::vector<ClassCount> rock_counts(const cases::Case& c);
 ///   NAME.spheres one per rock shape, diameter 1 m
 ///   funnel.stl   frictionless walls while the rock settles: sides, rear, retaining sheet
 ///   sides.stl    the same sides and rear cut down along the bench, for the dig
-/// `shapes` is the folder with NAME.yaml or NAME.stl of every shape (shape_library.hpp). Paths of
-/// meshes are written as the case has them: relative ones are seen from where LIGGGHTS starts. The
-/// folder can be moved. Throws std::invalid_argument naming the key for a case that gives no deck
+///   walls/       copies of the body and truck meshes that the case names by absolute paths;
+///                relative ones are seen from where LIGGGHTS starts
+/// `shapes` is the folder with NAME.yaml or NAME.stl of every shape (shape_library.hpp). The folder
+/// can be moved. Throws std::invalid_argument naming the key for a case that gives no deck
 /// (a body other than dipper and door, a class with less than one rock), std::runtime_error for
 /// files.
 void write_deck(const cases::Case& c, const std::filesystem::path& shapes,

@@ -1,18 +1,26 @@
 // What LIGGGHTS's input scripts can name.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <string>
 
 namespace dipper::deck {
 
-/// Whether a script can name the file: words end at blanks, and $, #, & and quotes have meanings of
-/// their own that no escape takes away from a variable's value.
+/// Whether a path may go near a script of LIGGGHTS: letters, digits and the signs of the list, all
+/// of which its parser, the shell and mpirun take as they are. $, #, &, * and quotes have meanings
+/// there that nothing escapes. Blanks are no matter: scripts are given links (dem/work_folder.hpp).
 inline bool liggghts_takes(const std::filesystem::path& path) {
-  return std::filesystem::absolute(path).string().find_first_of(" \t\n$#&\"'") == std::string::npos;
+  const std::string text = std::filesystem::absolute(path).string();
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 0x80 || std::isalnum(byte) != 0 ||
+           std::string(" /._-+=,:@~()").find(c) != std::string::npos;
+  });
 }
 
 inline constexpr const char* kLiggghtsRefuses =
-    "LIGGGHTS takes no path with a blank, a quote, $, # or &";
+    "a path here takes letters, digits, blanks and / . _ - + = , : @ ~ ( ) only";
 
 }  // namespace dipper::deck

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "common/cache_entry.hpp"
@@ -38,8 +40,31 @@ std::string pile_hash(const cases::Case& c, const fs::path& deck) {
       if (line.rfind(section, 0) == 0 && !path) all += line + '\n';
     }
   }
-  return deck_hash(all, {data_folder() / "dem_in" / "settle.in"}, deck);
+  std::vector<fs::path> scripts;
+  for (const char* name : {"settle.in", "contact.in", "check_pour.in", "check_lost.in"})
+    scripts.push_back(data_folder() / "dem_in" / name);
+  return deck_hash(all, scripts, deck);
 }
+
+/// What the script names, linked into the folder that LIGGGHTS is started in: neither a script nor
+/// the shell it calls reads a path that a user has chosen.
+class Links {
+ public:
+  Links(fs::path folder, const fs::path& deck) : folder_(std::move(folder)) {
+    fs::create_symlink(data_folder() / "dem_in", folder_ / "dem_in");
+    fs::create_symlink(fs::absolute(deck), folder_ / "deck");
+    fs::create_symlink(installed_program("bench-cut"), folder_ / "bench-cut");
+  }
+  ~Links() {
+    std::error_code ignored;
+    for (const char* name : {"dem_in", "deck", "bench-cut"}) fs::remove(folder_ / name, ignored);
+  }
+  Links(const Links&) = delete;
+  Links& operator=(const Links&) = delete;
+
+ private:
+  fs::path folder_;
+};
 
 }  // namespace
 
@@ -52,13 +77,15 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
   const auto settle = [&](const fs::path& out) {
     const fs::path screen = logs / "settle.screen";
     const std::string binary = deck::sticks(c) ? installed_program("dipper-liggghts") : "liggghts";
-    launch::Process liggghts(
-        launch::mpirun(c.dem.ranks,
-                       {binary, "-in", (data_folder() / "dem_in" / "settle.in").string(), "-log",
-                        (logs / "settle.liggghts").string(), "-screen", screen.string(), "-var",
-                        "deck", deck.string(), "-var", "out", out.string(), "-var", "bench_cut",
-                        installed_program("bench-cut")}),
-        logs / "settle.log");
+    const Links links(out, deck);
+    std::vector<std::string> command = {"env", "-C", out.string()};
+    for (std::string& word :
+         launch::mpirun(c.dem.ranks, {binary, "-in", "dem_in/settle.in", "-log",
+                                      fs::absolute(logs / "settle.liggghts").string(), "-screen",
+                                      fs::absolute(screen).string(), "-var", "deck", "deck", "-var",
+                                      "out", ".", "-var", "bench_cut", "./bench-cut"}))
+      command.push_back(std::move(word));
+    launch::Process liggghts(command, logs / "settle.log");
     while (!liggghts.wait(std::chrono::milliseconds(100))) {
       if (launch::interrupts() > 0) {
         liggghts.end();

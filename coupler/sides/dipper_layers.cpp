@@ -19,12 +19,19 @@ struct Layer {
   mesh::LinedFaces faces;
 };
 
+/// Of one layer, about its own centre.
+struct LayerMass {
+  double mass_kg;
+  Eigen::Vector3d center_m;
+  Eigen::Matrix3d inertia_kg_m2;
+};
+
 }  // namespace
 
 DipperLayers dipper_layers(const cases::Case& c, const mesh::BoundingBox& cavity) {
   DipperLayers sum;
   mesh::TriangleMesh mesh;
-  std::vector<mesh::MassProperties> parts;
+  std::vector<LayerMass> parts;
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   for (const Layer& layer : {Layer{"machine.liner_thickness_m", c.machine.liner_thickness_m,
                                    kSteel_kg_m3, mesh::LinedFaces::all_sides},
@@ -35,15 +42,14 @@ DipperLayers dipper_layers(const cases::Case& c, const mesh::BoundingBox& cavity
     try {
       mesh::Lining lined = mesh::line_dipper(*sum.mesh, cavity, layer.thickness_m, layer.faces);
       sum.mesh = std::move(lined.mesh);
-      mesh::MassProperties m = lined.layer;
-      m.volume_m3 *= layer.density_kg_m3;  // now a mass
-      m.inertia_m5 *= layer.density_kg_m3;
-      parts.push_back(m);
+      const mesh::MassProperties& solid = lined.layer;
+      parts.push_back({solid.volume_m3 * layer.density_kg_m3, solid.com_m,
+                       solid.inertia_m5 * layer.density_kg_m3});
     } catch (const std::invalid_argument& e) {
       throw std::invalid_argument(std::string(layer.key) + ": " + e.what());
     }
-    sum.mass_kg += parts.back().volume_m3;
-    moment += parts.back().volume_m3 * parts.back().com_m;
+    sum.mass_kg += parts.back().mass_kg;
+    moment += parts.back().mass_kg * parts.back().center_m;
   }
   if (c.machine.tooth_wear_m > 0) {
     if (!sum.mesh) sum.mesh = mesh::read_stl(c.bodies.at("dipper"));
@@ -54,11 +60,11 @@ DipperLayers dipper_layers(const cases::Case& c, const mesh::BoundingBox& cavity
     }
   }
   if (sum.mass_kg > 0) sum.center_m = moment / sum.mass_kg;
-  for (const mesh::MassProperties& m : parts) {
-    const Eigen::Vector3d d = m.com_m - sum.center_m;
+  for (const LayerMass& m : parts) {
+    const Eigen::Vector3d d = m.center_m - sum.center_m;
     sum.inertia_kg_m2 +=
-        m.inertia_m5 +
-        m.volume_m3 * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());
+        m.inertia_kg_m2 +
+        m.mass_kg * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());
   }
   return sum;
 }

@@ -57,41 +57,49 @@ TEST(HoldPolicy, HoldsWhatHasBeenCalmLongEnough) {
   HoldSettings settings;
   settings.rest_s = 0.2;
   HoldPolicy policy(settings, 3);
-  policy.observe({0, rest_flag::busy, 0}, 0.1);
-  EXPECT_EQ(policy.changes(policy.decide({0, 0, 0})), 0u);
-  policy.observe({0, 0, rest_flag::soon}, 0.11);
-  const std::vector<Rest> next = policy.decide({0, 0, 0});
-  EXPECT_EQ(next, (std::vector<Rest>{Rest::held, Rest::moving, Rest::moving}));
+  policy.set_flags({0, rest_flag::busy, 0});
+  policy.observe(0.1);
+  policy.keep_flags(0);
+  EXPECT_EQ(policy.changes(policy.decide()), 0u);
+  policy.flag(2, rest_flag::soon);
+  policy.observe(0.11);
+  policy.keep_flags(0);
+  EXPECT_EQ(policy.decide(), (std::vector<Rest>{Rest::held, Rest::moving, Rest::moving}));
 }
 
 TEST(HoldPolicy, ParksOnlyWhatNothingThatMovesCanTouch) {
   std::vector<Rest> rest{Rest::moving, Rest::held, Rest::held, Rest::parked};
-  HoldPolicy::park(rest, {0, rest_flag::exposed, 0, rest_flag::exposed});
+  HoldPolicy policy({}, rest.size());
+  policy.set_flags({0, rest_flag::exposed, 0, rest_flag::exposed});
+  policy.park(rest);
   EXPECT_EQ(rest, (std::vector<Rest>{Rest::moving, Rest::held, Rest::parked, Rest::held}));
 }
 
 TEST(HoldPolicy, WakesForAWallForANewLoadAndAlarmsAtOnce) {
-  const std::vector<Rest> rest{Rest::held, Rest::parked};
-  EXPECT_FALSE(HoldPolicy::alarms(rest, {0, 0}));
-  EXPECT_TRUE(HoldPolicy::alarms(rest, {rest_flag::struck, 0}));
-  EXPECT_FALSE(HoldPolicy::alarms(rest, {rest_flag::disturbed, 0})) << "waits for the next look";
-  EXPECT_TRUE(HoldPolicy::alarms(rest, {0, rest_flag::near}));
-  EXPECT_TRUE(HoldPolicy::alarms(rest, {0, rest_flag::exposed}));
-  EXPECT_FALSE(HoldPolicy::alarms(rest, {rest_flag::exposed, 0})) << "held rock may be touched";
-
   HoldPolicy policy({}, 2);
-  policy.adopt(rest);
-  const Flags flags{rest_flag::disturbed, rest_flag::soon};
-  EXPECT_EQ(policy.decide(flags), (std::vector<Rest>{Rest::moving, Rest::moving}));
+  policy.adopt({Rest::held, Rest::parked});
+  const auto alarms = [&](const Flags& flags) {
+    policy.set_flags(flags);
+    return policy.alarms();
+  };
+  EXPECT_FALSE(alarms({0, 0}));
+  EXPECT_TRUE(alarms({rest_flag::struck, 0}));
+  EXPECT_FALSE(alarms({rest_flag::disturbed, 0})) << "waits for the next look";
+  EXPECT_TRUE(alarms({0, rest_flag::near}));
+  EXPECT_TRUE(alarms({0, rest_flag::exposed}));
+  EXPECT_FALSE(alarms({rest_flag::exposed, 0})) << "held rock may be touched";
+
+  policy.set_flags({rest_flag::disturbed, rest_flag::soon});
+  EXPECT_EQ(policy.decide(), (std::vector<Rest>{Rest::moving, Rest::moving}));
 }
 
 TEST(HoldPolicy, WokenRockMustBeCalmAnew) {
   HoldPolicy policy({}, 1);
-  policy.observe({0}, 1.0);
+  policy.observe(1.0);
   policy.adopt({Rest::held});
-  policy.observe({0}, 1.0);
+  policy.observe(1.0);
   policy.adopt({Rest::moving});
-  EXPECT_EQ(policy.decide({0})[0], Rest::moving);
+  EXPECT_EQ(policy.decide()[0], Rest::moving);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::string complaint(const Message& m) {
 TEST(RequireSound, NamesSideStepTimeBodyAndQuantity) {
   WallWrench w;
   w.bodies.resize(2);
-  Message m{{"t", "r", "c", 617, 9, 1'234'000'000}, w};
+  Message m{{"r", "c", 617, 9, 1'234'000'000}, w};
   EXPECT_EQ(complaint(m), "");
   w.bodies[1].mean.force.x() = std::numeric_limits<double>::quiet_NaN();
   m.body = w;
@@ -35,7 +35,8 @@ TEST(RequireSound, RefusesARotationThatIsNone) {
   TargetMotion t;
   t.bodies.resize(1);
   t.bodies[0].X_WB.R = Quaterniond(0.5, 0, 0, 0);
-  EXPECT_THAT(complaint({{}, t}), AllOf(HasSubstr("pose"), HasSubstr("'dipper'")));
+  EXPECT_THAT(complaint({{}, t}),
+              AllOf(HasSubstr("pose"), HasSubstr("'dipper'"), HasSubstr("length 0.5 in place of 1")));
 }
 
 }  // namespace

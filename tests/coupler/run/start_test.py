@@ -1,6 +1,10 @@
 """How a run starts: in a bench cut to a scan, and with the machine where rock is."""
 
+import json
+import os
+import shutil
 import unittest
+import unittest.mock
 
 import h5py
 
@@ -73,11 +77,25 @@ class Start(RunTest):
         again, _ = self.run_case(self.folder / "again", *settings, case=case)
         self.assertIn("pile: cached", again)
 
-    def test_a_folder_liggghts_cannot_name_is_refused(self):
+    def test_a_folder_that_a_script_or_a_shell_would_misread_is_refused(self):
+        for name in ("runs;touch stolen;x", "a$HOME", "a&b", "a`b`", 'a"b', "a*b", "a%b", "a\nb"):
+            out = self.folder / name
+            _, err = self.run_case(out, "--ranks", "1", status=2)
+            self.assertIn("takes letters, digits, blanks", err)
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_blanks_in_the_paths_of_a_run(self):
+        """Settled anew, in a cache with a blank: the case, its meshes and the run's folder have one too."""
+        case = self.folder / "my mine" / "a" / "run" / "my case"
+        shutil.copytree(TINY, case)
+        for beside in ("meshes", "mbs", "cases"):  # the case names files there
+            (self.folder / beside).symlink_to(TINY.parents[3] / beside)
         out = self.folder / "my run"
-        _, err = self.run_case(out, "--ranks", "1", status=2)
-        self.assertIn("no path with a blank", err)
-        self.assertFalse(out.exists())
+        with unittest.mock.patch.dict(os.environ, XDG_CACHE_HOME=str(self.folder / "my cache")):
+            self.run_case(out, "--ranks", "1", "--set", "end_s=0.03", "--set", "pile.settle_s=0.3",
+                          "--set", "pile.relax_s=0.1", case=case)
+        self.assertEqual(json.loads((out / "summary.json").read_text())["status"], "complete")
+        self.assertTrue((out / "dumps" / "rocks_0.dump").is_file())
 
     def test_a_pile_that_flies_apart_is_not_dug(self):
         """Far too soft for its fall: spheres are pressed through each other and thrown out of the box."""

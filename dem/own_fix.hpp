@@ -15,7 +15,7 @@ namespace dipper::dem {
 /// Modify creates fixes by style name only, and its table of styles is private. So let it make a
 /// fix that does nothing, then put ours in its place: from there on Modify treats it like any.
 template <class FixClass>
-FixClass* put_fix(LAMMPS_NS::LAMMPS* lmp, std::vector<std::string> words) {
+FixClass* add_own_fix(LAMMPS_NS::LAMMPS* lmp, std::vector<std::string> words) {
   words.insert(words.begin() + 2, {"print", "2000000000", "-"});
   std::vector<char*> args;
   for (auto& w : words) args.push_back(w.data());

@@ -1,4 +1,4 @@
-#include "dem/muck/crust.hpp"
+#include "dem/moist/crust.hpp"
 
 #include <atom.h>
 #include <fix_property_atom.h>
@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "dem/muck/register_muck.hpp"
+#include "dem/moist/register_moist.hpp"
 
 namespace dipper::dem {
 namespace {

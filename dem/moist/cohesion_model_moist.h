@@ -1,6 +1,6 @@
-// The cohesion model `muck` of LIGGGHTS: muck_law.hpp between rocks, and moist fines on walls.
+// The cohesion model `moist` of LIGGGHTS: moist_law.hpp between rocks, and moist fines on walls.
 //
-//   pair_style gran model hooke/stiffness tangential history cohesion muck rolling_friction epsd2
+//   pair_style gran model hooke/stiffness tangential history cohesion moist rolling_friction epsd2
 //   ...
 //
 // Needs of the deck: property/global moistPullOff (per type pair: pull_off_stress), and
@@ -11,10 +11,10 @@
 // into restart files. Both ranks of a pair that lies across a border do the same sums: every
 // term only changes its sign when the two spheres change places, so they agree to the bit.
 #ifdef COHESION_MODEL
-COHESION_MODEL(COHESION_MUCK, muck, 40)  // LIGGGHTS's own are below 16; 6 bits are there
+COHESION_MODEL(COHESION_MOIST, moist, 40)  // LIGGGHTS's own are below 16; 6 bits are there
 #else
-#ifndef COUPLER_DEM_MUCK_COHESION_MODEL_MUCK_H
-#define COUPLER_DEM_MUCK_COHESION_MODEL_MUCK_H
+#ifndef COUPLER_DEM_MOIST_COHESION_MODEL_MOIST_H
+#define COUPLER_DEM_MOIST_COHESION_MODEL_MOIST_H
 
 #include <atom.h>
 #include <contact_models.h>
@@ -23,14 +23,14 @@ COHESION_MODEL(COHESION_MUCK, muck, 40)  // LIGGGHTS's own are below 16; 6 bits 
 #include <modify.h>
 #include <update.h>
 
-#include "dem/muck/muck_law.hpp"
+#include "dem/moist/moist_law.hpp"
 
 namespace LIGGGHTS {
 namespace ContactModels {
 
 template <>
-class CohesionModel<COHESION_MUCK> : public CohesionModelBase {
-  using Vector3d = dipper::dem::muck::Vector3d;
+class CohesionModel<COHESION_MOIST> : public CohesionModelBase {
+  using Vector3d = dipper::dem::moist::Vector3d;
 
  public:
   CohesionModel(LAMMPS* l, IContactHistorySetup* history, ContactModelBase* model)
@@ -53,7 +53,7 @@ class CohesionModel<COHESION_MUCK> : public CohesionModelBase {
   void endSurfacesIntersect(SurfacesIntersectData&, ForceData&, ForceData&) override {}
 
   void connectToProperties(PropertyRegistry& registry) override {
-    const char* me = "cohesion model muck";
+    const char* me = "cohesion model moist";
     registry.registerProperty("moistPullOff", &pull_off_table);
     registry.registerProperty("bondTensileStrength", &tensile_strength);
     registry.registerProperty("bondShearStrength", &shear_strength);
@@ -74,7 +74,7 @@ class CohesionModel<COHESION_MUCK> : public CohesionModelBase {
 
   void surfacesIntersect(SurfacesIntersectData& s, ForceData& i, ForceData& j) override {
     if (s.contact_flags) *s.contact_flags |= CONTACT_COHESION_MODEL;
-    const double d = is_wall_ ? 2 * s.radi : dipper::dem::muck::pair_diameter(s.radi, s.radj);
+    const double d = is_wall_ ? 2 * s.radi : dipper::dem::moist::pair_diameter(s.radi, s.radj);
     const Vector3d n(s.en[0], s.en[1], s.en[2]);
     add(-pull_off_[s.itype][s.jtype] * d * d * s.area_ratio * n, i, j);
     if (is_wall_) return;
@@ -90,9 +90,9 @@ class CohesionModel<COHESION_MUCK> : public CohesionModelBase {
     if (is_wall_) return;  // the walls' pull ends at separation
     const double r = std::sqrt(s.rsq), gap = r - s.radsum;
     const Vector3d n = Vector3d(s.delta[0], s.delta[1], s.delta[2]) / r;
-    const double d = dipper::dem::muck::pair_diameter(s.radi, s.radj);
-    const double pull = dipper::dem::muck::moist_pull(pull_off_[s.itype][s.jtype] * d * d, gap,
-                                                      dipper::dem::muck::kReach * s.radsum);
+    const double d = dipper::dem::moist::pair_diameter(s.radi, s.radj);
+    const double pull = dipper::dem::moist::moist_pull(pull_off_[s.itype][s.jtype] * d * d, gap,
+                                                       dipper::dem::moist::kReach * s.radsum);
     add(-pull * n, i, j);
     s.has_force_update = true;
     double* const bond = s.contact_history + bond_;
@@ -138,15 +138,15 @@ class CohesionModel<COHESION_MUCK> : public CohesionModelBase {
       shear -= shear.dot(n) * n;  // stays in the turning plane of the disc
       turn += w * update->dt;
     }
-    const dipper::dem::muck::Bond disc{std::min(s.radi, s.radj), kn_[s.itype][s.jtype],
-                                       kt_[s.itype][s.jtype]};
-    const dipper::dem::muck::Strain strain{-overlap, shear, turn};
-    const auto stress = dipper::dem::muck::bond_stress(disc, strain, n);
+    const dipper::dem::moist::Bond disc{std::min(s.radi, s.radj), kn_[s.itype][s.jtype],
+                                        kt_[s.itype][s.jtype]};
+    const dipper::dem::moist::Strain strain{-overlap, shear, turn};
+    const auto stress = dipper::dem::moist::bond_stress(disc, strain, n);
     if (stress.tensile_Pa >= tensile_strength_ || stress.shear_Pa >= shear_strength_) {
       std::fill_n(bond, 7, 0.0);  // for good
       return;
     }
-    auto load = dipper::dem::muck::bond_load(disc, strain, n);
+    auto load = dipper::dem::moist::bond_load(disc, strain, n);
     // Damped as the contact, in its stead: while the spheres touch, theirs does it. (Both together
     // would be too much for the step: an explicit damper needs c dt/m well below 1.) A rotation is
     // damped by what it moves at the disc's rim.

@@ -1,13 +1,14 @@
-// dipper-liggghts: the `liggghts` program with the cohesion model `muck`. Takes the same arguments.
+// dipper-liggghts: the `liggghts` program with the cohesion model `moist`. Takes the same
+// arguments.
 #include <input.h>
 #include <lammps.h>
 #include <mpi.h>
 
-#include "dem/muck/register_muck.hpp"
+#include "dem/moist/register_moist.hpp"
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
-  dipper::dem::register_muck();
+  dipper::dem::register_moist();
   {
     LAMMPS_NS::LAMMPS lammps(argc, argv, MPI_COMM_WORLD);
     lammps.input->file();

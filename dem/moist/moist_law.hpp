@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dipper::dem::muck {
+namespace dipper::dem::moist {
 
 using Eigen::Vector3d;
 
@@ -75,4 +75,4 @@ inline BondLoad bond_load(const Bond& b, const Strain& s, const Vector3d& n) {
           -b.bending() * (s.turn_rad - twist) - b.twisting() * twist};
 }
 
-}  // namespace dipper::dem::muck
+}  // namespace dipper::dem::moist

@@ -1,3 +1,3 @@
 // LIGGGHTS's headers read this list of their cohesion models; its build makes it, Debian leaves it
 // out. Here: ours. Read several times, hence no include guard.
-#include "dem/muck/cohesion_model_muck.h"
+#include "dem/moist/cohesion_model_moist.h"

@@ -1,4 +1,4 @@
-#include "dem/muck/register_muck.hpp"
+#include "dem/moist/register_moist.hpp"
 
 #include <atom.h>
 #include <comm.h>
@@ -23,7 +23,7 @@
 #include <fix_wall_gran_base.h>
 #include <pair_gran_base.h>
 
-#include "dem/put_fix.hpp"
+#include "dem/own_fix.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -31,7 +31,7 @@ namespace {
 using namespace LIGGGHTS::ContactModels;
 
 using Style =
-    GranStyle<HOOKE_STIFFNESS, TANGENTIAL_HISTORY, COHESION_MUCK, ROLLING_EPSD2, SURFACE_DEFAULT>;
+    GranStyle<HOOKE_STIFFNESS, TANGENTIAL_HISTORY, COHESION_MOIST, ROLLING_EPSD2, SURFACE_DEFAULT>;
 using Model = ContactModel<Style>;
 using Wall = LIGGGHTS::Walls::Granular<Model>;
 
@@ -39,7 +39,7 @@ using Wall = LIGGGHTS::Walls::Granular<Model>;
 /// Walls must not have it: a mesh that knows a near triangle gives a sphere no force on the next
 /// coplanar one (FixContactHistoryMesh::handleContact). So it is there only while pairs are gone
 /// through (Pair), and while lists are built, which keep the history of pairs within it (Reach).
-constexpr double kFactor = 1 + muck::kReach;
+constexpr double kFactor = 1 + moist::kReach;
 
 class Reach final : public LAMMPS_NS::Fix {
  public:
@@ -56,7 +56,7 @@ class Pair final : public LIGGGHTS::PairStyles::Granular<Model> {
 
   void init_granular() override {
     Granular::init_granular();
-    if (lmp_->modify->find_fix("muck_reach") < 0) put_fix<Reach>(lmp_, {"muck_reach", "all"});
+    if (lmp_->modify->find_fix("moist_reach") < 0) add_own_fix<Reach>(lmp_, {"moist_reach", "all"});
   }
 
   void compute_force(LAMMPS_NS::PairGran* parent, int energy, int virial, int add) override {
@@ -82,9 +82,9 @@ LIGGGHTS::Walls::IGranularWall* make_wall(LAMMPS_NS::LAMMPS* lmp, LAMMPS_NS::Fix
 
 }  // namespace
 
-void register_muck() {
+void register_moist() {
   static const bool once = [] {
-    Factory::instance().addCohesionModel("muck", COHESION_MUCK);
+    Factory::instance().addCohesionModel("moist", COHESION_MOIST);
     const auto key = static_cast<int>(Style::HASHCODE);
     LIGGGHTS::PairStyles::Factory::instance().addStyle("gran", key, &make_pair);
     LIGGGHTS::Walls::Factory::instance().addStyle("gran", key, &make_wall);
@@ -93,6 +93,6 @@ void register_muck() {
   static_cast<void>(once);
 }
 
-int bond_history_offset() { return CohesionModel<COHESION_MUCK>::pair_offset; }
+int bond_history_offset() { return CohesionModel<COHESION_MOIST>::pair_offset; }
 
 }  // namespace dipper::dem

@@ -1,22 +1,22 @@
-#include "dem/muck/muck_law.hpp"
+#include "dem/moist/moist_law.hpp"
 
 #include <gtest/gtest.h>
 
-namespace dipper::dem::muck {
+namespace dipper::dem::moist {
 namespace {
 
-TEST(MuckLaw, PairDiameterOfEqualSpheresIsTheirs) {
+TEST(MoistLaw, PairDiameterOfEqualSpheresIsTheirs) {
   EXPECT_DOUBLE_EQ(pair_diameter(0.1, 0.1), 0.2);
   EXPECT_DOUBLE_EQ(pair_diameter(0.1, 0.3), 0.3);
   EXPECT_NEAR(pair_diameter(0.1, 1e9), 0.4, 1e-9);
 }
 
-TEST(MuckLaw, RumpfInvertsToTheStrength) {
+TEST(MoistLaw, RumpfInvertsToTheStrength) {
   // s = (1 - e)/e F/d^2: 1 kPa, porosity 0.4, 0.2 m: F = 1000 * 0.04 * 0.4/0.6 = 26.7 N.
   EXPECT_NEAR(pull_off_stress(1000, 0.4) * 0.2 * 0.2, 26.6667, 1e-3);
 }
 
-TEST(MuckLaw, MoistPullIsContinuousAndEnds) {
+TEST(MoistLaw, MoistPullIsContinuousAndEnds) {
   EXPECT_EQ(moist_pull(50, -1e-3, 2e-3), 50);
   EXPECT_EQ(moist_pull(50, 0, 2e-3), 50);
   EXPECT_NEAR(moist_pull(50, 1e-12, 2e-3), 50, 1e-6);
@@ -25,7 +25,7 @@ TEST(MuckLaw, MoistPullIsContinuousAndEnds) {
   EXPECT_EQ(moist_pull(0, 0, 2e-3), 0);
 }
 
-TEST(MuckLaw, BondStressesAreThoseOfARoundBar) {
+TEST(MoistLaw, BondStressesAreThoseOfARoundBar) {
   const Bond b{0.1, 1e7, 3e6};
   const Vector3d n(0, 0, 1);
   const double I = M_PI * std::pow(0.1, 4) / 4;
@@ -45,7 +45,7 @@ TEST(MuckLaw, BondStressesAreThoseOfARoundBar) {
   EXPECT_EQ(bond_stress(b, s, n).tensile_Pa, 0);
 }
 
-TEST(MuckLaw, BondLoadSignsFollowTheOrderOfTheSpheresToTheBit) {
+TEST(MoistLaw, BondLoadSignsFollowTheOrderOfTheSpheresToTheBit) {
   const Bond b{0.13, 1.7e7, 4.1e6};
   const Vector3d n = Vector3d(0.3, -0.5, 0.81).normalized();
   const Strain s{3e-5, {1.1e-5, -2.3e-5, 0.7e-5}, {2e-4, -3e-4, 1.7e-4}};
@@ -58,4 +58,4 @@ TEST(MuckLaw, BondLoadSignsFollowTheOrderOfTheSpheresToTheBit) {
 }
 
 }  // namespace
-}  // namespace dipper::dem::muck
+}  // namespace dipper::dem::moist

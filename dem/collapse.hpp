@@ -1,0 +1,32 @@
+// Rock that comes into the run at a given step.
+#pragma once
+
+#include <vector>
+
+#include "dem/rock_feature.hpp"
+#include "dem/rock_setup.hpp"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace dipper::dem {
+
+/// Before the window of that step it reads the deck that lets the rock in; after it, it throws
+/// std::runtime_error when less than 80 % of the rock has found room. Rock is inserted among all
+/// rock, so none may be parked.
+class Collapse final : public RockFeature {
+ public:
+  Collapse(LAMMPS_NS::LAMMPS& lmp, RockFall fall);
+
+  bool needs_all_rock(const Window& window) const override;
+  void before_window(const Window& window) override;
+  void after_window(const Window& window) override;
+
+ private:
+  LAMMPS_NS::LAMMPS& lmp_;
+  RockFall fall_;
+  double mass_before_kg_ = 0;
+};
+
+}  // namespace dipper::dem

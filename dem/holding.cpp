@@ -1,0 +1,76 @@
+#include "dem/holding.hpp"
+
+#include <lammps.h>
+#include <update.h>
+
+namespace dipper::dem {
+namespace {
+
+/// The layer is held by what holds rock at rest; by itself it lets no other rock come to rest.
+HoldSettings settings_of(const RockSetup& setup) {
+  if (setup.hold) return *setup.hold;
+  HoldSettings layer_only;
+  layer_only.below_m_s = 0;
+  return layer_only;
+}
+
+}  // namespace
+
+Holding::Holding(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup,
+                 const std::vector<WallMotion*>& walls)
+    : lmp_(lmp), setup_(setup), walls_(walls) {}
+
+void Holding::begin() {
+  boxes_.clear();  // a wall's is right once the wall is in place
+  for (std::size_t b = 0; b < walls_.size(); ++b) {
+    BodyBox box = walls_[b]->box();
+    for (const Scale& s : setup_.scales) {  // what is weighed with a body is never parked
+      if (s.body != setup_.bodies[b]) continue;
+      box.min_m = box.min_m.cwiseMin(s.min_m);
+      box.max_m = box.max_m.cwiseMax(s.max_m);
+    }
+    boxes_.push_back(box);
+  }
+  hold_ = std::make_unique<HoldRock>(lmp_, settings_of(setup_), lmp_.world);
+}
+
+void Holding::measure(const std::vector<Pose>&, std::vector<double>& parts) const {
+  double mass = 0;
+  for (const ParkedRock::Mass& m : parked()) mass += m.mass_kg;
+  parts.push_back(mass);
+}
+
+void Holding::before_set_up() {
+  if (setup_.layer) mark_layer(lmp_, *setup_.layer);
+}
+
+void Holding::release() {
+  if (hold_) hold_->release();
+  hold_.reset();  // it counts the rock when it begins
+}
+
+void Holding::before_window(const Window& window) {
+  if (window.all_rock_in) return;
+  if (!hold_) begin();
+  const double window_s = static_cast<double>(window.n_steps) * lmp_.update->dt;
+  std::vector<MovingBody> bodies;
+  for (std::size_t b = 0; b < boxes_.size(); ++b)
+    bodies.push_back({boxes_[b], window.X_WB[b],
+                      twist_between(window.X_WB[b], window.X_WB_target[b], window_s)});
+  hold_->before_window(window.n_steps, bodies);
+}
+
+void Holding::wake_all() {
+  if (hold_) hold_->release();
+}
+
+void Holding::hold_layer() {
+  if (hold_) hold_->hold_layer();
+}
+
+const std::vector<ParkedRock::Mass>& Holding::parked() const {
+  static const std::vector<ParkedRock::Mass> none;
+  return hold_ ? hold_->parked() : none;
+}
+
+}  // namespace dipper::dem

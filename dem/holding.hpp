@@ -1,0 +1,46 @@
+// Holding rock at rest, as a feature of the rock.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dem/hold.hpp"
+#include "dem/rock_feature.hpp"
+#include "dem/rock_setup.hpp"
+#include "dem/wall_motion.hpp"
+
+namespace dipper::dem {
+
+/// Tells HoldRock where the bodies are and go, and begins it anew after a release. Marks the held
+/// layer, if the set-up has one, at the run's start. Channel: rock_parked.
+class Holding final : public RockFeature {
+ public:
+  /// \param walls  of the set-up's bodies, in their order; theirs is the extent of a body
+  Holding(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup, const std::vector<WallMotion*>& walls);
+
+  std::vector<core::Channel> channels() const override { return {{"rock_parked", "kg", "-"}}; }
+  void measure(const std::vector<Pose>& X_WB, std::vector<double>& parts) const override;
+  void before_set_up() override;
+  void release() override;
+  void before_window(const Window& window) override;
+
+  /// Wakes all rock but keeps what is known of it, for the time of a look at all of it ...
+  void wake_all();
+  /// ... after which the layer is held again.
+  void hold_layer();
+
+  /// Rock that is not in LIGGGHTS, on this rank.
+  const std::vector<ParkedRock::Mass>& parked() const;
+  long spheres_parked() const { return hold_ ? hold_->spheres_parked() : 0; }
+
+ private:
+  void begin();
+
+  LAMMPS_NS::LAMMPS& lmp_;
+  RockSetup setup_;
+  std::vector<WallMotion*> walls_;
+  std::vector<BodyBox> boxes_;  ///< of the bodies and of what is weighed with them
+  std::unique_ptr<HoldRock> hold_;
+};
+
+}  // namespace dipper::dem

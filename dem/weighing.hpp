@@ -1,0 +1,39 @@
+// Weighs the rock: in each box that the set-up names, and all of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem/rock_feature.hpp"
+#include "dem/rock_setup.hpp"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace dipper::dem {
+
+class Holding;
+
+/// Channels: the boxes' masses, rock_mass, rock_kinetic_energy, rocks (multispheres), particles
+/// (spheres, those of the rocks included). Rock that is parked counts.
+class Weighing final : public RockFeature {
+ public:
+  /// \param holding  what may have parked rock; null: nothing has
+  Weighing(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup, const Holding* holding);
+
+  std::vector<core::Channel> channels() const override;
+  void measure(const std::vector<Pose>& X_WB, std::vector<double>& parts) const override;
+
+ private:
+  LAMMPS_NS::LAMMPS& lmp_;
+  const Holding* holding_;
+  std::vector<Scale> scales_;
+  std::vector<std::size_t>
+      body_;  ///< of each scale: its place in X_WB; past the end for a fixed box
+};
+
+/// Mass of all rock in LIGGGHTS on all ranks [kg]; not of parked rock. Collective.
+double rock_mass(LAMMPS_NS::LAMMPS& lmp);
+
+}  // namespace dipper::dem
