@@ -1,18 +1,15 @@
 #include "analysis/report/report_page.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/report/packing.hpp"
+#include "analysis/report/page.hpp"
 #include "analysis/report/slice.hpp"
 #include "analysis/report/thin_curve.hpp"
-#include "analysis/report/web_bundle.hpp"
 
 namespace dipper::analysis::report {
 namespace {
@@ -86,34 +83,12 @@ json slices(const ReportInput& input) {
   return out;
 }
 
-std::string html_text(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string report_page(const std::string& title, const ReportInput& input,
                         const ReplayLimits& limits) {
-  json head = {{"title", title},
+  json data = {{"kind", "run"},
+               {"title", title},
                {"metrics", input.metrics},
                {"case_text", input.case_text},
                {"curves", curves(input)},
@@ -121,49 +96,15 @@ std::string report_page(const std::string& title, const ReportInput& input,
   std::vector<std::vector<std::uint8_t>> blocks;
   if (input.replay && !input.replay->times_s().empty()) {
     auto replay = encode_replay(*input.replay, limits);
-    head["replay"] = std::move(replay.head);
+    data["replay"] = std::move(replay.head);
     blocks = std::move(replay.blocks);
   }
-  // Names may hold bytes that are no UTF-8; the page shows a mark in their place.
-  const std::string text = head.dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string page = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{} – Dipper</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>",
-      html_text(title));
-  page += kReportStyle;
-  page +=
-      "</style>\n</head>\n<body>\n<noscript>This report draws itself with JavaScript, which is "
-      "off here. Its numbers are in metrics.json beside it.</noscript>\n<main "
-      "id=\"report\"></main>\n";
-  const auto add = [&page](const std::string& kind, const std::vector<std::uint8_t>& bytes) {
-    page += "<script type=\"text/plain\" data-" + kind + ">" + base64(bytes) + "</script>\n";
-  };
-  add("head", gzip(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
-  for (const auto& block : blocks) add("frames", block);
-  page += "<script>";
-  page += kReportScript;
-  page += "</script>\n</body>\n</html>\n";
-  return page;
+  return page(data, blocks);
 }
 
 void write_report_page(const std::string& title, const ReportInput& input,
                        const std::filesystem::path& file) {
-  const std::string page = report_page(title, input);
-  std::filesystem::path part = file;
-  part += fmt::format(".part{}", getpid());
-  std::ofstream out(part, std::ios::binary);
-  out << page;
-  out.close();
-  std::error_code failed;
-  if (out) std::filesystem::rename(part, file, failed);
-  if (!out || failed) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw std::runtime_error(file.string() +
-                             ": cannot be written; is the disk full, or the folder "
-                             "not yours?");
-  }
+  write_page(report_page(title, input), file);
 }
 
 }  // namespace dipper::analysis::report

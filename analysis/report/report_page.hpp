@@ -31,8 +31,7 @@ struct ReportInput {
 std::string report_page(const std::string& title, const ReportInput& input,
                         const ReplayLimits& limits = {});
 
-/// Writes the page under another name and moves it into place, so no half page is left. Throws
-/// std::runtime_error naming the file.
+/// Throws std::runtime_error naming the file when it cannot be written.
 void write_report_page(const std::string& title, const ReportInput& input,
                        const std::filesystem::path& file);
 

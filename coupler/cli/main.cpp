@@ -11,6 +11,7 @@
 #include "coupler/check/check_command.hpp"
 #include "coupler/cli/calibrate_command.hpp"
 #include "coupler/cli/gap_command.hpp"
+#include "coupler/cli/page_command.hpp"
 #include "coupler/cli/phases_command.hpp"
 #include "coupler/cli/report_command.hpp"
 #include "coupler/deck/liggghts_path.hpp"
@@ -207,6 +208,10 @@ int command_line(int argc, char** argv) {
   const auto calibrate = add_calibrate_command(app);
   auto* gap = app.add_subcommand("gap", "find and name the effect a case misses");
   gap->prefix_command()->set_help_flag();  // its words are read by the program it becomes
+  std::string page_file;
+  auto* page = app.add_subcommand("page", "the page of the JSON on standard input");
+  page->add_option("FILE", page_file, "the HTML file to write")->required();
+  page->group("");  // not in --help: dipper gap calls it
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("calibrate")) return calibrate();
@@ -214,6 +219,7 @@ int command_line(int argc, char** argv) {
     if (*check) return check::check_command(words.folder, overrides(words), std::cout);
     if (*again) return replay_command(words);
     if (*report) return report_command(report_words);
+    if (*page) return page_command(page_file);
     if (*phases) return phases_command(words.folder, std::cin, std::cout);
     if (*observe) return observe_command(words);
     return run_command(words);

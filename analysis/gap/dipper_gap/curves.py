@@ -4,6 +4,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .measured import MASS
+from .phases import find_phases
 
 
 @dataclass(frozen=True)
@@ -16,6 +17,7 @@ class Curve:
     before: np.ndarray     # mean over runs
     spread: np.ndarray     # sd, by the seeds, of measured less before
     after: np.ndarray      # None when nothing was added
+    phases: dict           # {phase: (from, to)} in time_s
 
 
 @dataclass(frozen=True)
@@ -33,18 +35,22 @@ def curves(measured, before, after, numbers, held, share):
 
     `share`: variance of the mine's mean less the model's, in variances of a run.
     """
+    if not measured.responses():
+        return []
     out = []
     trucks = measured.trucks()
     for number in numbers:
         mine = _pass(trucks[0], number)
         time = trucks[0].time_s
         t = time[(time >= mine.t_start_s) & (time <= mine.t_end_s)] - mine.t_start_s
+        phases = {name: (a - mine.t_start_s, b - mine.t_start_s) for name, (a, b) in find_phases(
+            time, *(trucks[0].signals[s] for s in ("crowd_m", "swing_rad")), mine.t_start_s, mine.t_end_s).items()}
         for channel in measured.responses():
             seen = np.mean([_read(m, number, channel, t) for m in trucks], axis=0)
             runs = np.array([_read(m, number, channel, t) for m in before])
             new = np.mean([_read(m, number, channel, t) for m in after], axis=0) if after else None
             out.append(Curve(number, number in held, channel, t, seen, runs.mean(axis=0),
-                             runs.std(axis=0, ddof=1) * np.sqrt(share), new))
+                             runs.std(axis=0, ddof=1) * np.sqrt(share), new, phases))
     return out
 
 

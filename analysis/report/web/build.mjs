@@ -1,9 +1,9 @@
-// Bundles the page's script and style, and writes them as C++ source: node build.mjs WEB_FOLDER OUT.cpp,
-// in the folder with node_modules.
+// Bundles the pages' style and a script for each of pages/*.js, and writes them as C++ source:
+// node build.mjs WEB_FOLDER OUT.cpp, in the folder with node_modules.
 // The style and the fonts end up inside the page, so the bundle has no file beside it.
 import { build } from 'esbuild';
-import { writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { readdirSync, writeFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
 
 // Imports of packages are found from where they were installed: this script's copy there.
 const here = process.argv[2];
@@ -27,7 +27,7 @@ async function bundle(entry) {
 }
 
 // Compilers need not take a string literal longer than 64 kB: pieces, which they join.
-function literal(name, text) {
+function literal(text) {
   const bytes = Buffer.from(text, 'utf8');
   const pieces = [];
   for (let at = 0; at < bytes.length; at += 12000) {
@@ -40,11 +40,15 @@ function literal(name, text) {
     }
     pieces.push(`    "${out}"`);
   }
-  return `const std::string_view ${name}{\n${pieces.join('\n')},\n    ${bytes.length}};\n`;
+  return `{\n${pieces.join('\n')},\n    ${bytes.length}}`;
 }
 
-// A closing tag inside the bundle would end the element it stands in.
-const script = (await bundle('main.js')).replaceAll('</script', '<\\/script');
+const scripts = [];
+for (const file of readdirSync(join(here, 'pages')).sort()) {
+  // A closing tag inside the bundle would end the element it stands in.
+  const script = (await bundle(`pages/${file}`)).replaceAll('</script', '<\\/script');
+  scripts.push([basename(file, '.js'), script]);
+}
 const style = await bundle('style.css');
 if (style.includes('</style')) throw new Error('style.css: holds a closing tag');
 writeFileSync(process.argv[3], `// Written by analysis/report/web/build.mjs.
@@ -52,7 +56,13 @@ writeFileSync(process.argv[3], `// Written by analysis/report/web/build.mjs.
 
 namespace dipper::analysis::report {
 
-${literal('kReportScript', script)}
-${literal('kReportStyle', style)}
+const std::string_view kPageStyle${literal(style)};
+
+const std::vector<PageScript>& page_scripts() {
+  static const std::vector<PageScript> all{
+${scripts.map(([kind, text]) => `      {"${kind}", ${literal(text)}}`).join(',\n')}};
+  return all;
+}
+
 }  // namespace dipper::analysis::report
 `);

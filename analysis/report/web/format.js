@@ -41,6 +41,9 @@ export const megajoules = (j, places = 1) => fixed(j / 1e6, places);
 export const percent = (x, places = 0) => (Number.isFinite(x) ? `${fixed(100 * x, places)} %` : '–');
 export const seconds = (s, places = 2) => `${fixed(s, places)}${THIN}s`;
 
+/// A p-value: how small it is below a thousandth says nothing.
+export const pValue = (p) => (p < 1e-3 ? '< 0.001' : number(p, 2));
+
 /// A time that took a machine or a person: "3 min 46 s".
 export function duration(s) {
   if (!Number.isFinite(s)) return '–';

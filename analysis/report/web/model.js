@@ -1,6 +1,7 @@
 // What the page draws, made from metrics.json (docs/metrics.md) and the curves of the record.
 
 const FLOW_FASTER = 0.1; // m/s against the dipper; docs/metrics.md
+const DIGS = ['penetrate', 'dig', 'fill', 'breakout', 'lift'];
 
 export class Model {
   constructor(head) {
@@ -30,5 +31,12 @@ export class Model {
 
   channel(name) {
     return this.curves.channels[name]?.values;
+  }
+  /// √(hoist² + crowd²) where the dipper digs. Anywhere else it is what dipper and load weigh: null.
+  digForce() {
+    const digs = this.phases.filter((phase) => DIGS.includes(phase.name));
+    if (!digs.length) return undefined;
+    const time = this.curves.time_s;
+    return this.channel('dig_force')?.map((force, k) => (digs.some((p) => p.from <= time[k] && time[k] <= p.to) ? force : null));
   }
 }

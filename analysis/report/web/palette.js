@@ -1,17 +1,6 @@
-// Colours. Curves and classes: Okabe and Ito 2008, told apart with any colour vision. Scales get
-// darker all the way, so that they also read in grey; both as in scripts/plot_run.
-
-export const INK = '#1f262d';
-export const MUTED = '#5a646e';
-export const RULE = '#d9d5cd';
-export const STEEL = '#33404d';
-
-export const BLUE = '#0072b2';
-export const ORANGE = '#d55e00';
-export const GREEN = '#009e73';
-export const PURPLE = '#aa4499';
-export const OCHRE = '#b07d00';
-export const SKY = '#56b4e9';
+// Colours that are the same in light and dark, and which of style.css's a phase has. Curves and
+// classes: Okabe and Ito 2008, told apart with any colour vision. Scales get darker all the way, so
+// that they also read in grey; both as in scripts/plot_run.
 
 export const CLASSES = ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#f0e442', '#555555'];
 export const classColour = (type) => CLASSES[(type - 1) % CLASSES.length];
@@ -22,15 +11,12 @@ export const SIZE = ['#e6e3dc', '#a9c3cf', '#5f97b3', '#2b6490', '#12305c'];
 /// What walls feel: no tone of it is the bare wall's grey.
 export const PRESSED = ['#fbe3a6', '#f0a93b', '#d0542c', '#86204f', '#2a0a45'];
 
-export const BULK = '#2b6490';
-export const FLOW = '#e08e2b';
-
 const PHASES = {
-  reach: '#e4e1db', approach: '#e4e1db', return: '#e4e1db', wait: '#f0eeea',
-  penetrate: '#e8c9a0', dig: '#e3d3ae', fill: '#e3d3ae',
-  breakout: '#cfdcc4', lift: '#cfdcc4', swing: '#c5d8e6', dump: '#dccbe0',
+  penetrate: 'phase-in', dig: 'phase-fill', fill: 'phase-fill', breakout: 'phase-lift', lift: 'phase-lift',
+  swing: 'phase-swing', dump: 'phase-dump',
 };
-export const phaseTone = (name) => PHASES[name] ?? '#eceae6';
+/// The name of the tone of a phase.
+export const phaseTone = (name) => PHASES[name] ?? 'phase-idle';
 
 /// [r, g, b], 0 to 255, of a scale at x in 0 to 1.
 export function ramp(stops, x) {

@@ -91,13 +91,22 @@ def test_observation_effects_cost_no_run_and_the_count_is_told_before(fines):
     assert re.search(rf"\b{LEAST_SEEDS + 12} runs, 0 of them kept", statement(model.plan, before))
 
 
-def test_the_page_says_it_and_needs_nothing_else(fines):
+def test_the_page_has_what_it_draws(fines):
     out, a, _ = fines
-    html = page(out, a, SMALL, "synthetic")
-    assert "Fines" in html and "held out" in html and "--set effects.fines=" in html
-    assert "<script" not in html and "http-equiv" not in html and 'src="' not in html
-    assert html.count("<svg") == html.count("</svg>") >= 2 + 1 + 2 + 6
-    assert "nan" not in re.sub(r"<[^>]*>", "", html).lower().split()
+    data = json.loads(json.dumps(page(out, a, SMALL, "synthetic"), allow_nan=False))
+    assert data["kind"] == "gap" and data["answer"] == json.loads(json.dumps(a))
+    assert data["ranking"][0]["effect"] == "fines" and len(data["ranking"]) == 5  # density is a nuisance
+    searched = [c for c in data["cells"] if "p_adjusted" in c]
+    assert {c["pass"] for c in searched} == set(data["passes"]["training"]) == {1, 3}
+    assert {c["pass"] for c in data["cells"]} == {1, 2, 3} and all("z_after" in c for c in data["cells"])
+    assert [c for c in searched if c["p_adjusted"] <= data["cell_p"]]
+    assert set(data["apart"]["names"]) == set(SMALL) - {"density"} == {r["effect"] for r in data["ranking"]}
+    assert len(data["curves"]) == 6 and [c["held_out"] for c in data["curves"]] == [False] * 4 + [True] * 2
+    for c in data["curves"]:
+        assert len(c["time_s"]) == len(c["measured"]) == len(c["before"]) == len(c["spread"]) == len(c["after"])
+        ends = list(c["phases"].values())
+        assert ends[0][0] == 0 and all(x[1] == y[0] for x, y in zip(ends, ends[1:]))
+    assert set(data["closures"]) == {"training", "holdout"} and data["masses"][0]["after"] is not None
 
 
 def test_nothing_hidden_is_no_gap():
@@ -110,7 +119,8 @@ def test_an_effect_outside_the_catalogue_is_unknown_with_an_experiment():
     out, a, _ = judge(mine_with({"outside": 3}, 4))
     assert a["verdict"] == "unknown" and a["patch"] == {}
     assert a["next_experiment"]
-    assert "its cause is not known" in page(out, a, SMALL, "synthetic")
+    data = page(out, a, SMALL, "synthetic")
+    assert data["experiments"] and data["closures"] == {} and data["curves"][0]["after"] is None
 
 
 def test_an_effect_that_skips_the_hold_out_is_named_but_says_so():

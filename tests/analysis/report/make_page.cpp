@@ -20,15 +20,16 @@ int main(int argc, char** argv) {
   ReportInput input;
   input.replay = &dig;
   ReportCurve hoist{"machine/hoist_force", "N", {}}, crowd{"machine/crowd_force", "N", {}},
-      load{"rock/mass_in_dipper", "kg", {}};
+      dig_force{"dig_force", "N", {}}, load{"rock/mass_in_dipper", "kg", {}};
   for (int i = 0; i <= 5000; ++i) {
     const double t = T * i / 5000;
     input.time_s.push_back(t);
     hoist.values.push_back(1e6 * (1 + std::sin(40 * t / T)) * std::sin(M_PI * t / T));
     crowd.values.push_back(4e5 * std::cos(23 * t / T));
+    dig_force.values.push_back(std::hypot(hoist.values.back(), crowd.values.back()));
     load.values.push_back(66e3 * t / T);
   }
-  input.curves = {hoist, crowd, load};
+  input.curves = {hoist, crowd, dig_force, load};
   input.case_text = "title=\"A synthetic dig\"\nrock.density_kg_m3=3215\n";
   input.metrics = {{"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
                    {"phases",

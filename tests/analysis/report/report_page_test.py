@@ -12,6 +12,7 @@ import time
 import unittest
 
 from PIL import Image
+from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
@@ -182,6 +183,51 @@ class Page(unittest.TestCase):
         self.assertGreaterEqual(len(inked), 2)
         for colours in inked:
             self.assertGreater(colours, 20)
+
+    def test_what_the_dipper_weighs_is_no_dig_force(self):
+        # make_page.cpp: it digs from a fifth of the time on
+        weighed, drawn = self.browser.run("""
+            const force = dipper.model.digForce(), time = dipper.model.curves.time_s;
+            return [force.filter((f, k) => time[k] < 2 && f !== null).length, force.filter((f, k) => time[k] > 2 && f > 0).length];""")
+        self.assertEqual(weighed, 0)
+        self.assertGreater(drawn, 1000)
+        read = "return document.querySelector('.readout').textContent"
+        self.assertRegex(self.browser.run(read), r"^dig.*\d MN dig force")
+        self.browser.run("dipper.clock.set(1)")
+        self.assertRegex(self.browser.run(read), r"^reach.*– MN dig force")
+
+    def test_charts_are_told_in_words(self):
+        said = self.browser.run("return [...document.querySelectorAll('#signals .plot')].map((e) => e.getAttribute('aria-label'))")
+        self.assertRegex(said[0], r"^Chart of Force, MN, against time \(s\) from 0 to 10.* dig force: least .* at .*, most .* at .*; hoist: ")
+        bare = self.browser.run("""return [...document.querySelectorAll('svg, canvas, img, [role=img]')]
+            .filter((e) => !e.closest('[aria-hidden=true]') && !e.closest('[aria-label]') && !e.alt).map((e) => e.outerHTML.slice(0, 80))""")
+        self.assertEqual(bare, [])
+
+    def test_the_view_taken_is_pressed_until_the_camera_is_turned(self):
+        pressed = "return [...document.querySelectorAll('[aria-pressed=true]')].map((e) => e.textContent)"
+        self.assertEqual(self.browser.run(pressed), ["Dig"])
+        self.browser.driver.find_element(By.XPATH, "//button[.='Above']").click()
+        self.assertEqual(self.browser.run(pressed), ["Above"])
+        canvas = self.browser.driver.find_element(By.CSS_SELECTOR, ".screen canvas")
+        ActionChains(self.browser.driver).move_to_element(canvas).click_and_hold().move_by_offset(40, 0).release().perform()
+        self.assertEqual(self.browser.run(pressed), [])
+        self.browser.driver.find_element(By.XPATH, "//button[.='Dig']").click()
+        self.assertEqual(self.browser.run(pressed), ["Dig"])
+
+    def test_dark_where_the_system_is_and_light_on_paper(self):
+        driver = self.browser.driver
+        sky = lambda: self.picture().getpixel((5, 200))
+        painted = lambda: self.browser.run("return document.querySelector('#signals canvas').toDataURL()")
+        light = sum(sky()), painted()
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+        self.addCleanup(driver.execute_cdp_cmd, "Emulation.setEmulatedMedia", {"features": []})
+        dark = sum(sky()), painted()
+        self.assertLess(dark[0], 0.6 * light[0])
+        self.assertNotEqual(dark[1], light[1])
+        paper = self.browser.run("dispatchEvent(new Event('beforeprint')); return getComputedStyle(document.documentElement).backgroundColor")
+        self.assertEqual(paper, "rgb(251, 250, 247)")
+        self.assertTrue(self.browser.run("return document.querySelector('.still').src.length > 5000"), "the picture of the dig is not printed")
+        self.browser.run("dispatchEvent(new Event('afterprint'))")
 
     def test_says_which_phases_are_missing(self):
         # make_page.cpp's phases are none of the seven

@@ -2,66 +2,104 @@
 import uPlot from 'uplot';
 import { h, onWidth } from '../dom.js';
 import { number, tick } from '../format.js';
-import { INK, MUTED, phaseTone } from '../palette.js';
+import { colour, onTheme, printing } from '../theme.js';
+import { STRIP, drawBands } from './bands.js';
 
 const FONT = '12px "IBM Plex Sans", system-ui, sans-serif';
-const cursors = uPlot.sync('time');
+const PAPER = 700; // px: as wide as a sheet of A4 has room
+const TIME = 'time (s)';
 
-/// lines: [{label, values, colour, width, dash, fill}]; x and values are arrays of the same length.
-/// options: title, unit, height, bands [{name, from, to}], clock, logX, logY, xLabel, xRange, yRange,
-/// xTicks (where labels stand), describe (what a screen reader says).
+/// lines: [{label, values, colour, width, dash, fill, stepped, gaps, dots, around}]; x and values are arrays of the
+/// same length. colour: a name of style.css. fill: how much of it shows below the line, 0 to 1. gaps: null
+/// values are not drawn over. dots: no line. around: [low, high], two more arrays, a band about the line.
+/// options: title, unit, height, bands [{name, from, to}], clock, together (name of the plots whose cursors go
+/// together), logX, logY, xLabel, xRange, yRange, xTicks (where labels stand).
 export function curve(x, lines, options) {
-  const box = h('div.plot', { role: 'img', 'aria-label': options.describe ?? `${options.title}: ${lines.map((l) => l.label).join(', ')}` });
+  const given = { xLabel: options.clock && TIME, together: options.clock && 'time', ...options };
+  const box = h('div.plot', { role: 'img', 'aria-label': describe(x, lines, given) });
   const keys = lines.map((line) => ({ line, value: h('span.value', '') }));
-  const head = h('figcaption', h('span.title', options.title, options.unit && h('span.unit', options.unit)),
-    h('span.keys', keys.map(({ line, value }) => h('span.key',
-      h('i', { style: `border-top: ${Math.max(line.width ?? 2, 2)}px ${line.dash ? 'dashed' : 'solid'} ${line.colour}` }), line.label, value))));
+  const head = h('figcaption', h('span.title', given.title, given.unit && h('span.unit', given.unit)),
+    h('span.keys', keys.map(({ line, value }) => h('span.key', mark(line), line.label, value))));
   const showValues = (plot, index) => keys.forEach(({ value }, k) => {
     value.textContent = index === null || index === undefined ? '' : number(plot.data[k + 1][index], 3);
   });
+  const around = lines.filter((line) => line.around);
+  const data = [x, ...lines.map((line) => line.values), ...around.flatMap((line) => line.around)];
   let plot;
-  onWidth(box, (width) => {
+  let shown = 0;
+  const draw = (width) => {
     plot?.destroy();
-    plot = new uPlot(settings(lines, options, width, showValues), [x, ...lines.map((line) => line.values)], box);
-    if (options.clock) followClock(plot, options.clock);
-  });
+    plot = new uPlot(settings(lines, around, given, printing() ? Math.min(width, PAPER) : width, showValues), data, box);
+    if (given.clock) followClock(plot, given.clock);
+  };
+  onWidth(box, (width) => draw((shown = width)));
+  onTheme(() => shown && draw(shown));
   return h('figure.curve', head, box);
 }
 
-function settings(lines, options, width, showValues) {
-  const axis = { font: FONT, stroke: MUTED, ticks: { stroke: '#c9c5bc', width: 1, size: 4 }, grid: { stroke: '#00000014', width: 1 } };
-  const onTime = Boolean(options.clock);
+function mark(line) {
+  if (line.dots) return h('i.dot', { style: `background: var(--${line.colour})` });
+  return h('i', { style: `border-top: ${Math.max(line.width ?? 2, 2)}px ${line.dash ? 'dashed' : 'solid'} var(--${line.colour})` });
+}
+
+/// What the picture shows, in words: each line's least and largest value, and where.
+function describe(x, lines, { title, unit, xLabel }) {
+  const at = (k) => `${number(x[k], 3)}`;
+  const said = lines.map(({ label, values }) => {
+    let [low, high] = [-1, -1];
+    values.forEach((v, k) => {
+      if (!Number.isFinite(v)) return;
+      if (low < 0 || v < values[low]) low = k;
+      if (high < 0 || v > values[high]) high = k;
+    });
+    return low < 0 ? `${label}: no values` : `${label}: least ${number(values[low], 3)} at ${at(low)}, most ${number(values[high], 3)} at ${at(high)}`;
+  });
+  return `Chart of ${title}${unit ? `, ${unit}` : ''}, against ${xLabel ?? 'x'} from ${at(0)} to ${at(x.length - 1)}. ${said.join('; ')}.`;
+}
+
+function settings(lines, around, options, width, showValues) {
+  const axis = {
+    font: FONT, labelFont: FONT, stroke: colour('muted'),
+    ticks: { stroke: colour('rule'), width: 1, size: 4 }, grid: { stroke: colour('grid'), width: 1 },
+  };
+  const bands = options.bands ?? [];
+  const first = lines.length + 1; // of the series that bound the bands about lines
   return {
     width,
     height: options.height ?? 220,
-    padding: [8, 8, 0, 0],
+    padding: [bands.length ? STRIP + 4 : 8, 10, 0, 0],
     legend: { show: false },
     cursor: {
-      sync: onTime ? { key: cursors.key, setSeries: false } : undefined,
+      sync: options.together ? { key: uPlot.sync(options.together).key, setSeries: false } : undefined,
       y: false,
       points: { size: 6 },
-      drag: { x: onTime, y: false },
-      bind: { dblclick: (plot, _target, handler) => (event) => { handler(event); } },
+      drag: { x: Boolean(options.together), y: false },
     },
     scales: {
       x: { time: false, distr: options.logX ? 3 : 1, range: options.xRange && (() => options.xRange) },
       y: { distr: options.logY ? 3 : 1, range: options.yRange ? () => options.yRange : undefined },
     },
     axes: [
-      { ...axis, size: 26, label: options.xLabel, labelFont: FONT, labelSize: 20, labelGap: 0, space: 56, values: labels,
+      { ...axis, size: 26, label: options.xLabel, labelSize: options.xLabel ? 20 : 0, labelGap: 0, space: 56, values: labels,
         splits: options.xTicks && (() => options.xTicks), filter: options.xTicks && ((_plot, ticks) => ticks) },
       { ...axis, size: 48, space: 34, values: labels, splits: options.logY && decades },
     ],
     series: [{}, ...lines.map((line) => ({
-      label: line.label, stroke: line.colour, width: line.width ?? 2, dash: line.dash, fill: line.fill,
-      points: { show: Boolean(line.points), size: 5, fill: line.colour }, spanGaps: true,
-      paths: line.stepped ? uPlot.paths.stepped({ align: 1 }) : undefined,
-    }))],
+      label: line.label, stroke: colour(line.colour), width: line.width ?? 2, dash: line.dash,
+      fill: line.fill && alpha(line.colour, line.fill),
+      points: { show: Boolean(line.dots), size: 5, width: 0, fill: colour(line.colour) }, spanGaps: !line.gaps,
+      paths: line.dots ? () => null : line.stepped ? uPlot.paths.stepped({ align: 1 }) : undefined,
+    })), ...around.flatMap(() => [{ points: { show: false }, width: 0 }, { points: { show: false }, width: 0 }])],
+    bands: around.map((line, k) => ({ series: [first + 2 * k + 1, first + 2 * k], fill: alpha(line.colour, 0.22) })),
     hooks: {
-      drawClear: [(plot) => drawBands(plot, options.bands ?? [])],
+      drawClear: [(plot) => drawBands(plot, bands)],
       setCursor: [(plot) => showValues(plot, plot.cursor.idx)],
     },
   };
+}
+
+function alpha(name, share) {
+  return colour(name) + Math.round(255 * share).toString(16).padStart(2, '0');
 }
 
 const labels = (_plot, ticks) => ticks.map((t) => (t === null ? '' : tick(t)));
@@ -70,31 +108,6 @@ function decades(_plot, _axis, low, high) {
   const [from, to] = [Math.ceil(Math.log10(low)), Math.floor(Math.log10(high))];
   const every = Math.max(1, Math.ceil((to - from) / 4));
   return Array.from({ length: Math.floor((to - from) / every) + 1 }, (_, k) => 10 ** (from + k * every));
-}
-
-function drawBands(plot, bands) {
-  const { ctx, bbox } = plot;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-  ctx.clip();
-  ctx.font = `500 ${11 * devicePixelRatio}px "IBM Plex Sans", system-ui, sans-serif`;
-  ctx.textBaseline = 'top';
-  for (const band of bands) {
-    const from = plot.valToPos(band.from, 'x', true);
-    const to = plot.valToPos(band.to, 'x', true);
-    ctx.fillStyle = band.colour ?? phaseTone(band.name);
-    ctx.globalAlpha = 0.62;
-    ctx.fillRect(from, bbox.top, Math.max(to - from - 1, 1), bbox.height);
-    ctx.globalAlpha = 1;
-    ctx.fillStyle = INK;
-    if (band.name && ctx.measureText(band.name).width + 10 * devicePixelRatio < to - from) {
-      ctx.globalAlpha = 0.72;
-      ctx.fillText(band.name, from + 5 * devicePixelRatio, bbox.top + 4 * devicePixelRatio);
-      ctx.globalAlpha = 1;
-    }
-  }
-  ctx.restore();
 }
 
 function followClock(plot, clock) {

@@ -2,7 +2,9 @@
 import { Vector3 } from 'three';
 import { h, onWidth } from '../dom.js';
 import { fixed, number, seconds } from '../format.js';
+import { choice, toggle } from '../parts/choice.js';
 import { SIZE, SPEED, classColour, gradient, PRESSED, phaseTone, ramp, rgb } from '../palette.js';
+import { printing, onTheme } from '../theme.js';
 import { Stage } from './stage.js';
 
 const DECADES = 5; // of a wall's field, as replay_encoder.hpp has it
@@ -19,7 +21,8 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   const canvas = h('canvas', { tabindex: '0', role: 'img', 'aria-label': 'Replay of the dig in three dimensions. Drag to orbit, two fingers or the wheel to zoom.' });
   const clockFace = h('output.clock', { 'aria-live': 'off' });
   const loading = h('p.loading', { role: 'status' }, 'Unpacking the replay …');
-  const screen = h('div.screen', canvas, h('div.overlay', clockFace, readout?.element), loading);
+  const still = h('img.still', { alt: 'The dig at the moment shown' });
+  const screen = h('div.screen', canvas, still, h('div.overlay', clockFace, readout?.element), loading);
 
   let stage;
   try {
@@ -68,8 +71,7 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   const walls = wallColours(head, stage);
   const views = cameraViews(stage);
   if (!stage.dipper) delete views.Follow;
-  const camera = h('div.group', { role: 'group', 'aria-label': 'View' }, h('span.label', 'View'),
-    Object.keys(views).map((name) => h('button', { type: 'button', onclick: views[name] }, name)));
+  const camera = viewButtons(views, stage);
   const cut = toggle('Cut through the dipper', (on) => { stage.cutting = on; stage.ask(); });
   const solid = toggle('Solid walls', (on) => { stage.walls.forEach((wall) => wall.seeThrough(!on)); stage.ask(); });
 
@@ -86,19 +88,24 @@ export function replay(head, frames, clock, phases, classNames, readout) {
     if (!stage.placed) {
       stage.placed = true;
       stage.draw();
-      views.Dig();
+      camera.querySelector('button').click();
     }
     loading.textContent = `Unpacking the replay … ${Math.round(100 * frames.ready / clock.times.length)} %`;
     if (frames.ready >= clock.times.length) loading.remove();
     stage.ask();
+  });
+  onTheme(() => {
+    stage.dress();
+    stage.draw();
+    if (printing()) still.src = canvas.toDataURL(); // what WebGL has drawn is not printed
   });
   show();
   canvas.stage = stage; // for whoever measures how fast it draws
   return h('div.replay', screen,
     h('div.transport', play, track, rate),
     h('div.options', colour, legend, walls, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid)),
-    h('p.note', note(head), ' ', h('kbd', 'Space'), ' plays, ', h('kbd', '←'), ' ', h('kbd', '→'),
-      ' step a frame, with ', h('kbd', 'Shift'), ' a second.'));
+    h('p.note', note(head), h('span.controls', ' ', h('kbd', 'Space'), ' plays, ', h('kbd', '←'), ' ', h('kbd', '→'),
+      ' step a frame, with ', h('kbd', 'Shift'), ' a second.')));
 }
 
 /// Nothing when no wall's dumps have a field.
@@ -138,23 +145,22 @@ function cameraViews(stage) {
   };
 }
 
+/// The view taken is pressed, until the camera is turned by hand.
+function viewButtons(views, stage) {
+  const buttons = Object.entries(views).map(([name, look]) => h('button', {
+    type: 'button', 'aria-pressed': 'false', onclick: () => { look(); press(name); } }, name));
+  const press = (name) => buttons.forEach((b) => b.setAttribute('aria-pressed', String(b.textContent === name)));
+  stage.controls.addEventListener('start', () => press(stage.following ? 'Follow' : null));
+  return h('div.group', { role: 'group', 'aria-label': 'View' }, h('span.label', 'View'), buttons);
+}
+
 function phaseBand(phases, clock) {
   const span = clock.end - clock.times[0];
   return h('div.phases', { 'aria-hidden': 'true' }, phases.map((p) => {
     const left = 100 * (p.from - clock.times[0]) / span;
     const width = 100 * (Math.min(p.to, clock.end) - p.from) / span;
-    return width > 0 && h('span', { style: `left:${left}%;width:${width}%;background:${phaseTone(p.name)}`, title: p.name }, h('b', p.name));
+    return width > 0 && h('span', { style: `left:${left}%;width:${width}%;background:var(--${phaseTone(p.name)})`, title: p.name }, h('b', p.name));
   }));
-}
-
-function choice(label, values, chosen, act) {
-  const name = `choice-${label.replace(/\W/g, '')}`;
-  return h('fieldset.choice', h('legend', label), values.map(([value, text]) => h('label',
-    h('input', { type: 'radio', name, value, checked: value === chosen, onchange: () => act(value) }), h('span', text))));
-}
-
-function toggle(label, act) {
-  return h('label.toggle', h('input', { type: 'checkbox', onchange: (event) => act(event.target.checked) }), h('span', label));
 }
 
 function scaleLegend(what, stops, low, high, unit, open) {

@@ -5,10 +5,12 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { SPEED } from '../palette.js';
+import { isDark } from '../theme.js';
 import { Rocks } from './rocks.js';
 import { Wall } from './walls.js';
 
-const SKY = 0xeef1f2;
+const LIGHT = { sky: 0xeef1f2, ground: 0xcdc9c0, lines: 0xc0bbb1 };
+const DARK = { sky: 0x20272d, ground: 0x3a3d3e, lines: 0x4a4e50 };
 const SLOW_ms = 60;
 
 export class Stage {
@@ -19,8 +21,10 @@ export class Stage {
     this.sharp = Math.min(devicePixelRatio, 2);
     this.renderer.setPixelRatio(this.sharp);
     this.scene = new Scene();
-    this.scene.background = new Color(SKY);
-    this.scene.fog = new Fog(SKY, 70, 160);
+    this.scene.background = new Color();
+    this.scene.fog = new Fog(0, 70, 160);
+    this.ground = ground();
+    this.dress();
     this.camera = new PerspectiveCamera(36, 2, 0.3, 400);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -37,13 +41,23 @@ export class Stage {
       return made;
     });
     this.dipper = this.walls.find((wall) => wall.name === 'dipper');
-    this.scene.add(this.rocks, ...this.walls, ground(), ...lights());
+    this.scene.add(this.rocks, ...this.walls, this.ground, ...lights());
     this.plane = new Plane();
     this.cutting = false;
     this.following = false;
     clock.addEventListener('time', () => this.ask());
     clock.addEventListener('state', () => { if (!clock.playing) this.sharpness(1); });
     this.late = 0;
+  }
+
+  /// Sky and ground, light or dark.
+  dress() {
+    const { sky, ground: plain, lines } = isDark() ? DARK : LIGHT;
+    this.scene.background.set(sky);
+    this.scene.fog.color.set(sky);
+    const [plane, grid] = this.ground.children;
+    plane.material.color.set(plain);
+    grid.material.color.set(lines);
   }
 
   resize(width, height) {
@@ -124,9 +138,9 @@ export class Stage {
 
 function ground() {
   const group = new Group();
-  const plane = new Mesh(new PlaneGeometry(400, 400), new MeshLambertMaterial({ color: 0xcdc9c0 }));
+  const plane = new Mesh(new PlaneGeometry(400, 400), new MeshLambertMaterial());
   plane.position.z = -0.03;
-  const grid = new GridHelper(200, 40, 0xb3aea3, 0xc0bbb1);
+  const grid = new GridHelper(200, 40, 0xffffff, 0xffffff);
   grid.rotation.x = Math.PI / 2;
   group.add(plane, grid);
   return group;

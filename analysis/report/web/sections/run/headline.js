@@ -1,20 +1,19 @@
 // Title and the figures a reader looks for first.
-import { h } from '../dom.js';
-import { duration, fixed, meganewtons, megajoules, number, percent, seconds, tonnes } from '../format.js';
-import { table } from '../parts/table.js';
+import { h } from '../../dom.js';
+import { masthead } from '../../page.js';
+import { duration, fixed, meganewtons, megajoules, number, seconds, tonnes } from '../../format.js';
+import { table } from '../../parts/table.js';
 
-export function masthead(model) {
+export function head(model) {
   const { run } = model;
-  return h('header.masthead',
-    h('p.eyebrow', 'Dipper report'),
-    h('h1', model.title),
-    h('p.lead', [
+  return masthead('Dipper report', model.title,
+    [
       run.rocks && `${fixed(run.rocks, 0)} rocks of ${fixed(run.particles, 0)} spheres`,
       run.sim_s && `${seconds(run.sim_s, 1)} of digging`,
       run.cpu_s && `computed in ${duration(run.cpu_s)} of processor time`,
       run.seed !== undefined && `seed ${run.seed}`,
-    ].filter(Boolean).join(' · ')),
-    run.status && run.status !== 'complete' && h('p.warning', { role: 'alert' }, `This run is ${run.status}: the figures are of the part that there is.`));
+    ].filter(Boolean).join(' · '),
+    run.status && run.status !== 'complete' && `This run is ${run.status}: the figures are of the part that there is.`);
 }
 
 export function headline(model) {

@@ -1,6 +1,6 @@
 // The case as it ran, and what pins it down.
-import { h, section } from '../dom.js';
-import { facts } from '../parts/table.js';
+import { h, section } from '../../dom.js';
+import { facts } from '../../parts/table.js';
 
 export function caseSection(model) {
   if (!model.caseText) return null;

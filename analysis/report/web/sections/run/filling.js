@@ -1,24 +1,23 @@
 // How the dipper fills: slices at the paper's stages, the mass of the flow and of the bulk zone.
-import { h, section } from '../dom.js';
-import { number } from '../format.js';
-import { curve } from '../parts/curve.js';
-import { sliceFigure } from '../parts/slice.js';
-import { BULK, FLOW } from '../palette.js';
+import { h, section } from '../../dom.js';
+import { number } from '../../format.js';
+import { curve } from '../../parts/curve.js';
+import { sliceFigure } from '../../parts/slice.js';
 
 export function filling(model, clock) {
   const { slices, zones } = model;
   if (!slices.length && !zones) return null;
   const threshold = zones?.threshold_m_s;
-  const key = (colour, text) => h('span.key', h('i', { style: `background:${colour}` }), text);
+  const key = (colour, text) => h('span.key', h('i', { style: `background:var(--${colour})` }), text);
   return section('filling', 'How the dipper fills',
     'A slice of 1 m through the middle of the dipper at the stages of Svanberg et al. 2021 (Fig. 14). '
     + 'The flow zone slides and rolls through the dipper, the bulk zone moves with it.',
     slices.length > 0 && h('div.slices', slices.map((slice, k) => sliceFigure(slice, zoneOf(zones), clock, k))),
-    threshold !== undefined && h('p.zones', key(FLOW, `flow zone: faster than ${number(threshold, 2)} m/s in the dipper`),
-      key(BULK, 'bulk zone'), key('#d8d4cc', 'not in the dipper')),
+    threshold !== undefined && h('p.zones', key('flow', `flow zone: faster than ${number(threshold, 2)} m/s in the dipper`),
+      key('bulk', 'bulk zone'), key('rest', 'not in the dipper')),
     zones?.time_s?.length > 0 && curve(zones.time_s, [
-      { label: 'all', values: zones.all_t, colour: FLOW, fill: `${FLOW}cc` },
-      { label: 'bulk zone', values: zones.bulk_t, colour: BULK, fill: `${BULK}e6` },
+      { label: 'all', values: zones.all_t, colour: 'flow', fill: 0.8 },
+      { label: 'bulk zone', values: zones.bulk_t, colour: 'bulk', fill: 0.9 },
     ], { title: 'Rock in the dipper', unit: 't', height: 200, clock, bands: model.phases }));
 }
 

@@ -1,9 +1,8 @@
 // The payload by three ways, and where the rock went that they do not share.
-import { h, section } from '../dom.js';
-import { percent, seconds, tonnes } from '../format.js';
-import { bar } from '../parts/bar.js';
-import { table } from '../parts/table.js';
-import { GREEN, OCHRE, ORANGE, PURPLE } from '../palette.js';
+import { h, section } from '../../dom.js';
+import { percent, seconds, tonnes } from '../../format.js';
+import { bar } from '../../parts/bar.js';
+import { table } from '../../parts/table.js';
 
 export function payload(model) {
   const passes = model.passes.filter((p) => p.payload_ways);
@@ -40,6 +39,6 @@ function fate(pass) {
   if (!Number.isFinite(pass.lifted_kg)) return null;
   const rest = ['carry_back_kg', 'back_in_pile_kg', 'spillage_kg'].reduce((sum, key) => sum + (pass[key] ?? 0), 0);
   return h('div', h('h3', `Where the ${tonnes(pass.lifted_kg)} t that were lifted went`), bar('Fate of the load', [
-    { name: 'truck', value: pass.lifted_kg - rest, colour: GREEN, text: `${tonnes(pass.lifted_kg - rest, 2)} t` },
-    of('spilt', 'spillage_kg', ORANGE), of('back in the pile', 'back_in_pile_kg', OCHRE), of('still in the dipper', 'carry_back_kg', PURPLE)]));
+    { name: 'truck', value: pass.lifted_kg - rest, colour: 'green', text: `${tonnes(pass.lifted_kg - rest, 2)} t` },
+    of('spilt', 'spillage_kg', 'orange'), of('back in the pile', 'back_in_pile_kg', 'ochre'), of('still in the dipper', 'carry_back_kg', 'purple')]));
 }

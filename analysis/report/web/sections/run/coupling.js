@@ -1,10 +1,9 @@
 // What the coupling did, and what it cost.
-import { h, section } from '../dom.js';
-import { duration, fixed, megajoules, number, percent } from '../format.js';
-import { bar } from '../parts/bar.js';
-import { curve } from '../parts/curve.js';
-import { facts } from '../parts/table.js';
-import { BLUE, CLASSES, GREEN, ORANGE, SKY } from '../palette.js';
+import { h, section } from '../../dom.js';
+import { duration, fixed, megajoules, number, percent } from '../../format.js';
+import { bar } from '../../parts/bar.js';
+import { curve } from '../../parts/curve.js';
+import { facts } from '../../parts/table.js';
 
 export function coupling(model, clock) {
   const { coupling: c, dem, mbs, run } = model;
@@ -20,11 +19,11 @@ export function coupling(model, clock) {
   return section('coupling', 'What the coupling did',
     `The two sides met ${fixed(c.syncs, 0)} times. Energy that the exchange made or lost is the residual: ${percent(share, 2)} of the work that passed between rock and machine.`,
     work && residual && curve(time, [
-      { label: 'work between rock and machine', values: work, colour: BLUE },
-      { label: 'residual', values: residual, colour: ORANGE, width: 1.4 },
-    ], { title: 'Energy', unit: 'MJ', height: 190, logY: true, clock, bands: model.phases }),
-    sync && !steady && curve(time, [{ label: 'length of a sync step', values: sync, colour: GREEN, width: 1.4, stepped: true }],
-      { title: 'Sync step', unit: 'ms', height: 140, clock, bands: model.phases }),
+      { label: 'work between rock and machine', values: work, colour: 'blue' },
+      { label: 'residual', values: residual, colour: 'orange', width: 1.4 },
+    ], { title: 'Energy', unit: 'MJ', height: 210, logY: true, clock, bands: model.phases }),
+    sync && !steady && curve(time, [{ label: 'length of a sync step', values: sync, colour: 'green', width: 1.4, stepped: true }],
+      { title: 'Sync step', unit: 'ms', height: 170, clock, bands: model.phases }),
     timeSpent(model),
     facts([
       ['Scheme', c.scheme],
@@ -47,5 +46,5 @@ function timeSpent(model) {
   const rest = Math.max(dem.wall_s - rock - machine, 0);
   const part = (name, value, colour) => ({ name, value, colour, text: `${duration(value)}, ${percent(value / dem.wall_s)}` });
   return h('div', h('h3', 'Time spent where'), bar('Wall time', [
-    part('rock (DEM)', rock, CLASSES[4]), part('machine', machine, SKY), part('exchange, record and waiting', rest, CLASSES[1])]));
+    part('rock (DEM)', rock, 'blue'), part('machine', machine, 'sky'), part('exchange, record and waiting', rest, 'ochre')]));
 }

@@ -1,0 +1,27 @@
+// What every page has: it reads its data, puts its sections one under the other, and says when it cannot.
+import { h } from './dom.js';
+import { readHead } from './unpack.js';
+
+/// `build(data)` gives the sections; null ones are left out.
+export async function showPage(build) {
+  const page = document.getElementById('page');
+  try {
+    // Charts are painted text and all: their font has to be there first.
+    const fonts = ['400', '500', '600'].map((weight) => document.fonts.load(`${weight} 12px "IBM Plex Sans"`));
+    const data = await readHead();
+    await Promise.all(fonts);
+    page.append(...build(data).filter(Boolean));
+  } catch (error) {
+    page.append(h('p.warning', { role: 'alert' }, `This page cannot be drawn: ${error.message}`));
+    throw error;
+  }
+}
+
+export function masthead(kind, title, lead, ...warnings) {
+  return h('header.masthead', h('p.eyebrow', kind), h('h1', title), lead && h('p.lead', lead),
+    warnings.filter(Boolean).map((text) => h('p.warning', { role: 'alert' }, text)));
+}
+
+export function foot(version) {
+  return h('footer', `Written by ${['dipper', version].filter(Boolean).join(' ')}. This file is complete in itself and asks for nothing over the network.`);
+}

@@ -1,0 +1,29 @@
+// What the machine feels at the time shown, over the picture.
+import { h } from '../dom.js';
+import { meganewtons, tonnes } from '../format.js';
+
+export function readout(model) {
+  const time = model.curves.time_s;
+  const wanted = [
+    ['in the dipper', model.channel('rock/mass_in_dipper'), tonnes, 't'],
+    ['in the truck', model.channel('rock/mass_in_truck'), tonnes, 't'],
+    ['dig force', model.digForce(), meganewtons, 'MN'],
+  ].filter(([, values]) => values);
+  const values = wanted.map(() => h('b'));
+  const phase = h('div.now');
+  const element = h('div.readout', phase, wanted.map(([label, , , unit], k) => h('div', values[k], ` ${unit} ${label}`)));
+  return {
+    element,
+    show(t) {
+      let low = 0;
+      let high = time.length - 1;
+      while (low < high) {
+        const mid = (low + high + 1) >> 1;
+        if (time[mid] <= t) low = mid;
+        else high = mid - 1;
+      }
+      phase.textContent = model.phases.find((p) => p.from <= t && t <= p.to)?.name ?? '';
+      wanted.forEach(([, channel, text], k) => { values[k].textContent = text(channel[low] ?? NaN); });
+    },
+  };
+}

@@ -1,0 +1,70 @@
+// What the analysis says, and how sure it is.
+import { h } from '../../dom.js';
+import { pValue, percent } from '../../format.js';
+import { masthead } from '../../page.js';
+import { channelName, strengthText, title } from './words.js';
+
+const WORDS = {
+  named: 'The model misses this effect. With it added, fresh runs were compared with the passes that had been held out.',
+  class: 'These effects look alike in these data. The experiment below would tell them apart.',
+  unknown: 'Model and mine disagree, but nothing in the catalogue may be named for it.',
+  'no-gap': 'Model and mine agree within instruments and seeds. That is no proof that nothing is missing.',
+};
+
+export function head(data) {
+  return masthead(`Gap analysis of ${data.title}`, 'What does the model miss?', null, ...new Set(data.answer.warnings ?? []));
+}
+
+export function verdict(data) {
+  const { answer } = data;
+  return h('section', { id: 'verdict', 'aria-label': 'Verdict', style: 'padding-top:0' },
+    h('div', { class: `verdict ${answer.verdict}` }, h('p.head', headline(data)), h('p', WORDS[answer.verdict], clearest(data)),
+      answer.reasons?.length > 0 && h('ul', answer.reasons.map((text) => h('li', text))), second(data)),
+    h('dl.figures', figures(data).map(([name, value, more]) => h('div', h('dt', name), h('dd', value, more && h('small', more))))));
+}
+
+function headline(data) {
+  const { answer } = data;
+  if (answer.verdict === 'named') return `${title(data, answer.effect)}: ${answer.parameter.name} ${strengthText(answer.parameter)}`;
+  if (answer.verdict === 'class') return `One of: ${answer.class.map((effect) => title(data, effect)).join(', ')}`;
+  return answer.verdict === 'unknown' ? 'There is a gap, and its cause is not known' : 'No gap that these data can show';
+}
+
+/// The places that disagree most, one a phase and channel.
+function clearest(data, count = 3) {
+  if (data.answer.verdict !== 'unknown' || !data.cells) return null;
+  const cells = data.cells.filter((c) => c.p_adjusted !== undefined).sort((a, b) => Math.abs(b.z) - Math.abs(a.z));
+  const places = new Set(cells.map((c) => `${channelName(c.channel)[0]} in ${c.phase}`));
+  return ` It is clearest in ${[...places].slice(0, count).join(', ')}.`;
+}
+
+function second(data) {
+  const { second: other } = data.answer;
+  if (!other) return null;
+  if (other.verdict !== 'named') return h('p', 'Something else is left that has no name yet.');
+  return h('p', 'A second effect shows: ', h('b', title(data, other.effect)),
+    `, ${other.parameter.name} ${strengthText(other.parameter)}, probability ${percent(other.probability, 1)}.`);
+}
+
+/// [name, value, what it is between]
+function figures(data) {
+  const { answer, passes, closures } = data;
+  const { gap } = answer;
+  const rows = [
+    ['probability', percent(answer.probability, 1), 'of this verdict'],
+    ['omnibus p', pValue(answer.omnibus_p), 'that noise alone makes such a gap'],
+    passes && ['passes', `${passes.training.length} + ${passes.holdout.length}`,
+      `to search, and held out; of ${answer.trucks} truck${answer.trucks === 1 ? '' : 's'} each`],
+  ];
+  if (answer.verdict === 'named') {
+    rows.push(data.stability !== undefined && ['leads again', percent(data.stability), 'in data drawn anew'],
+      ['gap closed, searched', ...share(gap.closure, gap.closure_interval90)],
+      ['gap closed, held out', ...share(gap.holdout_closure, gap.holdout_interval90)],
+      closures?.holdout && ['by chance, held out', `p ${pValue(gap.holdout_p)}`]);
+  }
+  return rows.filter(Boolean);
+}
+
+function share(value, interval) {
+  return value === null ? ['–', 'no gap there'] : [percent(value), `${percent(interval[0])} to ${percent(interval[1])}, 90 %`];
+}
