@@ -118,7 +118,7 @@ def main(words=None):
     write_json(answer, out_folder / "gap.json")
     if out.effects:
         write_patched_case(args.case, out.effects, out_folder / "case")
-    write_report(out, answer, catalogue, program(), out_folder / "report.html", args.case.resolve().name)
+    write_report(out, answer, catalogue, out_folder / "report.html", args.case.resolve().name)
     say(f"gap: {out_folder / 'report.html'}, {out_folder / 'gap.json'}"
         + (f", {out_folder / 'case'}" if out.effects else ""))
     return 0

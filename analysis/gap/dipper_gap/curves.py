@@ -39,12 +39,12 @@ def curves(measured, before, after, numbers, held, share):
         return []
     out = []
     trucks = measured.trucks()
-    for number in numbers:
-        mine = _pass(trucks[0], number)
-        time = trucks[0].time_s
+    time, driven = trucks[0].time_s, [trucks[0].signals[name] for name in ("crowd_m", "swing_rad")]
+    passes = [_pass(trucks[0], number) for number in numbers]
+    found = find_phases(time, *driven, [(p.t_start_s, p.t_end_s) for p in passes])
+    for number, mine, phases in zip(numbers, passes, found):
         t = time[(time >= mine.t_start_s) & (time <= mine.t_end_s)] - mine.t_start_s
-        phases = {name: (a - mine.t_start_s, b - mine.t_start_s) for name, (a, b) in find_phases(
-            time, *(trucks[0].signals[s] for s in ("crowd_m", "swing_rad")), mine.t_start_s, mine.t_end_s).items()}
+        phases = {name: (a - mine.t_start_s, b - mine.t_start_s) for name, (a, b) in phases.items()}
         for channel in measured.responses():
             seen = np.mean([_read(m, number, channel, t) for m in trucks], axis=0)
             runs = np.array([_read(m, number, channel, t) for m in before])

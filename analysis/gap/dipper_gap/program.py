@@ -20,6 +20,11 @@ def program():
 
 def ask(*words, given=None):
     """The JSON that `dipper WORDS` writes, to whom `given` is written as JSON."""
+    return json.loads(tell(*words, given=given))
+
+
+def tell(*words, given=None):
+    """What `dipper WORDS` prints, to whom `given` is written as JSON."""
     try:
         made = subprocess.run([program(), *map(str, words)], input=None if given is None else json.dumps(given),
                               capture_output=True, text=True)
@@ -27,4 +32,4 @@ def ask(*words, given=None):
         raise ProgramFailed(f"{program()}: {e.strerror}; build it, or set DIPPER to it") from e
     if made.returncode != 0:
         raise ProgramFailed(made.stderr.strip())
-    return json.loads(made.stdout)
+    return made.stdout

@@ -1,6 +1,4 @@
 """What the page of an analysis shows, as JSON; analysis/report/web draws it (docs/report.md)."""
-import json
-import subprocess
 from dataclasses import asdict
 
 import numpy as np
@@ -10,17 +8,15 @@ from .isolability import CONFUSABLE
 from .match import strength
 from .measured import KNOWN
 from .phases import PHASES
+from .program import tell
 
 CELL_P = 0.05     # adjusted p up to which a cell of the heat map is framed
 DIGITS = 5        # of a number on the page
 
 
-def write_report(out, answer, catalogue, program, file, case_name):
-    """The page, written by `dipper page`; raises RuntimeError with what it says when it cannot."""
-    made = subprocess.run([program, "page", str(file)], input=json.dumps(page(out, answer, catalogue, case_name)),
-                          capture_output=True, text=True)
-    if made.returncode:
-        raise RuntimeError(made.stderr.strip())
+def write_report(out, answer, catalogue, file, case_name):
+    """The page, written by `dipper page`; raises ProgramFailed with what it says when it cannot."""
+    tell("page", file, given=page(out, answer, catalogue, case_name))
 
 
 def page(out, answer, catalogue, case_name):

@@ -47,7 +47,7 @@ class Analysis(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="dipper-gap-page-")
         cls.addClassCleanup(folder.cleanup)
         cls.file = pathlib.Path(folder.name) / "report.html"
-        write_report(out, cls.answer, catalogue, os.environ["DIPPER"], cls.file, "synthetic <b>")
+        write_report(out, cls.answer, catalogue, cls.file, "synthetic <b>")
         cls.browser = Browser()
         cls.addClassCleanup(cls.browser.__exit__)
         cls.browser.open(cls.file)
