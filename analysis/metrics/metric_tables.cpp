@@ -104,9 +104,14 @@ json passes_table(const run::RunFolder& run, const std::vector<PassFacts>& passe
     json row = {{"pass", p.pass},         {"t_start_s", p.t_start_s}, {"t_dig_s", p.t_dig_s},
                 {"t_dump_s", p.t_dump_s}, {"t_end_s", p.t_end_s},     {"payload_kg", p.payload_kg},
                 {"truck_kg", p.truck_kg}};
-    if (struck_m3 > 0 && run.bulk_density_kg_m3 > 0)
-      row["fill_factor"] = p.payload_kg / (struck_m3 * run.bulk_density_kg_m3);
+    // As dense as the load is found to be; the case's figure is of its pile at rest.
+    const bool measured = f.load_volume_m3 > 0 && f.load_in_volume_kg > 0;
+    const double bulk_density_kg_m3 =
+        measured ? f.load_in_volume_kg / f.load_volume_m3 : run.bulk_density_kg_m3;
+    if (struck_m3 > 0 && bulk_density_kg_m3 > 0)
+      row["fill_factor"] = p.payload_kg / (struck_m3 * bulk_density_kg_m3);
     row["dig_force_mean_N"] = p.dig_force_mean_N;
+    if (f.dig_phases_force_mean_N) row["dig_phases_force_mean_N"] = *f.dig_phases_force_mean_N;
     row["dig_force_peak_N"] = p.dig_force_peak_N;
     row["dig_work_J"] = dig_work_J(run, f);
     row["lifted_kg"] = f.fate.lifted_kg;

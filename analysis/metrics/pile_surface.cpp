@@ -9,6 +9,7 @@ namespace {
 
 using Visit = std::function<void(const Vector3d&, double)>;
 constexpr std::size_t kMany = 300'000;
+constexpr double kMostColumns = 4e6;
 
 void for_each_sphere(const io::DumpFrame& frame, const Visit& visit) {
   io::DumpReader::read(frame, {"x", "y", "z", "radius"}, [&](const io::ParticleChunk& c) {
@@ -20,8 +21,9 @@ void for_each_sphere(const io::DumpFrame& frame, const Visit& visit) {
 /// The highest top in each column of a coarse grid, to leave out what lies deep below.
 class Tops {
  public:
-  Tops(const Footprint& f, double cell) : min_(f.min), cell_(cell) {
-    n_ = ((f.max - f.min) / cell).array().ceil().cast<int>() + 1;
+  Tops(const Footprint& f, double cell)
+      : min_(f.min), cell_(std::max(cell, std::sqrt((f.max - f.min).prod() / kMostColumns))) {
+    n_ = ((f.max - f.min) / cell_).array().ceil().cast<int>() + 1;
     top_.assign(static_cast<std::size_t>(n_.x()) * static_cast<std::size_t>(n_.y()), -1e300);
   }
   double& of(const Vector3d& p) {

@@ -9,9 +9,9 @@
 namespace dipper::analysis::rock {
 
 /// What lies inside the region and under the load's upper surface, seen along gravity [m3]: in
-/// columns of side `cell_m` along `up`, from the region's bottom to the top of the highest ball
-/// over the column's middle. Columns without a ball count nothing. Balls and `up` (a unit vector)
-/// are in the region's frame.
+/// columns of side `cell_m` (more where those were above 4 million) along `up`, from the region's
+/// bottom to the top of the highest ball over the column's middle. Columns without a ball count
+/// nothing. Balls and `up` (a unit vector) are in the region's frame.
 double load_volume(const std::vector<Ball>& balls, const Eigen::Vector3d& up, const Region& region,
                    double cell_m);
 

@@ -44,7 +44,8 @@ SurfaceProfile surface_profile(const std::vector<Ball>& balls, const SurfaceOpti
   const Extent e = extent(balls);
   double cell = options.cell_m > 0 ? options.cell_m : e.smallest_m / 4;
   const double area = (e.x1 - e.x0) * std::max(e.y1 - e.y0, cell);
-  cell = std::max(cell, std::sqrt(area / static_cast<double>(kMostColumns)));
+  cell = std::max({cell, std::sqrt(area / static_cast<double>(kMostColumns)),
+                   (e.x1 - e.x0) / static_cast<double>(kMostColumns)});
   const double step = std::max(cell, options.step_m > 0 ? options.step_m : e.smallest_m / 2);
 
   // Columns at the middles of cells; one row of them for a bed that is one ball wide.

@@ -34,11 +34,14 @@ json json_of(const fs::path& file) {
   return j;
 }
 
-/// The regions the rock side has weighed in, as it was told.
-void read_scales(const fs::path& file, rock::Places& places) {
-  const json settings = json_of(file);
+/// The regions the rock side has weighed in, as it was told. dem.json has them too, but beside the
+/// run's secret: its owner alone reads it.
+void read_scales(const fs::path& logs, rock::Places& places) {
+  const bool apart = fs::exists(logs / "scales.json");
+  const fs::path file = logs / (apart ? "scales.json" : "dem.json");
+  const json told = json_of(file);
   try {
-    for (const json& s : settings.at("settings").at("scales")) {
+    for (const json& s : apart ? told.at("scales") : told.at("settings").at("scales")) {
       const rock::Region region{vector_from(s.at("min_m")), vector_from(s.at("max_m"))};
       if (s.at("name") == "mass_in_dipper") places.dipper = region;
       if (s.at("name") != "mass_in_truck") continue;
@@ -64,6 +67,25 @@ std::map<std::string, std::string> deck_variables(const fs::path& file) {
   return values;
 }
 
+/// An STL file; throws InputError, in place of StlError.
+mesh::TriangleMesh read_mesh(const fs::path& file) {
+  try {
+    return mesh::read_stl(file);
+  } catch (const mesh::StlError& e) {
+    throw io::input_error(file, e.line, e.message);
+  }
+}
+
+/// What a report takes from summary.json has to be what a run writes.
+json read_summary(const fs::path& file) {
+  json summary = json_of(file);
+  const json number = 0.0;
+  if (!summary.value("status", json()).is_string() ||
+      !summary.value("cpu_s_per_sim_s", number).is_number())
+    throw io::input_error(file, 0, "status is a text and cpu_s_per_sim_s a number");
+  return summary;
+}
+
 /// A wall's mesh in its own frame from its first dump, for a run whose STL files are elsewhere.
 mesh::TriangleMesh from_dump(const fs::path& file, const Pose& X_WB) {
   mesh::TriangleMesh mesh = io::read_wall_dump(io::index_vtk(file)).mesh;
@@ -78,7 +100,7 @@ void read_meshes(RunFolder& run, const fs::path& deck) {
     const fs::path file = at == variables.end() ? fs::path() : fs::path(at->second);
     if (!file.empty() && fs::exists(file)) {
       run.mesh_files[name] = file;
-      run.meshes[name] = mesh::read_stl(file);
+      run.meshes[name] = read_mesh(file);
       continue;
     }
     const fs::path dump = run.folder / "dumps" / (std::string(name) + "_0.vtk");
@@ -141,16 +163,20 @@ RunFolder read_run_folder(const fs::path& folder) {
   for (std::string line; std::getline(lines, line);)
     if (const auto equals = line.find('='); equals != std::string::npos)
       run.case_values[line.substr(0, equals)] = line.substr(equals + 1);
-  if (fs::exists(folder / "summary.json")) run.summary = json_of(folder / "summary.json");
+  if (fs::exists(folder / "summary.json")) run.summary = read_summary(folder / "summary.json");
   const fs::path record = folder / "record.h5";
   run.signals = read_signals(record);
-  run.case_hash = record::read_attribute(record, "case_hash");
-  run.version = record::read_attribute(record, "version");
-  run.rock_version = record::read_attribute(record, "rock_version");
-  run.machine_version = record::read_attribute(record, "machine_version");
+  try {
+    run.case_hash = record::read_attribute(record, "case_hash");
+    run.version = record::read_attribute(record, "version");
+    run.rock_version = record::read_attribute(record, "rock_version");
+    run.machine_version = record::read_attribute(record, "machine_version");
+  } catch (const std::runtime_error& e) {
+    throw io::input_error(record, 0, e.what());
+  }
   run.dipper = run.signals.walls.at("dipper");
   run.bulk_density_kg_m3 = run.number("rock.bulk_density_kg_m3");
-  read_scales(folder / "logs" / "dem.json", run.places);
+  read_scales(folder / "logs", run.places);
   run.clumps = rock::read_clump_masses(folder / "deck" / "rocks.in");
   read_meshes(run, folder / "deck" / "case.in");
   if (run.meshes.count("dipper") != 0) run.vessel = vessel_of(run);
@@ -159,12 +185,7 @@ RunFolder read_run_folder(const fs::path& folder) {
 }
 
 mesh::TriangleMesh read_sound_mesh(const fs::path& file) {
-  mesh::TriangleMesh mesh;
-  try {
-    mesh = mesh::read_stl(file);
-  } catch (const mesh::StlError& e) {
-    throw io::input_error(file, e.line, e.message);
-  }
+  mesh::TriangleMesh mesh = read_mesh(file);
   if (const auto faults = mesh::check_mesh(mesh); !faults.empty())
     throw io::input_error(
         file, 0,

@@ -10,6 +10,7 @@ namespace {
 constexpr double kDoorOpen_rad = 0.02;    // about 1 degree: more than a drive's ripple
 constexpr double kFirstContact_N = 20e3;  // the weight of a 2 t rock: more than a stray stone
 constexpr double kPayloadWindow_s = 1.0;
+constexpr double kStray_kg = 2000;  // of that rock: less than it is no load
 
 Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::size_t end) {
   Pass p;
@@ -53,16 +54,20 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     while (dump + 1 < n && !open(dump)) ++dump;
     std::size_t end = dump;
     while (end + 1 < n && open(end)) ++end;
-    // What follows the last dump without any digging is the way home, not a pass.
+    passes.push_back(measure(s, begin, dump, end));
+    passes.back().pass = static_cast<int>(passes.size());
+    // What follows the last dump is the way home, not a pass, when it never dug, or has touched
+    // rock but neither holds a load nor opened the door.
+    const Pass& last = passes.back();
     const double* force_N = s.dipper_force_N.data();
     const bool dug = std::any_of(force_N + begin, force_N + dump + 1,
                                  [](double f) { return f >= kFirstContact_N; });
-    if (!dug && !passes.empty() && end + 1 >= n) {
-      passes.back().truck_kg += s.truck_mass_kg[end] - s.truck_mass_kg[begin];
+    const bool empty = last.payload_kg < kStray_kg && std::abs(last.truck_kg) < kStray_kg;
+    if (passes.size() > 1 && end + 1 >= n && (!dug || (empty && !open(dump)))) {
+      passes[passes.size() - 2].truck_kg += last.truck_kg;
+      passes.pop_back();
       break;
     }
-    passes.push_back(measure(s, begin, dump, end));
-    passes.back().pass = static_cast<int>(passes.size());
     begin = end;
   }
   return passes;

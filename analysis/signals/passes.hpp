@@ -29,7 +29,9 @@ struct Pass {
 };
 
 /// One pass for every time the door opens; a run that ends before a dump has its last pass open,
-/// with t_dump_s = t_end_s. Throws std::invalid_argument when lengths differ.
+/// with t_dump_s = t_end_s. The way home after the last dump is no pass, also where the dipper
+/// comes to rest on rock: without a load, and without the door opening again. Throws
+/// std::invalid_argument when lengths differ.
 std::vector<Pass> find_passes(const PassSignals& s);
 
 }  // namespace dipper::analysis::signals

@@ -201,6 +201,7 @@ int command_line(int argc, char** argv) {
   auto* report = app.add_subcommand("report", "metrics, tables and the page of a run, or of dumps");
   report->add_option("DIR", report_words.folder, "a run's folder, or one with dumps of LIGGGHTS")
       ->required();
+  report->add_option("--out", report_words.out, "the report's folder (default: DIR/report)");
   report->add_option("--timestep", report_words.timestep_s, "of the DEM [s], when no file tells it")
       ->check(CLI::PositiveNumber);
   report->add_option("--mesh", report_words.mesh, "the dipper's STL, for dumps without a record");

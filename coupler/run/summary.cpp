@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/signals/passes.hpp"
+#include "analysis/signals/pass_phases.hpp"
 #include "common/record/record.hpp"
 #include "common/version.hpp"
 
@@ -28,17 +28,25 @@ nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path&
   using json = nlohmann::ordered_json;
   const analysis::signals::PassSignals signals = read_pass_signals(record);
   json passes = json::array();
-  for (const auto& p : analysis::signals::find_passes(signals)) {
-    passes.push_back({{"pass", p.pass},
-                      {"t_start_s", p.t_start_s},
-                      {"t_dig_s", p.t_dig_s},
-                      {"t_dump_s", p.t_dump_s},
-                      {"t_end_s", p.t_end_s},
-                      {"payload_kg", p.payload_kg},
-                      {"truck_kg", p.truck_kg},
-                      {"fill_factor", p.payload_kg / (f.bulk_density_kg_m3 * f.struck_volume_m3)},
-                      {"dig_force_mean_N", p.dig_force_mean_N},
-                      {"dig_force_peak_N", p.dig_force_peak_N}});
+  analysis::signals::DriveSignals drive;
+  drive.time_s = signals.time_s;
+  drive.crowd_m = record::read_channel(record, "machine/crowd");
+  drive.swing_rad = record::read_channel(record, "machine/swing");
+  for (const auto& found : analysis::signals::find_pass_phases(signals, drive)) {
+    const auto& p = found.pass;
+    json row = {{"pass", p.pass},
+                {"t_start_s", p.t_start_s},
+                {"t_dig_s", p.t_dig_s},
+                {"t_dump_s", p.t_dump_s},
+                {"t_end_s", p.t_end_s},
+                {"payload_kg", p.payload_kg},
+                {"truck_kg", p.truck_kg},
+                {"fill_factor", p.payload_kg / (f.bulk_density_kg_m3 * f.struck_volume_m3)},
+                {"dig_force_mean_N", p.dig_force_mean_N},
+                {"dig_force_peak_N", p.dig_force_peak_N}};
+    if (found.dig_phases_force_mean_N)
+      row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
+    passes.push_back(row);
   }
   const double sim_s = signals.time_s.empty() ? 0.0 : signals.time_s.back();
   const double cpu_s = f.dem_cpu_s + f.mbs_cpu_s;

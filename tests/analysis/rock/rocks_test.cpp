@@ -84,5 +84,20 @@ TEST(Rocks, WhatIsMissingIsToldWithFileAndLine) {
       HasSubstr("d.in:1: mass 'x' is not a mass"));
 }
 
+TEST(Rocks, WhatNoRockIsLikeIsRefusedWithItsParticle) {
+  const Scratch s;
+  const auto message = [&](const std::string& row) {
+    return message_of([&] { rocks_of(s, kColumns, row, 1, {}); });
+  };
+  EXPECT_EQ(message("6 1 -1 1 2 3 0.5 0 0 0.1 3000\n"), "");
+  for (const auto& [row, what] : {std::pair{"6 1 -1 1 2 3 0.5 0 0 1e5 3000\n", "radius 100000"},
+                                  {"6 1 -1 1 2 3 0.5 0 0 0.1 1e30\n", "density 1e+30"},
+                                  {"6 1 -1 1 2 3e7 0.5 0 0 0.1 3000\n", "position 3e+07"},
+                                  {"6 1 -1 1 2 3 0.5 0 -1e99 0.1 3000\n", "velocity 1e+99"},
+                                  {"6 1 1e20 1 2 3 0.5 0 0 0.1 3000\n", "id_multisphere 1e+20"},
+                                  {"6 -4 -1 1 2 3 0.5 0 0 0.1 3000\n", "type -4"}})
+    EXPECT_THAT(message(row), HasSubstr(std::string("rocks_5.dump:9: particle 6 has ") + what));
+}
+
 }  // namespace
 }  // namespace dipper::analysis::rock

@@ -60,6 +60,40 @@ TEST(Passes, ARunThatEndsBeforeTheDumpHasAnOpenPass) {
   EXPECT_NEAR(passes[0].truck_kg, 0, 1e-9);
 }
 
+/// As two_passes(), and 5 s more with the door shut: the dipper comes home.
+PassSignals with_way_home(double contact_N, double inside_kg) {
+  PassSignals s = two_passes();
+  for (int i = 1; i <= 50; ++i) {
+    s.time_s.push_back(40 + 0.1 * i);
+    s.door_rad.push_back(0);
+    s.dipper_force_N.push_back(i > 30 ? contact_N : 0);
+    s.hoist_force_N.push_back(0.5e6);
+    s.crowd_force_N.push_back(0.1e6);
+    s.dipper_mass_kg.push_back(i > 30 ? inside_kg : 0);
+    s.truck_mass_kg.push_back(150e3);
+  }
+  return s;
+}
+
+TEST(Passes, TheWayHomeIsNoPassEvenWhereTheDipperRestsOnRock) {
+  EXPECT_EQ(find_passes(with_way_home(0, 0)).size(), 2u);
+  EXPECT_EQ(find_passes(with_way_home(50e3, 0)).size(), 2u);
+  EXPECT_EQ(find_passes(with_way_home(50e3, 500)).size(), 2u);
+  EXPECT_NEAR(find_passes(with_way_home(50e3, 0))[1].truck_kg, 70e3, 1e-6);
+}
+
+TEST(Passes, AThirdPassThatTheRunEndsInIsOne) {
+  const auto passes = find_passes(with_way_home(1e6, 20e3));
+  ASSERT_EQ(passes.size(), 3u);
+  EXPECT_NEAR(passes[2].t_dig_s, 43.1, 1e-9);
+}
+
+TEST(Passes, ADigThatBroughtNothingIsAPassWhenTheDoorOpened) {
+  PassSignals s = with_way_home(50e3, 0);
+  s.door_rad.back() = 1;
+  EXPECT_EQ(find_passes(s).size(), 3u);
+}
+
 TEST(Passes, SignalsOfDifferentLengthsAreRefused) {
   PassSignals s = two_passes();
   s.door_rad.pop_back();

@@ -122,5 +122,27 @@ TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
   EXPECT_THAT(refused(s, plain), HasSubstr("the time step is not known"));
 }
 
+TEST(ReportCommand, WritesWhereItIsTold) {
+  const analysis::Scratch s;
+  write_dumps(s);
+  ReportWords w = words(s);
+  w.out = (s.folder() / "elsewhere").string();
+  EXPECT_EQ(report_command(w), 0);
+  EXPECT_TRUE(fs::exists(s.folder() / "elsewhere/metrics.json"));
+  EXPECT_FALSE(fs::exists(s.folder() / "post/report"));
+  w.out = (s.folder() / "no/such/report").string();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(report_command(w), 2);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("no/such: cannot be written into"));
+}
+
+TEST(ReportCommand, AFileBesideTheDumpsThatMayNotBeReadIsLeftAlone) {
+  const analysis::Scratch s;
+  write_dumps(s);
+  fs::permissions(s.write("post/events", "secret"), fs::perms::none);
+  s.write("post/README", "no extension either");
+  EXPECT_EQ(report_command(words(s)), 0);
+}
+
 }  // namespace
 }  // namespace dipper::cli
