@@ -13,7 +13,7 @@ class AMovedTree(InstallationTest):
         super().setUpClass()
         first = cls.folder / "first"
         subprocess.run(["cmake", "--install", BUILD, "--prefix", first], check=True, stdout=subprocess.DEVNULL)
-        cls.prefix = first.rename(cls.folder / "moved")
+        cls.prefix = first.rename(cls.folder / "moved tree")
         cls.dipper = cls.prefix / "bin/dipper"
 
     def test_has_no_source_path_compiled_in(self):
