@@ -129,14 +129,25 @@ Effect read_effect(const fs::path& file, std::vector<Finding>& findings) {
       read.fault(*kind, "kind", fmt::format("is '{}'; write rock, machine or observation", e.kind));
     }
   }
+  if (const YamlTree* signature = root.find("signature")) e.signature = signature->scalar;
+  if (YamlTree* nuisance = root.find("nuisance")) {
+    e.nuisance = nuisance->scalar == "true";
+    if (!e.nuisance && nuisance->scalar != "false") {
+      read.fault(*nuisance, "nuisance",
+                 fmt::format("is '{}'; write true or false", nuisance->scalar));
+    }
+  }
   if (YamlTree* p = read.need(root, "parameter", "{name, unit, low, high, scale, source}")) {
     read.only(*p, "parameter.", {"name", "unit", "low", "high", "scale", "source"});
     e.parameter = read.text(*p, "name", "the parameter's name");
     e.unit = read.text(*p, "unit", "its unit, or -");
     e.low = read.number(*p, "low", "the lowest strength");
     e.high = read.number(*p, "high", "the highest strength");
-    read.number(*p, "scale", "the prior's standard deviation, in the unit");
-    read.text(*p, "source", "where bounds and prior come from");
+    e.scale = read.number(*p, "scale", "the prior's standard deviation, in the unit");
+    e.source = read.text(*p, "source", "where bounds and prior come from");
+    if (p->find("scale") != nullptr && !(e.scale > 0)) {
+      read.fault(*p, "parameter.scale", fmt::format("is {:g}; write a number above 0", e.scale));
+    }
     if (e.low > 0 || e.high < 0 || e.low >= e.high) {
       read.fault(*p, "parameter", "low ... high must hold 0, which is off");
     }

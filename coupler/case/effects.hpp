@@ -25,9 +25,13 @@ struct KeyChange {
 struct Effect {
   std::string name;
   std::string title;
-  std::string kind;  ///< "rock", "machine" or "observation": what has to be run again for it
+  std::string kind;       ///< "rock", "machine" or "observation": what has to be run again for it
+  std::string signature;  ///< what it would show in a mine's data, in words
   std::string parameter, unit;
   double low = 0, high = 0;  ///< bounds of the strength; 0, between them, is off
+  double scale = 0;          ///< prior: normal about 0 with this standard deviation
+  std::string source;        ///< of bounds and scale
+  bool nuisance = false;     ///< allowed within its prior, never named
   std::vector<KeyChange> changes;
 };
 

@@ -10,6 +10,7 @@
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_command.hpp"
 #include "coupler/cli/calibrate_command.hpp"
+#include "coupler/cli/effects_command.hpp"
 #include "coupler/cli/gap_command.hpp"
 #include "coupler/cli/page_command.hpp"
 #include "coupler/cli/phases_command.hpp"
@@ -197,6 +198,8 @@ int command_line(int argc, char** argv) {
   auto* phases = app.add_subcommand("phases", "passes and phases as JSON");
   phases->add_option("DIR", words.folder, "a run's folder, or - for readings on standard input")
       ->required();
+  auto* effects = app.add_subcommand("effects", "the effects a case can take, as JSON");
+  effects->add_option("CASE", words.folder, "a folder with a case.yaml")->required();
   ReportWords report_words;
   auto* report = app.add_subcommand("report", "metrics, tables and the page of a run, or of dumps");
   report->add_option("DIR", report_words.folder, "a run's folder, or one with dumps of LIGGGHTS")
@@ -222,6 +225,7 @@ int command_line(int argc, char** argv) {
     if (*report) return report_command(report_words);
     if (*page) return page_command(page_file);
     if (*phases) return phases_command(words.folder, std::cin, std::cout);
+    if (*effects) return effects_command(words.folder, std::cout);
     if (*observe) return observe_command(words);
     return run_command(words);
   } catch (const CLI::ParseError& e) {

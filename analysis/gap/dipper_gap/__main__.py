@@ -21,7 +21,7 @@ from .measured import read_measured
 from .model import NEED_PASSES
 from .motion import compare_motion, read_motion
 from .patch import write_patched_case
-from .program import ROOT, ProgramFailed, program
+from .program import ProgramFailed, program
 from .report import write_report
 from .simulator import JOBS, DipperSimulator, RunFailed, check
 from .workflow import analyse
@@ -87,7 +87,7 @@ def main(words=None):
         return 2
     try:
         data = read_case(args.case)
-        catalogue = read_catalogue(ROOT / "analysis/effects", args.case / "effects")
+        catalogue = read_catalogue(args.case)
         measured = read_measured(args.measured, NEED_PASSES)
         for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
             say(f"gap: {question}")

@@ -11,10 +11,12 @@ import pytest
 
 import synthetic
 from dipper_gap.measured import write_measured
+from dipper_gap.program import program
 
 ANALYSIS = Path(__file__).resolve().parents[3] / "analysis/gap"
 SLOW = """#!/usr/bin/python3
-import pathlib, sys, time
+import os, pathlib, sys, time
+if sys.argv[1] == "effects": os.execv("REAL", sys.argv)
 if sys.argv[1] == "run":
     folder = pathlib.Path(__file__).parent / "started"
     folder.mkdir(exist_ok=True)
@@ -26,9 +28,9 @@ if sys.argv[1] == "run":
 
 @pytest.fixture
 def words(tmp_path):
-    program = tmp_path / "dipper"
-    program.write_text(SLOW)
-    program.chmod(0o755)
+    slow = tmp_path / "dipper"
+    slow.write_text(SLOW.replace("REAL", program()))
+    slow.chmod(0o755)
     (tmp_path / "case").mkdir()
     (tmp_path / "case" / "case.yaml").write_text("seed: 1\nmachine: {motion: motion.csv}\n")
     shutil.copy(synthetic.ROOT / "cases/aitik/motion.csv", tmp_path / "case")

@@ -58,12 +58,12 @@ def world(tmp_path):
     case.mkdir(parents=True)
     (tmp_path / "cases" / "rock.stl").write_text("solid")
     (case / "case.yaml").write_text("# a comment\nseed: 1\nrock:\n  mesh: ../rock.stl  # kept\n")
-    effects = tmp_path / "effects"
-    effects.mkdir()
+    effects = tmp_path / "told" / "effects"
+    effects.mkdir(parents=True)
     (effects / "fines.yaml").write_text(FINES)
     (effects / "scale_gain.yaml").write_text(GAIN)
     (effects / "crowd_friction.yaml").write_text(FRICTION)
-    catalogue = read_catalogue(effects)
+    catalogue = {n: e for n, e in read_catalogue(tmp_path / "told").items() if (effects / f"{n}.yaml").exists()}
 
     def simulator():
         return DipperSimulator(case, catalogue, program, tmp_path / "cache")
@@ -188,12 +188,13 @@ def test_the_patched_case_takes_the_cases_own_effect_along(world):
     (case / "effects" / "other.yaml").write_text(FINES)
     out = write_patched_case(case, {"mine": 0.1, "fines": 0.2}, folder / "out" / "case")
     assert [f.name for f in (out / "effects").iterdir()] == ["mine.yaml"]
-    assert read_catalogue(out / "effects")["mine"].title == "Fines"
+    assert read_catalogue(out)["mine"].title == "Fines"
 
 
 def test_a_bad_effect_file_is_told_whole(tmp_path):
-    (tmp_path / "x.yaml").write_text(FINES.replace("rock\n", "magic\n").replace("high: 0.4", "high: -1")
-                                     .replace("title: Fines\n", ""))
+    (tmp_path / "effects").mkdir()
+    (tmp_path / "effects" / "x.yaml").write_text(FINES.replace("rock\n", "magic\n").replace("high: 0.4", "high: -1")
+                                                 .replace("title: Fines\n", ""))
     with pytest.raises(BadInput) as e:
         read_catalogue(tmp_path)
     assert len(e.value.findings) == 3
@@ -201,7 +202,8 @@ def test_a_bad_effect_file_is_told_whole(tmp_path):
 
 def test_every_effect_of_the_catalogue_is_read():
     import synthetic
-    catalogue = read_catalogue(synthetic.ROOT / "analysis/effects")
+    catalogue = read_catalogue(synthetic.ROOT / "cases/screening")
+    assert len(catalogue) >= 20
     for e in catalogue.values():
         for same_rock in (False, True):
             low, high = sorted(e.strengths(same_rock))

@@ -132,7 +132,7 @@ class OneOfYourOwn(RunTest):
 
         sys.path.insert(0, str(ROOT / "analysis/gap"))
         from dipper_gap.effects import read_catalogue
-        self.assertIn(file[2], read_catalogue(ROOT / "analysis/effects", case / "effects"))
+        self.assertIn(file[2], read_catalogue(case))
 
 
 if __name__ == "__main__":

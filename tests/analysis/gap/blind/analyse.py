@@ -42,7 +42,7 @@ def simulator(catalogue):
 
 def prepared(runs):
     """What is known of mines of TRUCKS trucks, one of which is made of these seeds: (Model, its mine, Runner)."""
-    catalogue = read_catalogue(ROOT / "analysis/effects")
+    catalogue = read_catalogue(CASE)
     runner = Runner(simulator(catalogue), catalogue, lambda text: None)
     mine = as_mine(runner.run({}, runs), np.random.default_rng(0))
     plan = make_plan(catalogue, TRUCKS, 1)

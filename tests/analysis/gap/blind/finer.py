@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import spearmanr
 
-from analyse import program, read_catalogue, ROOT, simulator
+from analyse import CASE, program, read_catalogue, simulator
 from dipper_gap.features import TIME
 from dipper_gap.measured import read_measured
 from dipper_gap.simulator import request
@@ -38,7 +38,7 @@ def main(words):
         print(__doc__, file=sys.stderr)
         return 2
     bases = sorted(Path(words[0]).glob("base-*/run"))[:int(words[1]) if len(words) == 2 else 3]
-    catalogue = read_catalogue(ROOT / "analysis/effects")
+    catalogue = read_catalogue(CASE)
     sim = simulator(catalogue)
     seeds = range(1, 1 + len(bases))
     plain = sim.run([request({}, s, catalogue) for s in seeds])

@@ -164,7 +164,7 @@ def main(words):
     limits = json.loads(Path(words[3]).read_text())
     program = os.environ.get("DIPPER", str(twin.ROOT / "build/release/bin/dipper"))
     bases = rng_of(secret, "bases").integers(5000, 10**6, BASES)
-    todo = plans(read_catalogue(twin.ROOT / "analysis/effects"), limits, bases, rng_of(secret, "plans"))
+    todo = plans(read_catalogue(twin.SCREENING), limits, bases, rng_of(secret, "plans"))
     asked = {(p.plain or f"{i}", s): (p, s) for i, p in enumerate(todo) for s in p.seeds}  # a base's run once
     with ThreadPoolExecutor(JOBS) as pool:
         list(pool.map(lambda ps: run_of(*ps, work, program), asked.values()))

@@ -1,0 +1,52 @@
+#include "coupler/cli/effects_command.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <vector>
+
+#include "coupler/case/effects.hpp"
+
+namespace dipper::cli {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+const char* word(cases::KeyChange::How how) {
+  switch (how) {
+    case cases::KeyChange::How::add:
+      return "add";
+    case cases::KeyChange::How::scale:
+      return "scale";
+    default:
+      return "set";
+  }
+}
+
+json to_json(const cases::Effect& e) {
+  json overlay = json::array();
+  for (const cases::KeyChange& change : e.changes)
+    overlay.push_back({{"key", change.key}, {"how", word(change.how)}, {"factor", change.factor}});
+  json parameter = {{"name", e.parameter}, {"unit", e.unit},   {"low", e.low},
+                    {"high", e.high},      {"scale", e.scale}, {"source", e.source}};
+  return {{"name", e.name},           {"title", e.title},       {"kind", e.kind},
+          {"signature", e.signature}, {"nuisance", e.nuisance}, {"parameter", parameter},
+          {"overlay", overlay}};
+}
+
+}  // namespace
+
+int effects_command(const std::filesystem::path& case_folder, std::ostream& out) {
+  std::vector<cases::Finding> findings;
+  json effects = json::array();
+  for (const std::string& name : cases::effect_names(case_folder))
+    effects.push_back(to_json(cases::read_effect(cases::effect_file(case_folder, name), findings)));
+  for (const cases::Finding& finding : findings)
+    fmt::print(stderr, "{}\n", cases::to_string(finding));
+  if (!findings.empty()) return 2;
+  out << json{{"effects", effects}}.dump() << '\n';
+  return 0;
+}
+
+}  // namespace dipper::cli
