@@ -100,7 +100,7 @@ double flood(const CellGrid& grid, const Vector3d& up, double cell, mesh::Boundi
   using Entry = std::pair<double, std::size_t>;  // level, cell
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   std::vector<char> seen(grid.size(), 0);
-  const Index n = grid.n();
+  const Index& n = grid.n();
   for (std::size_t c = 0; c < grid.size(); ++c) {
     const Index i = grid.index(c);
     if ((i.array() > 0).all() && (i.array() < n.array() - 1).all()) continue;

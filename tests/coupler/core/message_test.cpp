@@ -35,8 +35,8 @@ TEST(RequireSound, RefusesARotationThatIsNone) {
   TargetMotion t;
   t.bodies.resize(1);
   t.bodies[0].X_WB.R = Quaterniond(0.5, 0, 0, 0);
-  EXPECT_THAT(complaint({{}, t}),
-              AllOf(HasSubstr("pose"), HasSubstr("'dipper'"), HasSubstr("length 0.5 in place of 1")));
+  EXPECT_THAT(complaint({{}, t}), AllOf(HasSubstr("pose"), HasSubstr("'dipper'"),
+                                        HasSubstr("length 0.5 in place of 1")));
 }
 
 }  // namespace
