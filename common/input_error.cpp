@@ -1,11 +1,17 @@
 #include "common/input_error.hpp"
 
-#include <fmt/format.h>
-
 namespace dipper {
+namespace {
 
-InputError::InputError(std::vector<std::string> messages)
-    : std::runtime_error(fmt::format("{}", fmt::join(messages, "\n"))),
-      messages_(std::move(messages)) {}
+std::string lines(const std::vector<Finding>& findings) {
+  std::string text;
+  for (const Finding& f : findings) text += (text.empty() ? "" : "\n") + to_string(f);
+  return text;
+}
+
+}  // namespace
+
+InputError::InputError(std::vector<Finding> findings)
+    : std::runtime_error(lines(findings)), findings_(std::move(findings)) {}
 
 }  // namespace dipper

@@ -5,16 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "common/finding.hpp"
+
 namespace dipper {
 
-/// Everything wrong with one input file, a message each; what() joins them with newlines.
+/// Everything wrong with an input at once; what() has a line for each fault.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(std::vector<std::string> messages);
-  const std::vector<std::string>& messages() const { return messages_; }
+  explicit InputError(std::vector<Finding> findings);
+  const std::vector<Finding>& findings() const { return findings_; }
 
  private:
-  std::vector<std::string> messages_;
+  std::vector<Finding> findings_;
 };
 
 }  // namespace dipper

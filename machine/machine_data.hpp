@@ -83,7 +83,8 @@ struct MachineData {
 };
 
 /// Reads the file. Every entry must be there as {value, unit, source} with the unit expected here;
-/// unknown keys are errors. Throws InputError with every fault, as file:line:column: message.
+/// unknown keys, keys given twice and numbers out of their range are errors. Throws InputError with
+/// every fault and its line.
 MachineData load_machine(const std::filesystem::path& file);
 
 }  // namespace dipper::machine

@@ -4,122 +4,63 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
+#include "common/csv_table.hpp"
 #include "common/input_error.hpp"
-#include "common/numbers.hpp"
 #include "common/seconds.hpp"
 
 namespace dipper::machine {
 namespace {
 
-constexpr std::string_view kHeader = "time_s,hoist_m,crowd_m,swing_deg,door_deg";
-constexpr std::array<std::string_view, 5> kColumns = {"time_s", "hoist_m", "crowd_m", "swing_deg",
-                                                      "door_deg"};
+const std::vector<std::string> kColumns = {"time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg"};
 constexpr double kRadPerDeg = 0.017453292519943295;
 constexpr double kLongest_s = 1e6;  // int64 nanoseconds hold it 9000 times over
-
-std::string_view trim(std::string_view s) {
-  const auto first = s.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// One field of a row, and the 1-based column of its first character.
-struct Field {
-  std::string_view text;
-  std::size_t column;
-};
-
-std::vector<Field> split(std::string_view line) {
-  std::vector<Field> fields;
-  for (std::size_t begin = 0;;) {
-    const std::size_t comma = std::min(line.find(',', begin), line.size());
-    fields.push_back({trim(line.substr(begin, comma - begin)), begin + 1});
-    if (comma == line.size()) return fields;
-    begin = comma + 1;
-  }
-}
 
 Drives drives(const std::array<double, 4>& v) { return {v[0], v[1], v[2], v[3]}; }
 
 }  // namespace
 
 Motion Motion::load(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError({fmt::format("{}: cannot be opened", file.string())});
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return parse(text, file.string());
+  std::vector<Finding> faults;
+  const std::vector<CsvRow> rows = read_csv(file, kColumns, faults);
+  return Motion(rows, file, std::move(faults));
 }
 
 Motion Motion::parse(std::string_view text, const std::string& name) {
-  Motion motion;
-  std::vector<std::string> faults;
-  const auto fault = [&](std::size_t line, std::size_t column, const std::string& message) {
-    faults.push_back(fmt::format("{}:{}:{}: {}", name, line, column, message));
+  std::vector<Finding> faults;
+  const std::vector<CsvRow> rows = parse_csv(text, name, kColumns, faults);
+  return Motion(rows, name, std::move(faults));
+}
+
+Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& file,
+               std::vector<Finding> faults) {
+  const auto fault = [&](int line, const std::string& message) {
+    faults.push_back({file, line, "", message, 1});
   };
-
-  std::size_t line_number = 0;
-  bool header_seen = false;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t newline = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, newline - begin);
-    begin = newline + 1;
-    ++line_number;
-    const std::string_view content = trim(line);
-    if (content.empty() || content.front() == '#') continue;
-    if (!header_seen) {
-      if (content != kHeader) {
-        throw InputError({fmt::format("{}:{}:1: header is \"{}\"; it must be \"{}\"", name,
-                                      line_number, content, kHeader)});
-      }
-      header_seen = true;
+  for (const CsvRow& row : rows) {
+    const auto& v = row.values;
+    if (std::abs(v[0]) > kLongest_s) {
+      fault(row.line, fmt::format("time_s is {}; it must be within {} s", v[0], kLongest_s));
       continue;
     }
-
-    const std::vector<Field> fields = split(line);
-    if (fields.size() != kColumns.size()) {
-      fault(
-          line_number, line.size() + 1,
-          fmt::format("{} columns; each row has {}: {}", fields.size(), kColumns.size(), kHeader));
+    const std::int64_t t_ns = std::llround(v[0] * 1e9);
+    if (!t_ns_.empty() && t_ns <= t_ns_.back()) {
+      fault(row.line, fmt::format("time_s is {}, not after the row before ({} s)", v[0],
+                                  seconds(t_ns_.back())));
       continue;
     }
-    std::array<double, 5> row{};
-    bool good = true;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (parse_number(fields[i].text, row[i])) continue;
-      fault(line_number, fields[i].column,
-            fmt::format("{} is \"{}\"; it must be a finite number", kColumns[i], fields[i].text));
-      good = false;
-    }
-    if (!good) continue;
-    if (std::abs(row[0]) > kLongest_s) {
-      fault(line_number, 1,
-            fmt::format("time_s is {}; it must be within {} s", row[0], kLongest_s));
-      continue;
-    }
-    const std::int64_t t_ns = std::llround(row[0] * 1e9);
-    if (!motion.t_ns_.empty() && t_ns <= motion.t_ns_.back()) {
-      fault(line_number, 1,
-            fmt::format("time_s is {}, not after the row before ({} s)", row[0],
-                        seconds(motion.t_ns_.back())));
-      continue;
-    }
-    motion.t_ns_.push_back(t_ns);
-    motion.position_.push_back({row[1], row[2], row[3] * kRadPerDeg, row[4] * kRadPerDeg});
+    t_ns_.push_back(t_ns);
+    position_.push_back({v[1], v[2], v[3] * kRadPerDeg, v[4] * kRadPerDeg});
   }
-
-  if (!header_seen) {
-    fault(line_number + 1, 1, fmt::format("no header; it must be \"{}\"", kHeader));
-  } else if (faults.empty() && motion.t_ns_.size() < 2) {
-    fault(line_number + 1, 1,
-          fmt::format("{} row(s); a motion needs at least 2", motion.t_ns_.size()));
+  if (faults.empty() && t_ns_.size() < 2)
+    faults.push_back(
+        {file, 0, "", fmt::format("{} row(s); a motion needs at least 2", t_ns_.size())});
+  if (!faults.empty()) {
+    sort_by_line(faults);
+    throw InputError(std::move(faults));
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
-  motion.set_slopes();
-  return motion;
+  set_slopes();
 }
 
 void Motion::set_slopes() {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "common/csv_table.hpp"
+
 namespace dipper::machine {
 
 /// One number for each drive: positions, or their first or second time derivatives.
@@ -33,9 +35,8 @@ struct DriveState {
 /// first row and after the last: the rates at both are zero.
 class Motion {
  public:
-  /// Reads a CSV whose header is exactly `time_s,hoist_m,crowd_m,swing_deg,door_deg`; blank lines
-  /// and lines that begin with # are skipped. Throws InputError with every fault found, each as
-  /// file:line:column: message.
+  /// Reads a table (common/csv_table.hpp) of time_s,hoist_m,crowd_m,swing_deg,door_deg. Throws
+  /// InputError with every fault found, with line and column.
   static Motion load(const std::filesystem::path& file);
 
   /// The same from text; `name` stands for the file in messages.
@@ -55,7 +56,8 @@ class Motion {
   std::int64_t end_ns() const { return t_ns_.back(); }
 
  private:
-  Motion() = default;
+  Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& file,
+         std::vector<Finding> faults);
   void set_slopes();
 
   std::vector<std::int64_t> t_ns_;

@@ -13,8 +13,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 }  // namespace
 
 InputError input_error(const std::filesystem::path& file, long line, const std::string& message) {
-  return InputError({line > 0 ? fmt::format("{}:{}: {}", file.string(), line, message)
-                              : fmt::format("{}: {}", file.string(), message)});
+  return InputError({{file, static_cast<int>(line), "", message}});
 }
 
 std::unique_ptr<std::FILE, int (*)(std::FILE*)> open_file(const std::filesystem::path& file) {

@@ -1,7 +1,6 @@
 #include "analysis/run/run_folder.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <array>
 #include <fstream>
@@ -9,10 +8,12 @@
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
+#include "common/csv_table.hpp"
 #include "common/json_values.hpp"
 #include "common/mesh/mesh_check.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
+#include "common/yaml_section.hpp"
 
 namespace dipper::analysis::run {
 namespace {
@@ -130,13 +131,14 @@ void read_beside(RunFolder& run, fs::path file) {
   file.replace_extension(".yaml");
   run.places.lip_x_m = run.places.dipper->max_m.x();
   if (!fs::exists(file)) return;
-  try {
-    const YAML::Node y = YAML::LoadFile(file);
-    run.struck_given_m3 = y["struck_volume_m3"].as<double>(0);
-    run.places.lip_x_m -= y["heap_height_m"].as<double>(0);
-  } catch (const YAML::Exception& e) {
-    throw io::input_error(file, e.mark.line + 1, e.msg);
-  }
+  std::vector<Finding> faults;
+  const YamlTree tree = read_yaml(file, faults);
+  YamlSection y(tree, "", faults);
+  if (y.find("struck_volume_m3") != nullptr)
+    run.struck_given_m3 = y.number("struck_volume_m3", "a number in m3");
+  if (y.find("heap_height_m") != nullptr)
+    run.places.lip_x_m -= y.number("heap_height_m", "a number in m");
+  if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 }  // namespace
@@ -206,36 +208,25 @@ RunFolder read_foreign_folder(const fs::path& folder, const std::optional<Foreig
 }
 
 rock::PoseTrack read_poses(const fs::path& file) {
-  io::LineReader in(file);
-  std::string_view text;
-  const std::string header = "time_s,x_m,y_m,z_m,qw,qx,qy,qz";
-  if (!in.next(text) || text != header)
-    throw io::input_error(file, 1, fmt::format("the first line is {}", header));
+  std::vector<Finding> faults;
   std::vector<double> time_s;
   std::vector<Pose> X_WB;
-  while (in.next(text)) {
-    std::array<double, 8> v{};
-    std::string line(text);
-    for (char& c : line)
-      if (c == ',') c = ' ';
-    std::string_view words = line;
-    for (double& value : v)
-      if (!parse_number(io::take_word(words), value))
-        throw io::input_error(file, in.line(),
-                              fmt::format("eight numbers belong here: {}", header));
-    if (!io::take_word(words).empty())
-      throw io::input_error(file, in.line(), "more than eight numbers");
+  for (const CsvRow& row :
+       read_csv(file, {"time_s", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"}, faults)) {
+    const auto& v = row.values;
     if (!time_s.empty() && v[0] <= time_s.back())
-      throw io::input_error(file, in.line(), "time_s does not rise");
+      faults.push_back({file, row.line, "", "time_s does not rise"});
     const Quaterniond R(v[4], v[5], v[6], v[7]);
     if (std::abs(R.norm() - 1) > 1e-3)
-      throw io::input_error(
-          file, in.line(),
-          fmt::format("qw ... qz is no rotation: its length is {:.4g}, not 1", R.norm()));
+      faults.push_back(
+          {file, row.line, "",
+           fmt::format("qw ... qz is no rotation: its length is {:.4g}, not 1", R.norm())});
     time_s.push_back(v[0]);
     X_WB.push_back({R.normalized(), {v[1], v[2], v[3]}});
   }
-  if (time_s.empty()) throw io::input_error(file, 2, "no poses");
+  if (faults.empty() && time_s.empty()) faults.push_back({file, 0, "", "no poses"});
+  sort_by_line(faults);
+  if (!faults.empty()) throw InputError(std::move(faults));
   return {time_s, X_WB};
 }
 

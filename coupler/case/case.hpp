@@ -10,9 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "common/finding.hpp"
+#include "common/input_error.hpp"
+
 namespace dipper::cases {
 
 class BenchSurface;
+using dipper::Finding;
+using dipper::Origin;
+using dipper::to_string;
 
 /// machine: the shovel and what drives it.
 struct MachineCase {
@@ -160,12 +166,6 @@ struct ObservationCase {
   double truck_spill = 0;  ///< part of the last pass that falls off the truck before it is weighed
 };
 
-/// Where a key was set: a line of case.yaml (1-based), or `--set` with line 0.
-struct Origin {
-  std::filesystem::path file;
-  int line = 0;
-};
-
 /// The whole case, as it will run (after --set).
 struct Case {
   std::filesystem::path folder;
@@ -194,17 +194,13 @@ struct Case {
   std::map<std::string, Origin> origins;  ///< dotted key -> where it was set; for later findings
 };
 
-/// One thing wrong with a case. `file:line: key: what; what would be right`.
-struct Finding {
-  std::filesystem::path file;
-  int line = 0;  ///< 1-based; 0: no single line
-  std::string key;
-  std::string message;
-};
-std::string to_string(const Finding& f);
-
 /// A finding at the line that set `key`, or the nearest section above it.
 Finding finding_at(const Case& c, const std::string& key, const std::string& message);
+
+/// What is wrong with the file that `key` names: at its own lines, or, what is none line's, where
+/// the case names it.
+void add_file_findings(const Case& c, const std::string& key, const InputError& error,
+                       std::vector<Finding>& findings);
 
 /// A "key=value" from --set; keys are dotted paths as in "rock.density_kg_m3".
 struct Override {

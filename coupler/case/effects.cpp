@@ -4,65 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "common/installation.hpp"
-#include "common/numbers.hpp"
+#include "common/yaml_section.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/case/suggest.hpp"
-#include "coupler/case/yaml_tree.hpp"
 
 namespace dipper::cases {
 namespace fs = std::filesystem;
 namespace {
-
-/// One file's content, by key, with every fault noted at its line.
-class Reader {
- public:
-  Reader(fs::path file, std::vector<Finding>& findings) : file_(std::move(file)), out_(findings) {}
-
-  void fault(const YamlTree& at, const std::string& key, const std::string& message) {
-    out_.push_back({file_, at.origin.line, key, message});
-  }
-
-  /// The child, or nullptr after a fault.
-  YamlTree* need(YamlTree& in, const std::string& key, const std::string& what) {
-    YamlTree* node = in.find(key);
-    if (node == nullptr) fault(in, key, "missing; write " + what);
-    return node;
-  }
-
-  std::string text(YamlTree& in, const std::string& key, const std::string& what) {
-    const YamlTree* node = need(in, key, what);
-    return node == nullptr ? "" : node->scalar;
-  }
-
-  double number(YamlTree& in, const std::string& key, const std::string& what) {
-    const YamlTree* node = need(in, key, what);
-    if (node == nullptr) return 0;
-    double value = 0;
-    if (node->quoted || !dipper::parse_number(node->scalar, value)) {
-      fault(*node, key, fmt::format("is '{}'; write {}", node->scalar, what));
-    }
-    return value;
-  }
-
-  void only(YamlTree& in, const std::string& section, const std::set<std::string>& known) {
-    for (const auto& [key, node] : in.children) {
-      if (known.count(key) == 0) {
-        fault(node, section + key,
-              fmt::format("unknown key; known are {}", fmt::join(known, ", ")));
-      }
-    }
-  }
-
- private:
-  fs::path file_;
-  std::vector<Finding>& out_;
-};
 
 fs::path catalogue() { return data_folder() / "analysis" / "effects"; }
 
@@ -111,63 +63,50 @@ std::vector<std::string> effect_names(const fs::path& case_folder) {
 Effect read_effect(const fs::path& file, std::vector<Finding>& findings) {
   Effect e;
   e.name = file.stem();
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    findings.push_back({file, 0, "", "cannot be read"});
-    return e;
-  }
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::size_t before = findings.size();
-  YamlTree root = parse_yaml(text, file, "", findings);
+  const YamlTree tree = read_yaml(file, findings);
   if (findings.size() > before) return e;
-  Reader read(file, findings);
-  read.only(root, "", {"title", "kind", "parameter", "overlay", "signature", "nuisance"});
-  e.title = read.text(root, "title", "one line for reports");
-  e.kind = read.text(root, "kind", "rock, machine or observation");
-  if (YamlTree* kind = root.find("kind")) {
-    if (e.kind != "rock" && e.kind != "machine" && e.kind != "observation") {
-      read.fault(*kind, "kind", fmt::format("is '{}'; write rock, machine or observation", e.kind));
-    }
+  YamlSection root(tree, "", findings);
+  e.title = root.text("title", "one line for reports");
+  e.kind = root.text("kind", "rock, machine or observation");
+  if (const YamlTree* kind = root.find("kind")) {
+    if (e.kind != "rock" && e.kind != "machine" && e.kind != "observation")
+      root.fault(*kind, "kind", fmt::format("is '{}'; write rock, machine or observation", e.kind));
   }
   if (const YamlTree* signature = root.find("signature")) e.signature = signature->scalar;
-  if (YamlTree* nuisance = root.find("nuisance")) {
+  if (const YamlTree* nuisance = root.find("nuisance")) {
     e.nuisance = nuisance->scalar == "true";
-    if (!e.nuisance && nuisance->scalar != "false") {
-      read.fault(*nuisance, "nuisance",
-                 fmt::format("is '{}'; write true or false", nuisance->scalar));
-    }
+    if (!e.nuisance && nuisance->scalar != "false")
+      root.fault(*nuisance, "nuisance",
+                 fmt::format("is {}; write true or false", shown(*nuisance)));
   }
-  if (YamlTree* p = read.need(root, "parameter", "{name, unit, low, high, scale, source}")) {
-    read.only(*p, "parameter.", {"name", "unit", "low", "high", "scale", "source"});
-    e.parameter = read.text(*p, "name", "the parameter's name");
-    e.unit = read.text(*p, "unit", "its unit, or -");
-    e.low = read.number(*p, "low", "the lowest strength");
-    e.high = read.number(*p, "high", "the highest strength");
-    e.scale = read.number(*p, "scale", "the prior's standard deviation, in the unit");
-    e.source = read.text(*p, "source", "where bounds and prior come from");
-    if (p->find("scale") != nullptr && !(e.scale > 0)) {
-      read.fault(*p, "parameter.scale", fmt::format("is {:g}; write a number above 0", e.scale));
+  YamlSection p = root.section("parameter", "{name, unit, low, high, scale, source}");
+  e.parameter = p.text("name", "the parameter's name");
+  e.unit = p.text("unit", "its unit, or -");
+  e.low = p.number("low", "the lowest strength");
+  e.high = p.number("high", "the highest strength");
+  e.scale = p.number("scale", "the prior's standard deviation, in the unit", {0, 1e300, true});
+  e.source = p.text("source", "where bounds and prior come from");
+  p.refuse_others();
+  if (p.is_there() && (e.low > 0 || e.high < 0 || e.low >= e.high))
+    p.fault(p.node(), "", "low ... high must hold 0, which is off");
+  YamlSection overlay = root.section("overlay", "KEY: {add|scale|set: factor}");
+  for (std::size_t k = 0; overlay.is_there() && k < overlay.node().children.size(); ++k) {
+    const auto& [key, node] = overlay.node().children[k];
+    if (node.children.size() != 1 ||
+        (!node.find("add") && !node.find("scale") && !node.find("set"))) {
+      overlay.fault(node, key, "write one of {add: a}, {scale: a}, {set: a}");
+      continue;
     }
-    if (e.low > 0 || e.high < 0 || e.low >= e.high) {
-      read.fault(*p, "parameter", "low ... high must hold 0, which is off");
-    }
+    KeyChange change{key, KeyChange::How::add, 0, node.origin};
+    const std::string how = node.children[0].first;
+    change.how = how == "add"     ? KeyChange::How::add
+                 : how == "scale" ? KeyChange::How::scale
+                                  : KeyChange::How::set;
+    change.factor = overlay.section(key, "").number(how, "a number");
+    e.changes.push_back(change);
   }
-  if (YamlTree* overlay = read.need(root, "overlay", "KEY: {add|scale|set: factor}")) {
-    for (auto& [key, node] : overlay->children) {
-      KeyChange change{key, KeyChange::How::add, 0, node.origin};
-      if (node.children.size() != 1 ||
-          (!node.find("add") && !node.find("scale") && !node.find("set"))) {
-        read.fault(node, key, "write one of {add: a}, {scale: a}, {set: a}");
-        continue;
-      }
-      const std::string how = node.children[0].first;
-      change.how = how == "add"     ? KeyChange::How::add
-                   : how == "scale" ? KeyChange::How::scale
-                                    : KeyChange::How::set;
-      change.factor = read.number(node, how, "a number");
-      e.changes.push_back(change);
-    }
-  }
+  root.refuse_others();
   return e;
 }
 

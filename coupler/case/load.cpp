@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "common/yaml_tree.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/case_text.hpp"
 #include "coupler/case/effects.hpp"
@@ -15,8 +16,6 @@
 #include "coupler/case/schema.hpp"
 #include "coupler/case/sieve_classes.hpp"
 #include "coupler/case/suggest.hpp"
-#include "coupler/case/yaml_tree.hpp"
-#include "coupler/case/yaml_value.hpp"
 
 namespace fs = std::filesystem;
 
@@ -126,7 +125,7 @@ class Loader {
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, double& out) {
-    const auto value = parse_number<double>(node);
+    const auto value = number_in<double>(node);
     if (!value) return wrong_type(node, key, spec);
     out = *value;
     check_range(node, key, spec, out);
@@ -134,14 +133,14 @@ class Loader {
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
                   std::int64_t& out) {
-    const auto value = parse_number<std::int64_t>(node);
+    const auto value = number_in<std::int64_t>(node);
     if (!value) return wrong_type(node, key, spec);
     out = *value;
     check_range(node, key, spec, static_cast<double>(out));
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, int& out) {
-    const auto value = parse_number<std::int64_t>(node);
+    const auto value = number_in<std::int64_t>(node);
     if (!value) return wrong_type(node, key, spec);
     check_range(node, key, spec, static_cast<double>(*value));
     out = static_cast<int>(*value);
@@ -174,7 +173,7 @@ class Loader {
     }
     for (int i = 0; i < 3; ++i) {
       const YamlTree& element = node.children[static_cast<std::size_t>(i)].second;
-      const auto value = parse_number<double>(element);
+      const auto value = number_in<double>(element);
       if (value) {
         out[i] = *value;
       } else {
@@ -322,11 +321,17 @@ Finding finding_at(const Case& c, const std::string& key, const std::string& mes
   return {origin.file, origin.line, key, message};
 }
 
-std::string to_string(const Finding& f) {
-  std::string text = f.file.string();
-  if (f.line > 0) text += fmt::format(":{}", f.line);
-  if (!f.key.empty()) text += ": " + f.key;
-  return text + ": " + f.message;
+void add_file_findings(const Case& c, const std::string& key, const InputError& error,
+                       std::vector<Finding>& findings) {
+  for (Finding f : error.findings()) {
+    if (f.line == 0) {
+      f = finding_at(c, key, to_string(f));
+    } else if (!f.key.empty()) {
+      f.message = f.key + ": " + f.message;
+    }
+    f.key = key;
+    findings.push_back(f);
+  }
 }
 
 Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
@@ -354,14 +359,12 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
   for (const Override& set : overrides) apply(root, set, findings);
   if (syntax_error) return c;  // every key would seem to be missing
 
-  if (root.origin.file.empty()) root.origin = {file, 1};
   Loader(c, findings).read_section(root, "", "", {});
   if (findings.size() == before) make_sieve_classes(c, findings);
   read_pile_profile(c, findings);
   if (findings.size() == before) apply_effects(c, findings);
   check_between_keys(c, findings);
-  std::stable_sort(findings.begin() + static_cast<std::ptrdiff_t>(before), findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.line < b.line; });
+  sort_by_line(findings, before);
   c.text = case_text(c);
   return c;
 }

@@ -37,8 +37,7 @@ void read_pile_profile(Case& c, std::vector<Finding>& findings) {
     findings.push_back(finding_at(c, "pile.profile", e.what()));
     return;
   } catch (const InputError& e) {
-    for (const std::string& message : e.messages())
-      findings.push_back(finding_at(c, "pile.profile", message));
+    add_file_findings(c, "pile.profile", e, findings);
     return;
   }
   const auto& points = c.pile.outline_m;

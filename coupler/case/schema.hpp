@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "common/range.hpp"
 #include "coupler/case/case.hpp"
 
 namespace dipper::cases {
@@ -19,17 +20,6 @@ struct Place {
 /// Where a key's value lives in a Case. Its type is the key's type.
 using Slot = std::variant<double*, int*, std::int64_t*, std::string*, std::filesystem::path*,
                           Eigen::Vector3d*, std::vector<std::string>*>;
-
-/// Allowed numbers: an interval, each end open or closed. By default all.
-struct Range {
-  double low = -1e300;
-  double high = 1e300;
-  bool low_open = false;
-  bool high_open = false;
-
-  bool holds(double x) const;
-  std::string text() const;  ///< "> 0", "0 ... 180", "" when everything is allowed
-};
 
 /// One key.
 struct KeySpec {

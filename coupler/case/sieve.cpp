@@ -4,27 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <optional>
 #include <stdexcept>
 
+#include "common/csv_table.hpp"
 #include "common/input_error.hpp"
-#include "common/numbers.hpp"
 
 namespace dipper::cases {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string trimmed(const std::string& s) {
-  const auto first = s.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::optional<double> number(const std::string& word) {
-  double value = 0;
-  return parse_number(word, value) ? std::optional(value) : std::nullopt;
-}
 
 struct Row {
   SieveCurve::Point point;
@@ -53,37 +41,19 @@ double SieveCurve::size_m(double passing, double low_m, double high_m) const {
 }
 
 SieveCurve read_sieve(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError({file.string() + ": cannot be opened"});
-  std::vector<std::string> faults;
+  std::vector<Finding> faults;
   const auto fault = [&](int line, const std::string& what) {
-    faults.push_back(fmt::format("{}:{}: {}", file.string(), line, what));
+    faults.push_back({file, line, "", what});
   };
   std::vector<Row> rows;
-  bool header = false;
-  int at = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++at;
-    line = trimmed(line);
-    if (line.empty() || line[0] == '#') continue;
-    const auto comma = line.find(',');
-    const std::string left = trimmed(line.substr(0, comma)),
-                      right = comma == std::string::npos ? "" : trimmed(line.substr(comma + 1));
-    if (!header) {
-      header = true;
-      if (left == "size_m" && right == "passing_percent") continue;
-      fault(at, fmt::format("header is \"{}\"; it must be \"size_m,passing_percent\"", line));
-      break;
-    }
-    const auto size = number(left), passing = number(right);
-    if (!size || !passing) {
-      fault(at, fmt::format("\"{}\"; two numbers belong here: size_m,passing_percent", line));
-    } else if (*size <= 0) {
-      fault(at, fmt::format("size_m is {:g}; it must be above 0", *size));
-    } else if (*passing < 0 || *passing > 100) {
-      fault(at, fmt::format("passing_percent is {:g}; it must be 0 ... 100", *passing));
+  for (const CsvRow& row : read_csv(file, {"size_m", "passing_percent"}, faults)) {
+    const double size = row.values[0], passing = row.values[1];
+    if (size <= 0) {
+      fault(row.line, fmt::format("size_m is {:g}; it must be above 0", size));
+    } else if (passing < 0 || passing > 100) {
+      fault(row.line, fmt::format("passing_percent is {:g}; it must be 0 ... 100", passing));
     } else {
-      rows.push_back({{*size, *passing}, at});
+      rows.push_back({{size, passing}, row.line});
     }
   }
   std::stable_sort(rows.begin(), rows.end(),
@@ -105,9 +75,10 @@ SieveCurve read_sieve(const fs::path& file) {
     }
   }
   if (faults.empty() && points.size() < 2)
-    fault(at, fmt::format("{} points; a curve has at least two", points.size()));
-  if (!faults.empty()) throw InputError(std::move(faults));
-  return SieveCurve(std::move(points));
+    fault(0, fmt::format("{} points; a curve has at least two", points.size()));
+  if (faults.empty()) return SieveCurve(std::move(points));
+  sort_by_line(faults);
+  throw InputError(std::move(faults));
 }
 
 std::vector<SizeClass> size_classes(const SieveCurve& curve, const SieveCase& how) {

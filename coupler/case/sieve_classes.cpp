@@ -22,8 +22,7 @@ void make_sieve_classes(Case& c, std::vector<Finding>& findings) {
   try {
     c.rock.classes = size_classes(read_sieve(c.rock.sieve.file), c.rock.sieve);
   } catch (const InputError& e) {
-    for (const std::string& message : e.messages())
-      findings.push_back(finding_at(c, "rock.sieve.file", message));
+    add_file_findings(c, "rock.sieve.file", e, findings);
   } catch (const std::invalid_argument& e) {
     findings.push_back(finding_at(c, "rock.sieve", e.what()));
   }

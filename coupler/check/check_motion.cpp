@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -21,23 +20,6 @@ namespace {
 // turns back: there the error is 1/8 of acceleration times the sample squared, below a millimetre.
 constexpr std::int64_t sample_ns = 20'000'000;
 
-// The libraries below report "file:line:column: message"; a Finding keeps these apart.
-cases::Finding from_message(const fs::path& file, const std::string& key,
-                            const std::string& message) {
-  const std::string prefix = file.string() + ":";
-  if (message.compare(0, prefix.size(), prefix) != 0) return {file, 0, key, message};
-  std::string rest = message.substr(prefix.size());
-  std::array<int, 2> place{};  // line, column
-  for (int& number : place) {
-    const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), number).ptr;
-    const auto digits = static_cast<std::size_t>(end - rest.data());
-    if (digits == 0 || digits == rest.size() || rest[digits] != ':') break;
-    rest.erase(0, digits + 1);
-  }
-  const auto text = rest.find_first_not_of(' ');
-  return {file, place[0], key, text == std::string::npos ? "" : rest.substr(text)};
-}
-
 template <class Load>
 auto load_reported(const cases::Case& c, const std::string& key, const fs::path& file,
                    const Load& load, Findings& findings) -> std::optional<decltype(load(file))> {
@@ -45,9 +27,7 @@ auto load_reported(const cases::Case& c, const std::string& key, const fs::path&
   try {
     return load(file);
   } catch (const InputError& e) {
-    for (const std::string& message : e.messages()) {
-      findings.push_back(from_message(file, key, message));
-    }
+    cases::add_file_findings(c, key, e, findings);
   }
   return std::nullopt;
 }

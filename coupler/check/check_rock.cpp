@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
+#include "common/input_error.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/check/check_parts.hpp"
 #include "coupler/deck/contact_table.hpp"
@@ -40,11 +40,8 @@ void check_shape(const cases::Case& c, const std::string& shape, Findings& findi
       findings.push_back({stl, 0, key, fmt::format("and {} faults more", faults.size() - shown)});
   } catch (const mesh::StlError& e) {
     findings.push_back({stl, e.line, key, e.message});
-  } catch (const std::exception& e) {
-    const fs::path yaml = c.rock.shape_folder / (shape + ".yaml");
-    const std::string said = e.what(), before = yaml.string() + ": ";
-    findings.push_back(
-        {yaml, 0, key, said.rfind(before, 0) == 0 ? said.substr(before.size()) : said});
+  } catch (const InputError& e) {
+    cases::add_file_findings(c, key, e, findings);
   }
 }
 

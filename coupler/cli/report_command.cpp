@@ -17,13 +17,14 @@ namespace fs = std::filesystem;
 analysis::run::RunFolder open_folder(const ReportWords& words) {
   if (fs::exists(fs::path(words.folder) / "record.h5")) {
     if (!words.mesh.empty())
-      throw InputError({words.folder +
-                        ": has a record of its own; --mesh and --poses are for dumps "
-                        "of other programs"});
+      throw InputError({{words.folder, 0, "",
+                         "has a record of its own; --mesh and --poses are for dumps of other "
+                         "programs"}});
     return analysis::run::read_run_folder(words.folder);
   }
   if (words.mesh.empty() != words.poses.empty())
-    throw InputError({"--mesh and --poses: one tells nothing without the other; give both"});
+    throw InputError(
+        {{{}, 0, "--mesh and --poses", "one tells nothing without the other; give both"}});
   std::optional<analysis::run::ForeignDipper> dipper;
   if (!words.mesh.empty()) dipper = analysis::run::ForeignDipper{words.mesh, words.poses};
   return analysis::run::read_foreign_folder(words.folder, dipper);

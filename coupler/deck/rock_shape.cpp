@@ -1,7 +1,6 @@
 #include "coupler/deck/rock_shape.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -10,7 +9,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "common/input_error.hpp"
 #include "common/mesh/mesh_check.hpp"
+#include "common/yaml_section.hpp"
 
 namespace dipper::deck {
 
@@ -32,17 +33,6 @@ std::size_t shells(const mesh::TriangleMesh& mesh) {
   std::set<std::size_t> roots;
   for (const auto& t : mesh.triangles) roots.insert(root(t[0]));
   return roots.size();
-}
-
-template <class T>
-T value(const YAML::Node& y, const char* key) {
-  const YAML::Node node = y[key];
-  if (!node) throw std::runtime_error(std::string(key) + ": missing");
-  try {
-    return node.as<T>();
-  } catch (const YAML::Exception&) {
-    throw std::runtime_error(std::string(key) + ": not what belongs there");
-  }
 }
 
 }  // namespace
@@ -119,40 +109,38 @@ std::string to_yaml(const RockShape& s) {
   return out;
 }
 
-RockShape read_rock_shape(const std::filesystem::path& file) try {
-  const YAML::Node y = YAML::LoadFile(file.string());
-  if (!y.IsMap()) throw std::runtime_error("not a rock shape");
+RockShape read_rock_shape(const std::filesystem::path& file) {
+  std::vector<Finding> faults;
+  const YamlTree tree = read_yaml(file, faults);
+  if (!faults.empty()) throw InputError(std::move(faults));
+  YamlSection y(tree, "", faults, "what rock-shape writes");
   RockShape s;
-  s.name = value<std::string>(y, "name");
-  s.mesh_sha256 = value<std::string>(y, "mesh_sha256");
-  s.mass.volume_m3 = value<double>(y, "volume");
-  s.mass.area_m2 = value<double>(y, "area");
-  const auto J = value<std::vector<double>>(y, "inertia");
-  if (J.size() != 6) throw std::runtime_error("inertia: six numbers expected");
+  s.name = y.text("name", "the shape's name");
+  s.mesh_sha256 = y.text("mesh_sha256", "the SHA-256 of the mesh it was made from");
+  s.mass.volume_m3 = y.number("volume", "a number in m3");
+  s.mass.area_m2 = y.number("area", "a number in m2");
+  const auto J = y.numbers("inertia", 6, "six numbers, xx xy xz yy yz zz");
   s.mass.inertia_m5 << J[0], J[1], J[2], J[1], J[3], J[4], J[2], J[4], J[5];
-  s.aspect_ratio = value<double>(y, "aspect_ratio");
-  s.flatness = value<double>(y, "flatness");
-  s.sphericity = value<double>(y, "sphericity");
+  s.aspect_ratio = y.number("aspect_ratio", "a number");
+  s.flatness = y.number("flatness", "a number");
+  s.sphericity = y.number("sphericity", "a number");
+  YamlSection resolutions = y.section("resolutions", "coarse, medium and fine");
   for (const ShapeResolution& r : kShapeResolutions) {
-    const YAML::Node resolutions = y["resolutions"];
-    const YAML::Node node = resolutions ? resolutions[r.name] : YAML::Node();
-    if (!node || !node.IsMap())
-      throw std::runtime_error(
-          fmt::format("resolutions.{}: missing; make the file again with "
-                      "rock-shape",
-                      r.name));
+    YamlSection section = resolutions.section(r.name, "the file again with rock-shape");
     SphereFit& fit = s.fits[r.name];
-    fit.union_volume_error = value<double>(node, "union_volume_error");
-    fit.symmetric_difference = value<double>(node, "symmetric_difference");
-    for (const auto& row : value<std::vector<std::vector<double>>>(node, "spheres")) {
-      if (row.size() != 4) throw std::runtime_error("spheres: rows of x, y, z, radius expected");
-      fit.spheres.push_back({Vector3d(row[0], row[1], row[2]), row[3]});
+    fit.union_volume_error = section.number("union_volume_error", "a number");
+    fit.symmetric_difference = section.number("symmetric_difference", "a number");
+    const YamlTree* spheres = section.need("spheres", "a list of [x, y, z, radius]");
+    if (spheres == nullptr) continue;
+    for (const auto& [index, node] : spheres->children) {
+      const auto q = section.numbers_at(node, "spheres." + index, 4, "x, y, z, radius");
+      fit.spheres.push_back({Vector3d(q[0], q[1], q[2]), q[3]});
     }
-    if (fit.spheres.empty()) throw std::runtime_error("spheres: at least one expected");
+    if (fit.spheres.empty())
+      section.fault(*spheres, "spheres", "is empty; write a list of [x, y, z, radius]");
   }
+  if (!faults.empty()) throw InputError(std::move(faults));
   return s;
-} catch (const std::exception& e) {
-  throw std::runtime_error(file.string() + ": " + e.what());
 }
 
 }  // namespace dipper::deck

@@ -22,7 +22,9 @@ std::vector<std::string> faults(const std::string& text) {
   try {
     Motion::parse(text, "m.csv");
   } catch (const InputError& e) {
-    return e.messages();
+    std::vector<std::string> all;
+    for (const Finding& f : e.findings()) all.push_back(to_string(f));
+    return all;
   }
   return {};
 }

@@ -98,7 +98,7 @@ TEST(Sieve, AGapInTheCurveGivesNoClass) {
 TEST(Sieve, EveryFaultWithItsLine) {
   const std::string errors = errors_of("0.1,0\n0.2,x\n-1,5\n0.3,101\n0.4,50\n0.5,40\n0.1,3\n");
   for (const char* said :
-       {"sieve.csv:4: \"0.2,x\"; two numbers", "sieve.csv:5: size_m is -1",
+       {"sieve.csv:4:5: passing_percent is \"x\"; it must", "sieve.csv:5: size_m is -1",
         "sieve.csv:6: passing_percent is 101",
         "sieve.csv:8: passing_percent 40 at 0.5 m is below the 50 at 0.4 m of line 7",
         "sieve.csv:9: size_m 0.1 is in line 3 already"})

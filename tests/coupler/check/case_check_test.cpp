@@ -157,7 +157,7 @@ TEST(CheckCase, WrongValuesBesideTheMeshes) {
   write_text(truck, "bed: {min_m: [-3.5, 3.25, 4.2],\n      max_m: [3.5, -3.25, 9]}\n");
   expect_findings(check(checkout),
                   {{dipper, 1, "struck_volume_m3", "0 is out of range; allowed is > 0"},
-                   {dipper, 3, "cavity.min_m.2", "is 'deep'; write a number in m"},
+                   {dipper, 3, "cavity.min_m.2", "is 'deep'; write three numbers in m"},
                    {dipper, 4, "cavity.max_m", "is a list; write three numbers in m"},
                    {dipper, 5, "heap_height_m", "is '1.2 m'; write how far in m"},
                    {truck, 1, "bed.min_m", "y = 3.25 is not below max_m's -3.25"}});
@@ -318,15 +318,18 @@ TEST(CheckCase, Shapes) {
   write_text(checkout.root / "meshes/rocks/wedge.stl", "solid wedge\n" + facet + "endsolid\n");
   const std::string open_edge = "facet 1: not closed: the edge ";
   const fs::path wedge = checkout.root / "meshes/rocks/wedge.stl";
-  expect_findings(
-      check(checkout),
-      {{checkout.file(), mixed, "rock.classes.1.shapes", "mixes spheres and other shapes"},
-       {checkout.file(), unknown + 5, "rock.classes.2.shapes.1",
-        "no shape 'bolder'; there are blade, block, chunk, column, shard, slab, sphere, wedge"},
-       {checkout.root / "meshes/rocks/slab.yaml", 0, "rock.shape_folder", "mesh_sha256: missing"},
-       {wedge, 0, "rock.shape_folder", open_edge},
-       {wedge, 0, "rock.shape_folder", open_edge},
-       {wedge, 0, "rock.shape_folder", open_edge}});
+  std::vector<test::Expected> expected = {
+      {checkout.file(), mixed, "rock.classes.1.shapes", "mixes spheres and other shapes"},
+      {checkout.file(), unknown + 5, "rock.classes.2.shapes.1",
+       "no shape 'bolder'; there are blade, block, chunk, column, shard, slab, sphere, wedge"},
+      {wedge, 0, "rock.shape_folder", open_edge},
+      {wedge, 0, "rock.shape_folder", open_edge},
+      {wedge, 0, "rock.shape_folder", open_edge}};
+  for (const char* key : {"mesh_sha256", "volume", "area", "inertia", "aspect_ratio", "flatness",
+                          "sphericity", "resolutions"})
+    expected.push_back({checkout.root / "meshes/rocks/slab.yaml", 1, "rock.shape_folder",
+                        std::string(key) + ": missing key"});
+  expect_findings(check(checkout), expected);
 }
 
 /// The case's trapezoid replaced by a profile.
@@ -355,11 +358,11 @@ TEST(CheckCase, ProfileFaults) {
   const int line = checkout.line("profile:");
   const fs::path file = checkout.file(), scan = checkout.folder() / "scan.csv";
   const std::string at = scan.string();
-  expect_findings(load_findings(checkout), {{file, line, "pile.profile",
-                                             at + ":4: x_m falls from 13 to 12; points run from"}});
+  expect_findings(load_findings(checkout),
+                  {{scan, 4, "pile.profile", "x_m falls from 13 to 12; points run from"}});
   write_text(scan, "x_m,z_m\n13,0\n");
   expect_findings(load_findings(checkout),
-                  {{file, line, "pile.profile", at + ":2: 1 points; an outline has at least two"}});
+                  {{file, line, "pile.profile", at + ": 1 points; an outline has at least two"}});
   write_text(scan, "x_m,z_m\n13,0\n20,0\n");
   expect_findings(load_findings(checkout), {{file, line, "pile.profile",
                                              "no rock is under a profile of 7 m length and 0 m"}});
@@ -529,7 +532,7 @@ TEST(CheckCase, SieveFaults) {
   use_sieve(checkout, "0.15,0\n0.25,140\n", "classes: 3");
   const int line = checkout.line("sieve:");
   expect_findings(load_findings(checkout),
-                  {{checkout.file(), line, "rock.sieve.file", "sieve.csv:3: passing_percent is"}});
+                  {{checkout.folder() / "sieve.csv", 3, "rock.sieve.file", "passing_percent is"}});
   use_sieve(checkout, "0.15,0\n0.25,100\n", "min_size_m: 0.3");
   expect_findings(load_findings(checkout),
                   {{checkout.file(), line, "rock.sieve", "nothing between the smallest size"}});

@@ -75,7 +75,8 @@ class OutlineFile : public testing::Test {
       cases::read_outline(file_);
     } catch (const InputError& e) {
       std::string all;
-      for (const auto& m : e.messages()) all += m.substr(file_.string().size()) + '\n';
+      for (const Finding& f : e.findings())
+        all += to_string(f).substr(file_.string().size()) + '\n';
       return all;
     }
     return "";
@@ -89,12 +90,12 @@ TEST_F(OutlineFile, ReadsWhatItWrites) {
 }
 
 TEST_F(OutlineFile, TellsEveryMistakeByItsLine) {
-  EXPECT_EQ(read("x,z\n"), ":1: header is \"x,z\"; it must be \"x_m,z_m\"\n");
-  EXPECT_EQ(read("x_m,z_m\n0,0\n"), ":2: 1 points; an outline has at least two\n");
+  EXPECT_EQ(read("x,z\n"), ":1:1: header is \"x,z\"; it must be \"x_m,z_m\"\n");
+  EXPECT_EQ(read("x_m,z_m\n0,0\n"), ": 1 points; an outline has at least two\n");
   EXPECT_EQ(read("# scan\nx_m,z_m\n0,0\n5,-1\n4,2\n6,three\n"),
             ":4: z_m is -1; the ground is at 0\n"
             ":5: x_m falls from 5 to 4; points run from the toe to the rear\n"
-            ":6: \"6,three\"; two numbers belong here: x_m,z_m\n");
+            ":6:3: z_m is \"three\"; it must be a finite number\n");
 }
 
 }  // namespace

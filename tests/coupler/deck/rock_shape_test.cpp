@@ -153,7 +153,7 @@ TEST_F(Library, AMeshThatIsNoRockIsRefusedWithItsFileAndFault) {
 
 TEST_F(Library, AYamlOfAnOlderFormatSaysWhatToDo) {
   write_text(folder / "old.yaml", "name: old\nmesh_sha256: 0\nvolume: 1\n");
-  EXPECT_NE(error_of(folder, "old").find("old.yaml: area: missing"), std::string::npos);
+  EXPECT_NE(error_of(folder, "old").find("area: missing key"), std::string::npos);
 }
 
 }  // namespace

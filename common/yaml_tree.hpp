@@ -1,14 +1,16 @@
-// YAML as a plain tree that remembers the line of every key: what the case loader walks.
+// YAML as a plain tree that remembers the line of every key.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "coupler/case/case.hpp"
+#include "common/finding.hpp"
+#include "common/numbers.hpp"
 
-namespace dipper::cases {
+namespace dipper {
 
 /// A YAML node. A map keeps its keys in the order of the file; none occurs twice.
 struct YamlTree {
@@ -19,7 +21,9 @@ struct YamlTree {
   Origin origin;        ///< of the key that holds this node, or of the list element
   std::vector<std::pair<std::string, YamlTree>> children;  ///< of a list, with keys "0", "1", ...
 
+  /// A child by its key; nullptr: there is none.
   YamlTree* find(const std::string& key);
+  const YamlTree* find(const std::string& key) const;
 };
 
 /// Reads one document. Syntax errors, keys given twice, anchors and aliases, and further documents
@@ -28,4 +32,20 @@ struct YamlTree {
 YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
                     const std::string& set_key, std::vector<Finding>& findings);
 
-}  // namespace dipper::cases
+/// The same of a file; that it cannot be read is a finding too.
+YamlTree read_yaml(const std::filesystem::path& file, std::vector<Finding>& findings);
+
+/// What a node holds, for messages: "'abc'", "\"12\"" (in quotes), "a list", "a section",
+/// "nothing".
+std::string shown(const YamlTree& node);
+
+/// The number (common/numbers.hpp) that is a node's whole value, without quotes; empty: it holds
+/// something else.
+template <class T>
+std::optional<T> number_in(const YamlTree& node) {
+  if (node.kind != YamlTree::Kind::scalar || node.quoted) return std::nullopt;
+  T value{};
+  return parse_number(node.scalar, value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace dipper

@@ -1,4 +1,4 @@
-#include "coupler/case/yaml_tree.hpp"
+#include "common/yaml_tree.hpp"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -6,9 +6,11 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 
-namespace dipper::cases {
+namespace dipper {
 namespace {
 
 // yaml-cpp's events rather than its Node: a Node loses the line of a key, keeps both of two equal
@@ -137,10 +139,14 @@ class TreeBuilder : public YAML::EventHandler {
 
 }  // namespace
 
-YamlTree* YamlTree::find(const std::string& key) {
+const YamlTree* YamlTree::find(const std::string& key) const {
   const auto it = std::find_if(children.begin(), children.end(),
                                [&](const auto& child) { return child.first == key; });
   return it == children.end() ? nullptr : &it->second;
+}
+
+YamlTree* YamlTree::find(const std::string& key) {
+  return const_cast<YamlTree*>(std::as_const(*this).find(key));
 }
 
 YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
@@ -161,7 +167,35 @@ YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
   } catch (const YAML::Exception& e) {
     findings.push_back({file, line(e.mark), set_key, "not valid YAML: " + e.msg});
   }
+  // The lines of what a file does not have are those of the file itself.
+  if (builder.root.origin.file.empty()) builder.root.origin = {file, set_key.empty() ? 1 : 0};
   return std::move(builder.root);
 }
 
-}  // namespace dipper::cases
+YamlTree read_yaml(const std::filesystem::path& file, std::vector<Finding>& findings) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file)) {
+    findings.push_back({file, 0, "", "cannot be read"});
+    YamlTree none;
+    none.origin = {file, 0};
+    return none;
+  }
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return parse_yaml(text, file, "", findings);
+}
+
+std::string shown(const YamlTree& node) {
+  switch (node.kind) {
+    case YamlTree::Kind::empty:
+      return "nothing";
+    case YamlTree::Kind::list:
+      return "a list";
+    case YamlTree::Kind::map:
+      return "a section";
+    case YamlTree::Kind::scalar:
+      break;
+  }
+  return node.quoted ? "\"" + node.scalar + "\"" : "'" + node.scalar + "'";
+}
+
+}  // namespace dipper

@@ -1,0 +1,34 @@
+// Tables of numbers in text, with commas between them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/finding.hpp"
+
+namespace dipper {
+
+/// One row and where it stands.
+struct CsvRow {
+  int line = 0;                ///< 1-based
+  std::vector<double> values;  ///< one a column
+};
+
+/// Reads a table whose first line names `columns`, these and no others, in this order, and whose
+/// every other line has a number (common/numbers.hpp) for each. A byte-order mark, carriage
+/// returns, blanks round names and numbers, blank lines, and lines that begin with # are left out
+/// of account. Each fault is appended to `findings` with its line and column: a wrong header, after
+/// which nothing is read, too many or too few columns, a field that is no number. The result has
+/// the rows that are sound. `file` is for the findings only.
+std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
+                              const std::vector<std::string>& columns,
+                              std::vector<Finding>& findings);
+
+/// The same of a file; that it cannot be read is a finding too.
+std::vector<CsvRow> read_csv(const std::filesystem::path& file,
+                             const std::vector<std::string>& columns,
+                             std::vector<Finding>& findings);
+
+}  // namespace dipper

@@ -1,0 +1,57 @@
+#include "common/csv_table.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace dipper {
+namespace {
+
+using testing::ElementsAre;
+
+struct Read {
+  std::vector<CsvRow> rows;
+  std::vector<std::string> faults;
+};
+
+Read read(std::string_view text) {
+  std::vector<Finding> findings;
+  Read out{parse_csv(text, "t.csv", {"x_m", "z_m"}, findings), {}};
+  for (const Finding& f : findings) out.faults.push_back(to_string(f));
+  return out;
+}
+
+TEST(CsvTable, MarksCommentsBlanksAndCarriageReturnsAreNoPartOfIt) {
+  const Read r = read("\xEF\xBB\xBF# scan\r\n\r\n x_m , z_m\r\n1,+2\r\n  # more\r\n\t3 ,\t-4e0 ");
+  EXPECT_THAT(r.faults, ElementsAre());
+  ASSERT_EQ(r.rows.size(), 2U);
+  EXPECT_EQ(r.rows[0].line, 4);
+  EXPECT_THAT(r.rows[0].values, ElementsAre(1, 2));
+  EXPECT_EQ(r.rows[1].line, 6);
+  EXPECT_THAT(r.rows[1].values, ElementsAre(3, -4));
+}
+
+TEST(CsvTable, EveryFaultHasItsLineAndColumn) {
+  const Read r = read("x_m,z_m\n1,2\n1,\n1;2\n1,2,3\n5,nan\n7,8\n");
+  EXPECT_THAT(r.faults, ElementsAre("t.csv:3:3: z_m is \"\"; it must be a finite number",
+                                    "t.csv:4:4: 1 columns; each row has 2: x_m,z_m",
+                                    "t.csv:5:6: 3 columns; each row has 2: x_m,z_m",
+                                    "t.csv:6:3: z_m is \"nan\"; it must be a finite number"));
+  ASSERT_EQ(r.rows.size(), 2U);
+  EXPECT_EQ(r.rows[1].line, 7);
+}
+
+TEST(CsvTable, AfterAWrongHeaderNothingIsRead) {
+  EXPECT_THAT(read("x_m;z_m\n1;2\n").faults,
+              ElementsAre("t.csv:1:1: header is \"x_m;z_m\"; it must be \"x_m,z_m\""));
+  EXPECT_THAT(read("x_m,z_m,y_m\n").faults,
+              ElementsAre("t.csv:1:1: header is \"x_m,z_m,y_m\"; it must be \"x_m,z_m\""));
+  EXPECT_THAT(read("# nothing\n").faults,
+              ElementsAre("t.csv:2:1: no header; it must be \"x_m,z_m\""));
+  std::vector<Finding> findings;
+  EXPECT_TRUE(read_csv("/no/such.csv", {"x_m"}, findings).empty());
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(to_string(findings[0]), "/no/such.csv: cannot be opened");
+}
+
+}  // namespace
+}  // namespace dipper
