@@ -14,7 +14,9 @@
 #include <thread>
 #include <vector>
 
+#include "common/manifest.hpp"
 #include "common/sha256.hpp"
+#include "common/warn.hpp"
 
 namespace dipper {
 namespace fs = std::filesystem;
@@ -95,27 +97,57 @@ std::string deck_hash(std::string what, const std::vector<fs::path>& files, cons
   return sha256(what);
 }
 
+bool is_sound(const fs::path& entry) { return fs::exists(entry) && damage_of(entry).empty(); }
+
+struct CacheWriter::State {
+  explicit State(const fs::path& entry_folder) : entry(entry_folder), lock(entry_folder) {}
+
+  fs::path entry, part;
+  EntryLock lock;
+};
+
+CacheWriter::CacheWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+CacheWriter::~CacheWriter() {
+  std::error_code ignored;
+  if (is_needed()) fs::remove_all(part(), ignored);
+}
+
+std::unique_ptr<CacheWriter> CacheWriter::begin(const fs::path& entry) {
+  fs::create_directories(entry.parent_path());
+  auto state = std::make_unique<State>(entry);
+  if (!state->lock.try_lock()) return nullptr;
+  sweep(entry.parent_path(), entry);
+  if (const std::string damage = fs::exists(entry) ? damage_of(entry) : ""; !damage.empty())
+    warn(damage + "; the entry is now " + set_aside(entry).string() + " and is made again");
+  if (!fs::exists(entry)) {
+    state->part = entry.string() + '.' + std::to_string(getpid()) + ".part";
+    fs::create_directory(state->part);
+  }
+  return std::unique_ptr<CacheWriter>(new CacheWriter(std::move(state)));
+}
+
+bool CacheWriter::is_needed() const { return !state_->part.empty(); }
+
+const fs::path& CacheWriter::part() const { return state_->part; }
+
+void CacheWriter::keep() {
+  seal(part());
+  rename_sealed(part(), state_->entry);
+  state_->part.clear();
+}
+
 bool make_once(const fs::path& entry, const std::function<void(const fs::path& part)>& write,
                const std::function<void()>& while_waiting) {
-  if (fs::exists(entry)) return false;
-  fs::create_directories(entry.parent_path());
-  EntryLock lock(entry);
-  while (!lock.try_lock()) {
+  if (is_sound(entry)) return false;
+  std::unique_ptr<CacheWriter> writer;
+  while (!(writer = CacheWriter::begin(entry))) {
     while_waiting();
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
-  if (fs::exists(entry)) return false;  // the writer we waited for has made it
-  sweep(entry.parent_path(), entry);
-  const fs::path part = entry.string() + '.' + std::to_string(getpid()) + ".part";
-  try {
-    fs::create_directory(part);
-    write(part);
-    fs::rename(part, entry);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove_all(part, ignored);
-    throw;
-  }
+  if (!writer->is_needed()) return false;  // the writer we waited for has made it
+  write(writer->part());
+  writer->keep();
   return true;
 }
 

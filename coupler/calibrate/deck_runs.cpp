@@ -1,9 +1,6 @@
 #include "coupler/calibrate/deck_runs.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
@@ -38,70 +35,32 @@ std::vector<fs::path> scripts(const DeckRun& run) {
   return files;
 }
 
-const char* const kWorkplace = "part.";  // its name begins so
-
-/// A file descriptor that holds the lock on a folder; -1 when another process does, or the folder
-/// is gone. The kernel drops the lock with the process, however that ends.
-int lock_folder(const fs::path& folder) {
-  const int fd = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd >= 0 && flock(fd, LOCK_EX | LOCK_NB) == 0 && fs::exists(folder)) return fd;
-  const int why = errno;
-  if (fd >= 0) close(fd);
-  if (why != EWOULDBLOCK && fs::exists(folder))
-    throw std::system_error(why, std::generic_category(), folder.string());
-  return -1;
-}
-
-/// A deck written to a folder of its own in the cache, gone at the end.
-class Workplace {
+/// A deck written to a folder of its own, gone at the end.
+class WrittenDeck {
  public:
-  explicit Workplace(const DeckRun& run) {
-    const fs::path all = cache_folder() / "calibrations";
-    fs::create_directories(all);
-    do {
-      std::string name = (all / kWorkplace).string() + "XXXXXX";
-      if (mkdtemp(name.data()) == nullptr)
-        throw std::system_error(errno, std::generic_category(), all.string());
-      folder_ = name;
-      std::error_code gone;
-      fs::permissions(folder_, fs::perms(0755), gone);  // a cache may be shared; mkdtemp's are 0700
-      lock_ = lock_folder(folder_);                     // unless another's sweep has taken it first
-    } while (lock_ < 0);
-    deck::write_deck(run.c, run.c.rock.shape_folder, folder_ / "deck");
+  explicit WrittenDeck(const DeckRun& run) {
+    std::string name = (fs::temp_directory_path() / "dipper-deck-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::system_error(errno, std::generic_category(), name);
+    folder_ = name;
+    fs::permissions(folder_, fs::perms(0755));  // a cache may be shared; mkdtemp's are 0700
+    deck::write_deck(run.c, run.c.rock.shape_folder, folder_);
     // The case's own bench: of no use here.
     for (const char* unused : {"funnel.stl", "sides.stl", "outline.csv", "surface.stl", "walls"})
-      fs::remove_all(folder_ / "deck" / unused);
-    fs::create_symlink(data_folder() / "dem_in", folder_ / "dem_in");
+      fs::remove_all(folder_ / unused);
   }
-  ~Workplace() {
+  ~WrittenDeck() {
     std::error_code gone;
     fs::remove_all(folder_, gone);
-    close(lock_);
   }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
+  WrittenDeck(const WrittenDeck&) = delete;
+  WrittenDeck& operator=(const WrittenDeck&) = delete;
 
   const fs::path& folder() const { return folder_; }
 
  private:
   fs::path folder_;
-  int lock_ = -1;
 };
-
-/// Removes the workplaces of processes that were killed.
-void sweep() {
-  const fs::path all = cache_folder() / "calibrations";
-  std::vector<fs::path> workplaces;
-  std::error_code none;  // no folder yet
-  for (const auto& f : fs::directory_iterator(all, none))
-    if (f.path().filename().string().rfind(kWorkplace, 0) == 0) workplaces.push_back(f.path());
-  for (const fs::path& workplace : workplaces) {
-    const int lock = lock_folder(workplace);
-    if (lock < 0) continue;
-    fs::remove_all(workplace, none);
-    close(lock);
-  }
-}
 
 /// Of case.in only what the calibration decks read: the rest is the bench and the machine.
 std::string run_hash(const DeckRun& run, const fs::path& deck) {
@@ -120,13 +79,11 @@ double cost_of(const fs::path& entry) {
   return cpu_s;
 }
 
-bool is_there(const DeckRun& run, const fs::path& entry) { return fs::exists(entry / run.dump); }
-
 /// A run at work.
 struct Active {
   std::size_t index;
   std::string hash;
-  std::unique_ptr<Workplace> place;
+  std::unique_ptr<CacheWriter> writer;
   std::unique_ptr<launch::Process> liggghts;
 };
 
@@ -142,14 +99,12 @@ std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
   return words;
 }
 
-/// Moves a finished run into the cache. Another may have been faster: its result is the same.
+/// Puts a finished run into the cache.
 DeckResult keep(const DeckRun& run, Active& active) {
-  const fs::path entry = entry_of(active.hash), work = active.place->folder();
+  const fs::path entry = entry_of(active.hash), work = active.writer->part();
   fs::remove(work / "dem_in");
   std::ofstream(work / "cpu_s") << active.liggghts->cpu_s() << '\n';
-  std::error_code lost_race;
-  fs::rename(work, entry, lost_race);
-  if (!is_there(run, entry)) throw std::runtime_error(entry.string() + ": cannot be written");
+  active.writer->keep();
   return {entry / run.dump, active.hash, false, cost_of(entry)};
 }
 
@@ -158,8 +113,8 @@ DeckResult keep(const DeckRun& run, Active& active) {
 std::vector<bool> cached_runs(const std::vector<DeckRun>& runs) {
   std::vector<bool> out;
   for (const DeckRun& run : runs) {
-    const Workplace place(run);
-    out.push_back(is_there(run, entry_of(run_hash(run, place.folder() / "deck"))));
+    const WrittenDeck deck(run);
+    out.push_back(is_sound(entry_of(run_hash(run, deck.folder()))));
   }
   return out;
 }
@@ -167,7 +122,6 @@ std::vector<bool> cached_runs(const std::vector<DeckRun>& runs) {
 std::vector<DeckResult> run_decks(
     const std::vector<DeckRun>& runs, int jobs,
     const std::function<void(std::size_t, const DeckResult&)>& finished) {
-  sweep();
   std::vector<DeckResult> results(runs.size());
   std::vector<Active> active;
   std::size_t next = 0;
@@ -190,16 +144,23 @@ std::vector<DeckResult> run_decks(
   while ((next < runs.size() && !failure) || !active.empty()) {
     while (next < runs.size() && !failure && active.size() < static_cast<std::size_t>(jobs)) {
       const DeckRun& run = runs[next];
-      auto place = std::make_unique<Workplace>(run);
-      const std::string hash = run_hash(run, place->folder() / "deck");
+      const WrittenDeck deck(run);
+      const std::string hash = run_hash(run, deck.folder());
       const fs::path entry = entry_of(hash);
-      if (is_there(run, entry)) {
+      auto writer = CacheWriter::begin(entry);
+      if (!writer) {  // another makes it
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        break;
+      }
+      if (!writer->is_needed()) {
         may_fail([&] { done(next++, {entry / run.dump, hash, true, cost_of(entry)}); });
         continue;
       }
-      auto liggghts = std::make_unique<launch::Process>(command(run, place->folder()),
-                                                        place->folder() / "stderr");
-      active.push_back({next++, hash, std::move(place), std::move(liggghts)});
+      const fs::path work = writer->part();
+      fs::copy(deck.folder(), work / "deck", fs::copy_options::recursive);
+      fs::create_symlink(data_folder() / "dem_in", work / "dem_in");
+      auto liggghts = std::make_unique<launch::Process>(command(run, work), work / "stderr");
+      active.push_back({next++, hash, std::move(writer), std::move(liggghts)});
     }
     if (launch::interrupts() > 0) throw launch::Interrupted();
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -210,7 +171,7 @@ std::vector<DeckResult> run_decks(
       }
       may_fail([&] {
         const DeckRun& run = runs[it->index];
-        const fs::path work = it->place->folder();
+        const fs::path work = it->writer->part();
         if (!it->liggghts->succeeded() || !fs::exists(work / run.dump)) {
           throw std::runtime_error(fmt::format(
               "{}.in failed with seed {}: {} ({})", run.deck, run.c.seed,

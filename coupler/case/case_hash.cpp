@@ -1,10 +1,7 @@
 #include "coupler/case/case_hash.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
-#include <stdexcept>
 
 #include "common/sha256.hpp"
 #include "coupler/case/case_text.hpp"
@@ -24,13 +21,6 @@ std::set<std::string> used_shapes(const Case& c) {
 }
 
 }  // namespace
-
-std::string sha256_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || fs::is_directory(file)) throw std::runtime_error("cannot read " + file.string());
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return sha256(bytes);
-}
 
 std::vector<fs::path> shape_files(const fs::path& folder, const std::string& shape) {
   std::vector<fs::path> files;

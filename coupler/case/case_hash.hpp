@@ -1,4 +1,4 @@
-// SHA-256 of files and whole cases.
+// SHA-256 of whole cases, and the files they are made of.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,6 @@
 #include "coupler/case/case.hpp"
 
 namespace dipper::cases {
-
-/// SHA-256 of a file's bytes, as 64 lower-case hex digits. Throws std::runtime_error when it cannot
-/// be read.
-std::string sha256_file(const std::filesystem::path& file);
 
 /// Every file a case needs besides case.yaml: model, motion, meshes, and the files of the shapes
 /// that its classes use. Sorted, each once; a file need not exist.

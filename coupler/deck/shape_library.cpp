@@ -1,12 +1,11 @@
 #include "coupler/deck/shape_library.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
+#include "common/cache_entry.hpp"
 #include "common/cache_folder.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/sha256.hpp"
@@ -19,11 +18,7 @@ namespace fs = std::filesystem;
 /// Part of the cache's key: counts up when the same mesh gives other spheres.
 constexpr int kFitVersion = 1;
 
-std::string mesh_hash(const fs::path& stl) {
-  std::ifstream in(stl, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  return sha256(bytes);
-}
+constexpr const char* kShapeFile = "shape.yaml";
 
 fs::path with(const fs::path& folder, const std::string& name, const char* extension) {
   return folder / (name + extension);
@@ -44,36 +39,32 @@ std::set<std::string> shape_names(const fs::path& folder) {
 bool is_made_from_mesh(const fs::path& folder, const std::string& name) {
   const fs::path stl = with(folder, name, ".stl"), yaml = with(folder, name, ".yaml");
   if (!fs::exists(stl)) return false;
-  return !fs::exists(yaml) || read_rock_shape(yaml).mesh_sha256 != mesh_hash(stl);
+  return !fs::exists(yaml) || read_rock_shape(yaml).mesh_sha256 != sha256_file(stl);
 }
 
 RockShape find_rock_shape(const fs::path& folder, const std::string& name) {
   if (!is_made_from_mesh(folder, name)) return read_rock_shape(with(folder, name, ".yaml"));
   const fs::path stl = with(folder, name, ".stl");
-  const fs::path kept =
-      cache_folder() / "shapes" / fmt::format("{}-{}.yaml", mesh_hash(stl), kFitVersion);
-  RockShape shape;
-  if (fs::exists(kept)) {
-    shape = read_rock_shape(kept);
-    shape.name = name;
-    return shape;
-  }
-  shape = fit_rock_shape(stl);
-  fs::create_directories(kept.parent_path());
-  const fs::path part = kept.string() + fmt::format(".{}.part", getpid());
-  std::ofstream out(part);
-  out << to_yaml(shape);
-  out.close();
-  if (!out) throw std::runtime_error(part.string() + ": cannot be written");
-  fs::rename(part, kept);        // whole or not at all; a faster one wrote the same
-  return read_rock_shape(kept);  // the digits of the file, so that the first run is as the second
+  const fs::path entry =
+      cache_folder() / "shapes" / fmt::format("{}-{}", sha256_file(stl), kFitVersion);
+  const auto fit = [&](const fs::path& part) {
+    std::ofstream out(part / kShapeFile);
+    out << to_yaml(fit_rock_shape(stl));
+    out.close();
+    if (!out) throw std::runtime_error((part / kShapeFile).string() + ": cannot be written");
+  };
+  make_once(entry, fit, [] {});
+  // Also when it was just made: the digits of the file, so that the first run is as the second.
+  RockShape shape = read_rock_shape(entry / kShapeFile);
+  shape.name = name;
+  return shape;
 }
 
 RockShape fit_rock_shape(const fs::path& stl, const std::vector<ShapeResolution>& resolutions) {
   const mesh::TriangleMesh mesh = mesh::read_stl(stl);  // its errors name the file
   try {
     RockShape shape = make_rock_shape(stl.stem().string(), mesh, resolutions);
-    shape.mesh_sha256 = mesh_hash(stl);
+    shape.mesh_sha256 = sha256_file(stl);
     return shape;
   } catch (const std::invalid_argument& e) {
     throw std::runtime_error(stl.string() + ": " + e.what());

@@ -6,20 +6,20 @@
 #include <fstream>
 
 #include "common/json_values.hpp"
+#include "common/manifest.hpp"
+#include "common/warn.hpp"
 namespace dipper::run {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
 
-/// Whole checkpoints, oldest first.
+/// Whole checkpoints, sound or not, oldest first.
 std::vector<fs::path> list(const fs::path& checkpoints) {
   std::vector<fs::path> found;
   if (!fs::exists(checkpoints)) return found;
   for (const auto& entry : fs::directory_iterator(checkpoints)) {
-    if (fs::exists(entry.path() / "coupling.json") && entry.path().extension() != ".part") {
-      found.push_back(entry.path());
-    }
+    if (entry.is_directory() && !entry.path().has_extension()) found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -56,8 +56,9 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
   if (!out.flush())
     throw std::runtime_error("cannot write " + (c.folder / "coupling.json").string());
   out.close();
+  seal(c.folder);
   fs::remove_all(place);
-  fs::rename(c.folder, place);
+  rename_sealed(c.folder, place);
   c.folder = place;
   const auto all = list(checkpoints);
   for (std::size_t i = 0; i + 2 < all.size(); ++i) {
@@ -69,7 +70,16 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
 }
 
 std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
-  const auto all = list(checkpoints);
+  auto all = list(checkpoints);
+  while (!all.empty()) {
+    const std::string damage = damage_of(all.back());
+    if (damage.empty()) break;
+    const fs::path aside = set_aside(all.back());
+    all.pop_back();
+    warn(fmt::format("{}; that checkpoint is now {}, {}", damage, aside.string(),
+                     all.empty() ? "and there is none before it"
+                                 : "the one before it is taken: " + all.back().string()));
+  }
   if (all.empty()) return std::nullopt;
   std::ifstream in(all.back() / "coupling.json");
   const json j = json::parse(in);

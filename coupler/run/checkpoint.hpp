@@ -25,12 +25,13 @@ struct Checkpoint {
   std::filesystem::path machine() const { return folder / "machine.state"; }
 };
 
-/// Has both sides save, then adds coupling.json and moves the folder into place; older checkpoints
-/// but the last are removed. Returns it with `folder` set.
+/// Has both sides save, then adds coupling.json, seals the folder (common/manifest.hpp) and moves
+/// it into place; older checkpoints but the last are removed. Returns it with `folder` set.
 Checkpoint save_checkpoint(const std::filesystem::path& checkpoints, Checkpoint c, core::Rock& rock,
                            core::Machine& machine);
 
-/// The newest whole checkpoint, if any.
+/// The newest checkpoint whose files are what was written, if any. Newer ones are set aside, each
+/// with a warning that names the file.
 std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& checkpoints);
 
 }  // namespace dipper::run

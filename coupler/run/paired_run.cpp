@@ -274,7 +274,7 @@ class Leg {
   /// Rock and machine together.
   std::string state_hash() {
     const auto last = last_checkpoint(folder_.checkpoints());
-    return sha256(rock_->state_hash() + cases::sha256_file(last->machine()));
+    return sha256(rock_->state_hash() + sha256_file(last->machine()));
   }
 
   Outcome finish() {

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -131,6 +132,31 @@ TEST_F(CacheEntry, AFailureLeavesNothingAndIsPassedOn) {
   EXPECT_TRUE(clean());
   EXPECT_TRUE(make_once(entry_, writer(milliseconds(0)), nothing));
   EXPECT_FALSE(make_once(entry_, fail, nothing));
+}
+
+TEST_F(CacheEntry, AnEntryThatIsNotWhatWasWrittenIsSetAsideAndMadeAgain) {
+  fs::create_directories(folder_);
+  const auto flip = [&] {
+    std::fstream file(entry_ / "data", std::ios::in | std::ios::out);
+    file.put('H');
+  };
+  const auto cut = [&] { fs::resize_file(entry_ / "data", 4); };
+  const auto lose = [&] { fs::remove(entry_ / "data"); };
+  const auto unseal = [&] { fs::remove(entry_ / "manifest.sha256"); };
+  make_once(entry_, writer(milliseconds(0)), nothing);
+  for (const std::function<void()>& damage :
+       {std::function<void()>(flip), {cut}, {lose}, {unseal}}) {
+    EXPECT_TRUE(is_sound(entry_));
+    damage();
+    EXPECT_FALSE(is_sound(entry_));
+    testing::internal::CaptureStderr();
+    EXPECT_TRUE(make_once(entry_, writer(milliseconds(0)), nothing));
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find(entry_.string() + "/"), std::string::npos) << said;
+    EXPECT_NE(said.find(entry_.string() + ".damaged"), std::string::npos) << said;
+    EXPECT_EQ(data(), "half whole");
+    EXPECT_FALSE(make_once(entry_, writer(milliseconds(0)), nothing));
+  }
 }
 
 TEST_F(CacheEntry, WhoWaitsMayGiveUp) {

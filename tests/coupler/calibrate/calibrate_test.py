@@ -158,9 +158,9 @@ class Calibrate(unittest.TestCase):
         self.assertEqual(process.returncode, 4, err)
         self.assertFalse((self.folder / "cut").exists())
         deadline = time.time() + 5
-        while any(name.startswith("part.") for name in self.cache()) and time.time() < deadline:
+        while any(name.endswith(".part") for name in self.cache()) and time.time() < deadline:
             time.sleep(0.1)
-        self.assertFalse([name for name in self.cache() if name.startswith("part.")])
+        self.assertFalse([name for name in self.cache() if name.endswith(".part")])
         process = self.start(*words)
         for line in process.stdout:
             if "runs (" in line:

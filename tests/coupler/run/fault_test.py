@@ -1,5 +1,6 @@
 """Kill, stop or starve a side at any moment: a clear end within seconds, and no process left."""
 
+import hashlib
 import os
 import re
 import signal
@@ -115,9 +116,45 @@ class Faults(RunTest):
         self.run_case(first, "--set", "end_s=0.03", "--ranks", "1")
         pile = next(cache.glob("dipper/piles/*/pile.restart"))
         pile.write_bytes(b"this is no restart file" * 100)
+        with open(pile.parent / "manifest.sha256", "w") as f:  # as if it had been written so
+            f.write(f"{hashlib.sha256(pile.read_bytes()).hexdigest()}  pile.restart\n# files: 1\n")
         process = self.start(self.folder / "second", "--set", "end_s=0.03", "--ranks", "1")
         self.assert_ended(process, self.folder / "second", 3, "the dem side failed", "ERROR",
                           within=10)
+
+    def test_a_damaged_pile_is_settled_again(self):
+        cache = self.folder / "damaged-cache"
+        os.environ["XDG_CACHE_HOME"] = str(cache)
+        self.addCleanup(os.environ.pop, "XDG_CACHE_HOME")
+        short = ("--set", "end_s=0.03", "--ranks", "1")
+        first, second = self.folder / "whole-pile", self.folder / "damaged-pile"
+        self.run_case(first, *short)
+        pile = next(cache.glob("dipper/piles/*/pile.restart"))
+        data = bytearray(pile.read_bytes())
+        data[len(data) // 2] ^= 1
+        pile.write_bytes(data)
+        process = self.start(second, *short)
+        _, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 0, err)
+        self.assertIn(f"{pile} is not what was written", err)
+        self.assertIn(".damaged and is made again", err)
+        self.assertEqual(self.summary(first)["state_hash"], self.summary(second)["state_hash"])
+
+    def test_a_damaged_checkpoint_is_not_gone_on_from(self):
+        process, out = self.digging("flipped", time_s=1.9)  # two checkpoints, at 0.6 s and 1.2 s
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        *_, before, last = sorted(p for p in (out / "checkpoints").iterdir() if p.is_dir())
+        state = last / "machine.state"
+        data = bytearray(state.read_bytes())
+        data[len(data) // 2] ^= 1
+        state.write_bytes(data)
+        process = self.start(out, *LONGER, "--resume")
+        _, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 0, err)
+        self.assertIn(f"{state} is not what was written", err)
+        self.assertIn(f"the one before it is taken: {before}", err)
+        self.assertEqual(self.summary(out)["status"], "complete")
 
     def test_a_full_disk(self):
         # A file system of a few MiB, in a mount namespace of its own.

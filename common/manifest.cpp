@@ -1,0 +1,81 @@
+#include "common/manifest.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include "common/sha256.hpp"
+
+namespace dipper {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kDigits = 64;
+
+void sync(const fs::path& path) {
+  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) throw std::system_error(errno, std::generic_category(), path.string());
+  const int failed = fsync(fd);
+  const int why = errno;
+  close(fd);
+  // Some file systems cannot sync a folder, and say so.
+  if (failed != 0 && why != EINVAL)
+    throw std::system_error(why, std::generic_category(), path.string());
+}
+
+}  // namespace
+
+void seal(const fs::path& folder) {
+  std::set<fs::path> files, folders{folder};
+  for (const auto& f : fs::recursive_directory_iterator(folder)) {
+    if (f.is_directory()) folders.insert(f.path());
+    if (f.is_regular_file() && f.path().filename() != kManifest) files.insert(f.path());
+  }
+  const fs::path manifest = folder / kManifest;
+  std::ofstream out(manifest, std::ios::binary);
+  for (const fs::path& file : files) {
+    sync(file);
+    out << sha256_file(file) << "  " << file.lexically_relative(folder).generic_string() << '\n';
+  }
+  out << "# files: " << files.size() << '\n';
+  out.close();
+  if (!out) throw std::runtime_error("cannot write " + manifest.string());
+  sync(manifest);
+  for (const fs::path& f : folders) sync(f);
+}
+
+std::string damage_of(const fs::path& folder) {
+  const fs::path manifest = folder / kManifest;
+  std::ifstream in(manifest, std::ios::binary);
+  if (!in) return manifest.string() + " is missing";
+  const std::string cut = manifest.string() + " is not what was written";
+  std::size_t files = 0;
+  for (std::string line; std::getline(in, line); ++files) {
+    if (line == "# files: " + std::to_string(files) && !in.eof()) return "";
+    if (line.size() < kDigits + 3 || line.compare(kDigits, 2, "  ") != 0) return cut;
+    const fs::path file = folder / line.substr(kDigits + 2);
+    if (!fs::is_regular_file(file)) return file.string() + " is missing";
+    if (sha256_file(file) != line.substr(0, kDigits))
+      return file.string() + " is not what was written: its SHA-256 is another";
+  }
+  return cut;
+}
+
+void rename_sealed(const fs::path& from, const fs::path& to) {
+  fs::rename(from, to);
+  sync(to.parent_path());
+}
+
+fs::path set_aside(const fs::path& path) {
+  const fs::path aside = path.string() + ".damaged";
+  fs::remove_all(aside);
+  fs::rename(path, aside);
+  return aside;
+}
+
+}  // namespace dipper

@@ -1,0 +1,103 @@
+// Checkpoints that are not what was written are never gone on from.
+#include "coupler/run/checkpoint.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace dipper::run {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Sides that save a text.
+class TextRock final : public core::Rock {
+ public:
+  core::ServerInfo info() const override { return {}; }
+  core::RockState place(const std::vector<Pose>&) override { return {}; }
+  core::RockState step(std::int64_t, const std::vector<Pose>&) override { return {}; }
+  void save(const fs::path& file) override { std::ofstream(file) << "where the rock is"; }
+  void load(const fs::path&) override {}
+  std::string state_hash() override { return ""; }
+};
+
+class TextMachine final : public core::Machine {
+ public:
+  core::ServerInfo info() const override { return {}; }
+  core::MachineState state() override { return {}; }
+  core::MachineState step(std::int64_t, const std::vector<Wrench>&, bool) override { return {}; }
+  void save(const fs::path& file) override { std::ofstream(file) << "where the machine is"; }
+  void load(const fs::path&) override {}
+};
+
+class Checkpoints : public testing::Test {
+ protected:
+  Checkpoints() {
+    fs::remove_all(folder_);
+    for (const std::int64_t step : {10, 20}) {
+      Checkpoint c;
+      c.step_index = step;
+      c.X_WB_wall = {Pose{Quaterniond(0.6, 0, 0.8, 0), {1, 2, 3}}};
+      c.memory = {{Wrench{{1, 2, 3}, {4, 5, 6}}, Twist{{7, 8, 9}, {10, 11, 12}}}};
+      save_checkpoint(folder_, c, rock_, machine_);
+    }
+  }
+  ~Checkpoints() override { fs::remove_all(folder_); }
+
+  /// The step gone on from, and what was said.
+  std::pair<std::int64_t, std::string> last() {
+    testing::internal::CaptureStderr();
+    const auto c = last_checkpoint(folder_);
+    return {c ? c->step_index : -1, testing::internal::GetCapturedStderr()};
+  }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / ("checkpoints" + std::to_string(getpid()));
+  const fs::path newest_ = folder_ / "000000020";
+  TextRock rock_;
+  TextMachine machine_;
+};
+
+TEST_F(Checkpoints, TheNewestIsTaken) {
+  const auto c = last_checkpoint(folder_);
+  ASSERT_TRUE(c);
+  EXPECT_EQ(c->step_index, 20);
+  EXPECT_EQ(c->X_WB_wall.at(0).R.y(), 0.8);
+  EXPECT_EQ(c->memory.at(0).V_WB_W.v.z(), 12);
+  EXPECT_EQ(last().second, "");
+}
+
+TEST_F(Checkpoints, AFlippedBitMakesItTheOneBefore) {
+  for (const char* name : {"machine.state", "rock.restart", "coupling.json"}) {
+    const fs::path file = newest_ / name;
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    std::ofstream(file, std::ios::binary) << bytes;
+    const auto [step, said] = last();
+    EXPECT_EQ(step, 10);
+    EXPECT_THAT(said, AllOf(HasSubstr(file.string() + " is not what was written"),
+                            HasSubstr("000000020.damaged"), HasSubstr("000000010")));
+    Checkpoint c;
+    c.step_index = 20;
+    save_checkpoint(folder_, c, rock_, machine_);
+    EXPECT_EQ(last().first, 20);
+  }
+}
+
+TEST_F(Checkpoints, AFileCutShortOrGoneMakesItTheOneBefore) {
+  fs::resize_file(newest_ / "rock.restart", 5);
+  EXPECT_EQ(last().first, 10);
+  fs::remove(folder_ / "000000010" / "coupling.json");
+  const auto [step, said] = last();
+  EXPECT_EQ(step, -1);
+  EXPECT_THAT(said, AllOf(HasSubstr("coupling.json is missing"), HasSubstr("none before it")));
+}
+
+}  // namespace
+}  // namespace dipper::run
