@@ -174,10 +174,12 @@ class Loader {
     for (int i = 0; i < 3; ++i) {
       const YamlTree& element = node.children[static_cast<std::size_t>(i)].second;
       const auto value = number_in<double>(element);
+      const std::string element_key = join_key(key, std::to_string(i));
       if (value) {
         out[i] = *value;
+        check_range(element, element_key, spec, out[i]);
       } else {
-        add(element, join_key(key, std::to_string(i)),
+        add(element, element_key,
             fmt::format("is {}; write {}", shown(element),
                         "a number" + (spec.unit.empty() ? "" : " in " + spec.unit)));
       }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "common/numbers.hpp"
+#include "common/range.hpp"
 #include "coupler/calibrate/calibration.hpp"
 #include "coupler/launch/interrupt.hpp"
 
@@ -24,6 +25,17 @@ struct Words {
 std::optional<double> number(const std::string& text) {
   double value = 0;
   return parse_number(text, value) ? std::optional(value) : std::nullopt;
+}
+
+/// CLI11's own checks take nan for a number in any range.
+CLI::Validator number_in(const Range& range) {
+  return {[range](std::string& text) {
+            double value = 0;
+            return parse_number(text, value) && range.holds(value)
+                       ? std::string()
+                       : fmt::format("is '{}'; write a number, {}", text, range.text());
+          },
+          "NUMBER"};
 }
 
 calibrate::SearchRange range_of(const std::string& text) {
@@ -83,12 +95,13 @@ std::function<int()> add_calibrate_command(CLI::App& app) {
   auto* command =
       app.add_subcommand("calibrate", "the paper's calibrations: pile angle, bulk density");
   command->require_subcommand(1);
-  const auto add = [&](const char* name, const char* what, const char* target, const char* size) {
+  const auto add = [&](const char* name, const char* what, const char* target, const Range& targets,
+                       const char* size) {
     auto* sub = command->add_subcommand(name, what);
     sub->add_option("CASE", words->folder, "a folder with a case.yaml")->required();
     sub->add_option("--set", words->set, "KEY=VALUE instead of what the case says");
-    sub->add_option("--target", request.target, target)->check(CLI::PositiveNumber);
-    sub->add_option("--size", request.size_m, size)->check(CLI::PositiveNumber);
+    sub->add_option("--target", request.target, target)->check(number_in(targets));
+    sub->add_option("--size", request.size_m, size)->check(number_in({0, 1000, true}));
     sub->add_option("--seeds", request.seeds, "runs that differ in the seed alone, each time")
         ->check(CLI::Range(1, 1000));
     sub->add_option("--seed", words->seed, "the first of them (default: the case's)");
@@ -100,13 +113,13 @@ std::function<int()> add_calibrate_command(CLI::App& app) {
   };
   auto* pile =
       add("pile-angle", "the angle at which the rock comes to rest in front of a lifted sheet",
-          "deg (default: 34.7, the paper's mean of six piles)",
+          "deg (default: 34.7, the paper's mean of six piles)", {0, 90, true, true},
           "m, lift of the sheet (default: 7 of the largest rocks; the paper: 12.2)");
   pile->add_option("--search", words->search, "KEY=LOW:HIGH: find the value that gives the target");
   pile->add_option("--sigma", request.sigma, "deg, of the target (default: 1)")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in({0, 90, true}));
   add("bulk-density", "the density of the rock at which a box of it has the bulk density",
-      "kg/m3 (default: the case's rock.bulk_density_kg_m3)",
+      "kg/m3 (default: the case's rock.bulk_density_kg_m3)", {100, 20000},
       "m, edge of the box (default: 5 of the largest rocks, at least the paper's 3.037)");
   return [words] { return run(*words); };
 }

@@ -112,6 +112,25 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"format", "format: 1\n<<: {a: 1}", 1, "<<", "unknown key"}));
 
 INSTANTIATE_TEST_SUITE_P(
+    Nonsense, OneMistake,
+    testing::Values(Mistake{"seed", "seed: 1\nend_s: 1e300", 1, "end_s",
+                            "1e300 is out of range; allowed is 0 ... 100000 s"},
+                    Mistake{"settle_s", "settle_s: 1e18", 0, "pile.settle_s",
+                            "1e18 is out of range; allowed is 0 ... 10000 s"},
+                    Mistake{"relax_s", "relax_s: 1e18", 0, "pile.relax_s",
+                            "1e18 is out of range; allowed is 0 ... 10000 s"},
+                    Mistake{"ranks", "ranks: 100000", 0, "dem.ranks",
+                            "100000 is out of range; allowed is 1 ... 4096"},
+                    Mistake{"max_m", "max_m: [1e20, 28, 24]", 0, "domain.max_m.0",
+                            "1e20 is out of range; allowed is -10000 ... 10000 m"},
+                    Mistake{"position_m", "position_m: [0, -1e20, 0]", 0, "truck.position_m.1",
+                            "-1e20 is out of range; allowed is -10000 ... 10000 m"},
+                    Mistake{"timeout_s", "timeout_s: 1e300", 0, "coupling.timeout_s",
+                            "1e300 is out of range; allowed is > 0 and <= 86400 s"},
+                    Mistake{"dump_every_s", "dump_every_s: 1e300", 0, "output.dump_every_s",
+                            "1e300 is out of range; allowed is > 0 and <= 100000 s"}));
+
+INSTANTIATE_TEST_SUITE_P(
     OutOfRange, OneMistake,
     testing::Values(
         Mistake{"format", "format: 2", 0, "format", "2 is out of range; allowed is 1"},
@@ -121,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "0.5 is out of range; allowed is > 0 and < 0.5"},
         Mistake{"friction_ground", "friction_ground: -0.1", 0, "contact.friction_ground",
                 "-0.1 is out of range; allowed is 0 ... 5"},
-        Mistake{"ranks", "ranks: 0", 0, "dem.ranks", "0 is out of range; allowed is 1 ... 100000"},
+        Mistake{"ranks", "ranks: 0", 0, "dem.ranks", "0 is out of range; allowed is 1 ... 4096"},
         Mistake{"ranks", "ranks: 99999999999", 0, "dem.ranks", "99999999999 is out of range"},
         Mistake{"timestep_s", "timestep_s: 0", 0, "dem.timestep_s", "0 is out of range"},
         Mistake{"height_m", "height_m: -1", 0, "pile.height_m", "-1 is out of range"},
