@@ -9,6 +9,7 @@
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
+#include "common/case_lines.hpp"
 
 namespace dipper::analysis::io {
 namespace fs = std::filesystem;
@@ -85,17 +86,6 @@ Found find_dumps(const fs::path& folder) {
     }
   }
   return found;
-}
-
-/// The value of one key of a run's case.txt.
-std::optional<double> case_number(const fs::path& file, const std::string& key) {
-  std::ifstream in(file);
-  double value = 0;
-  for (std::string line; std::getline(in, line);)
-    if (line.rfind(key + "=", 0) == 0 &&
-        parse_number(std::string_view(line).substr(key.size() + 1), value))
-      return value;
-  return std::nullopt;
 }
 
 std::vector<fs::path> series_files(const fs::path& folder) {
@@ -201,7 +191,8 @@ DumpFolder open_dump_folder(const fs::path& folder, std::optional<double> timest
   const auto listed_s = check_series(d.folder);
   check_spacing(d.frames, d.folder);
   check_walls(d);
-  if (!timestep_s) timestep_s = case_number(folder / "case.txt", "dem.timestep_s");
+  if (const fs::path text = folder / "case.txt"; !timestep_s && fs::exists(text))
+    timestep_s = CaseLines::read(text).number("dem.timestep_s");
   if (!timestep_s) timestep_s = listed_s;
   if (timestep_s && *timestep_s <= 0)
     throw input_error(d.folder, 0, "the time step is not positive");

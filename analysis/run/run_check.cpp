@@ -29,7 +29,7 @@ bool numbers(std::string text, Eigen::Vector3d& v) {
 
 int class_count(const RunFolder& run) {
   int n = 0;
-  while (run.case_values.count(fmt::format("rock.classes.{}.name", n)) != 0) ++n;
+  while (run.case_lines.find(fmt::format("rock.classes.{}.name", n)) != nullptr) ++n;
   return n;
 }
 
@@ -82,8 +82,8 @@ void check_wall(const RunFolder& run, const std::string& name, const std::filesy
 void check_dumps_are_of(const RunFolder& run, const io::DumpFolder& dumps) {
   Eigen::Vector3d low, high;
   const auto value = [&](const char* key) {
-    const auto at = run.case_values.find(key);
-    return at == run.case_values.end() ? std::string() : at->second;
+    const CaseLine* line = run.case_lines.find(key);
+    return line == nullptr ? std::string() : line->value;
   };
   const bool has_domain =
       numbers(value("domain.min_m"), low) && numbers(value("domain.max_m"), high);

@@ -144,27 +144,17 @@ void read_beside(RunFolder& run, fs::path file) {
 }  // namespace
 
 double RunFolder::number(const std::string& key, double otherwise) const {
-  const auto at = case_values.find(key);
-  double value = 0;
-  return at != case_values.end() && parse_number(at->second, value) ? value : otherwise;
+  return case_lines.number(key).value_or(otherwise);
 }
 
-std::string RunFolder::text(const std::string& key) const {
-  const auto at = case_values.find(key);
-  if (at == case_values.end()) return "";
-  const std::string& v = at->second;
-  return v.size() >= 2 && v.front() == '"' ? v.substr(1, v.size() - 2) : v;
-}
+std::string RunFolder::text(const std::string& key) const { return case_lines.text(key); }
 
 RunFolder read_run_folder(const fs::path& folder) {
   RunFolder run;
   run.folder = folder;
   run.is_run = true;
   run.case_text = bytes_of(folder / "case.txt");
-  std::istringstream lines(run.case_text);
-  for (std::string line; std::getline(lines, line);)
-    if (const auto equals = line.find('='); equals != std::string::npos)
-      run.case_values[line.substr(0, equals)] = line.substr(equals + 1);
+  run.case_lines = CaseLines(run.case_text);
   if (fs::exists(folder / "summary.json")) run.summary = read_summary(folder / "summary.json");
   const fs::path record = folder / "record.h5";
   run.signals = read_signals(record);

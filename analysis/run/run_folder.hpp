@@ -8,6 +8,7 @@
 #include "analysis/rock/zones.hpp"
 #include "analysis/signals/drive_signals.hpp"
 #include "analysis/signals/passes.hpp"
+#include "common/case_lines.hpp"
 
 namespace dipper::analysis::run {
 
@@ -26,9 +27,9 @@ struct RunSignals {
 /// What is known besides the dumps.
 struct RunFolder {
   std::filesystem::path folder;
-  bool is_run = false;                             ///< of Dipper: there is a record
-  std::map<std::string, std::string> case_values;  ///< of case.txt, by key
-  std::string case_text;
+  bool is_run = false;     ///< of Dipper: there is a record
+  std::string case_text;   ///< case.txt
+  CaseLines case_lines;    ///< the keys in it
   nlohmann::json summary;  ///< of summary.json; null: the run has not ended
   std::string case_hash, rock_version, machine_version, version;
   RunSignals signals;

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "common/case_lines.hpp"
 #include "common/installation.hpp"
-#include "common/numbers.hpp"
 #include "coupler/calibrate/search_scale.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_command.hpp"
@@ -59,13 +59,7 @@ std::string fault_at_a_point(const CalibrationRequest& request) {
 }  // namespace
 
 std::optional<double> value_of(const cases::Case& c, const std::string& key) {
-  const std::string text = "\n" + c.text, line = "\n" + key + "=";
-  const auto at = text.find(line);
-  if (at == std::string::npos) return std::nullopt;
-  const std::string value =
-      text.substr(at + line.size(), text.find('\n', at + 1) - at - line.size());
-  double number = 0;
-  return parse_number(value, number) ? std::optional(number) : std::nullopt;
+  return CaseLines(c.text).number(key);
 }
 
 std::optional<cases::Case> checked_case(const CalibrationRequest& request) {

@@ -20,6 +20,15 @@ std::set<std::string> used_shapes(const Case& c) {
   return shapes;
 }
 
+/// The files beside the meshes of dipper and truck that say where in them rock is weighed.
+std::set<fs::path> fact_files(const Case& c) {
+  std::set<fs::path> files;
+  const auto dipper = c.bodies.find("dipper");
+  if (dipper != c.bodies.end()) files.insert(fs::path(dipper->second).replace_extension(".yaml"));
+  files.insert(fs::path(c.truck.mesh).replace_extension(".yaml"));
+  return files;
+}
+
 }  // namespace
 
 std::vector<fs::path> shape_files(const fs::path& folder, const std::string& shape) {
@@ -35,6 +44,7 @@ std::vector<fs::path> shape_files(const fs::path& folder, const std::string& sha
 std::vector<fs::path> referenced_files(const Case& c) {
   std::set<fs::path> files{c.machine.model, c.machine.motion, c.truck.mesh};
   for (const auto& body : c.bodies) files.insert(body.second);
+  files.merge(fact_files(c));
   if (!c.pile.profile.empty()) files.insert(c.pile.profile);
   for (const std::string& shape : used_shapes(c)) {
     for (const fs::path& file : shape_files(c.rock.shape_folder, shape)) files.insert(file);
@@ -46,6 +56,10 @@ std::string case_hash(const Case& c) {
   std::string text = case_text(c, [](const fs::path& path) {
     return fs::is_directory(path) ? std::string("folder") : sha256_file(path);
   });
+  // By their text, not their names: a mesh with another name is the same.
+  std::set<std::string> facts;
+  for (const fs::path& file : fact_files(c)) facts.insert(sha256_file(file));
+  for (const std::string& hash : facts) text += hash + "\n";
   for (const std::string& shape : used_shapes(c)) {
     for (const fs::path& file : shape_files(c.rock.shape_folder, shape)) {
       text += file.filename().string() + " " + sha256_file(file) + "\n";

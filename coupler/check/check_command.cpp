@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "common/case_lines.hpp"
 #include "common/seconds.hpp"
+#include "coupler/case/case_hash.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/stable_timestep.hpp"
@@ -13,35 +16,98 @@
 namespace dipper::check {
 namespace {
 
-std::string summary(const cases::Case& c) {
+using nlohmann::json;
+
+/// How much there is to compute.
+struct CaseSize {
   double rocks = 0;
-  for (const deck::ClassCount& count : deck::rock_counts(c)) rocks += count.rocks;
+  double simulated_s = 0;
+  double steps = 0;
+  double windows = 0;
+  double settle_steps = 0;
+};
+
+CaseSize size_of(const cases::Case& c) {
+  CaseSize s;
+  for (const deck::ClassCount& count : deck::rock_counts(c)) s.rocks += count.rocks;
   const double motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());
-  const double end_s = c.end_s > 0 ? c.end_s : motion_s;
-  const double steps = std::ceil(end_s / c.dem.timestep_s - 1e-6);
-  const double settle_steps = std::ceil((c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s);
+  s.simulated_s = c.end_s > 0 ? c.end_s : motion_s;
+  s.steps = std::ceil(s.simulated_s / c.dem.timestep_s - 1e-6);
+  s.windows = std::ceil(s.steps / c.coupling.sync_steps);
+  s.settle_steps = std::ceil((c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s);
+  return s;
+}
+
+std::string summary(const cases::Case& c) {
+  const CaseSize s = size_of(c);
   return fmt::format(
       "about {:.0f} rocks, {:g} s simulated in {:.0f} steps and {:.0f} windows of {:g} ms, after "
       "{:.0f} steps that settle the pile; the step is {:.0f} % of the largest stable one, {:.3g} s",
-      rocks, end_s, steps, std::ceil(steps / c.coupling.sync_steps),
-      c.coupling.sync_steps * c.dem.timestep_s * 1e3, settle_steps,
-      100 * c.dem.timestep_s / deck::stable_timestep(c), deck::stable_timestep(c));
+      s.rocks, s.simulated_s, s.steps, s.windows, c.coupling.sync_steps * c.dem.timestep_s * 1e3,
+      s.settle_steps, 100 * c.dem.timestep_s / deck::stable_timestep(c), deck::stable_timestep(c));
+}
+
+/// The case that was read, and what is wrong with it.
+std::pair<cases::Case, std::vector<Finding>> checked(
+    const std::filesystem::path& folder, const std::vector<cases::Override>& overrides) {
+  std::vector<Finding> findings;
+  cases::Case c = cases::load_case(folder, overrides, findings);
+  if (findings.empty()) findings = check_case(c);
+  return {std::move(c), std::move(findings)};
+}
+
+/// Every key's value: a number, a text, or a list of them.
+json values_of(const cases::Case& c) {
+  json values = json::object();
+  const CaseLines lines(c.text);
+  for (const CaseLine& line : lines) {
+    const json value = json::parse(line.value, nullptr, false);
+    values[line.key] =
+        value.is_discarded() || value.is_string() ? json(lines.text(line.key)) : value;
+  }
+  return values;
 }
 
 }  // namespace
 
 int check_command(const std::filesystem::path& folder,
                   const std::vector<cases::Override>& overrides, std::ostream& out) {
-  std::vector<cases::Finding> findings;
-  const cases::Case c = cases::load_case(folder, overrides, findings);
-  if (findings.empty()) findings = check::check_case(c);
-  for (const cases::Finding& finding : findings) out << cases::to_string(finding) << '\n';
+  const auto [c, findings] = checked(folder, overrides);
+  for (const Finding& finding : findings) out << to_string(finding) << '\n';
   if (findings.empty()) {
     out << c.name << " is sound: " << summary(c) << '\n';
     return 0;
   }
   out << findings.size() << (findings.size() == 1 ? " error\n" : " errors\n");
   return 2;
+}
+
+int check_json_command(const std::filesystem::path& folder,
+                       const std::vector<cases::Override>& overrides, std::ostream& out) {
+  const auto [c, findings] = checked(folder, overrides);
+  json said = {{"case", c.name}, {"sound", findings.empty()}, {"findings", json::array()}};
+  for (const Finding& f : findings)
+    said["findings"].push_back({{"file", f.file.string()},
+                                {"line", f.line},
+                                {"column", f.column},
+                                {"key", f.key},
+                                {"message", f.message}});
+  if (findings.empty()) {
+    const CaseSize s = size_of(c);
+    said["case_hash"] = cases::case_hash(c);
+    said["size"] = {{"rocks", s.rocks},
+                    {"simulated_s", s.simulated_s},
+                    {"steps", s.steps},
+                    {"windows", s.windows},
+                    {"settle_steps", s.settle_steps},
+                    {"stable_timestep_s", deck::stable_timestep(c)}};
+    said["values"] = values_of(c);
+    said["effects"] = c.effects;
+    said["files"] = json::array();
+    for (const auto& file : cases::referenced_files(c)) said["files"].push_back(file.string());
+  }
+  out << said.dump(1, ' ', false, json::error_handler_t::replace) << '\n';
+  return findings.empty() ? 0 : 2;
 }
 
 }  // namespace dipper::check

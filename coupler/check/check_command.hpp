@@ -1,4 +1,4 @@
-// `dipper check CASE`.
+// `dipper check CASE [--json]`.
 #pragma once
 
 #include <filesystem>
@@ -14,5 +14,12 @@ namespace dipper::check {
 /// 0 sound, 2 not.
 int check_command(const std::filesystem::path& folder,
                   const std::vector<cases::Override>& overrides, std::ostream& out);
+
+/// The same for programs: one JSON object with case, sound, findings[] {file, line, column, key,
+/// message} and, of a sound case, case_hash, size {rocks, simulated_s, steps, windows,
+/// settle_steps, stable_timestep_s}, values {key: value}, effects {name: strength} and files[] it
+/// is made from.
+int check_json_command(const std::filesystem::path& folder,
+                       const std::vector<cases::Override>& overrides, std::ostream& out);
 
 }  // namespace dipper::check

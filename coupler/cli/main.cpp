@@ -38,6 +38,7 @@ struct Words {
   int ranks = 0;
   std::optional<long> seed;
   bool resume = false;
+  bool json = false;
 };
 
 std::vector<cases::Override> overrides(const Words& words) {
@@ -169,6 +170,7 @@ int command_line(int argc, char** argv) {
     return sub;
   };
   auto* check = add("check", "check a case: every error at once");
+  check->add_flag("--json", words.json, "findings, hash, size and values, for programs");
   auto* run = add("run", "run a case: LIGGGHTS digs, Simbody drives");
   run->add_option("--out", words.out, "the run's folder (default: runs/NAME)");
   run->add_option("--ranks", words.ranks, "MPI ranks of the rock side")->check(CLI::PositiveNumber);
@@ -220,7 +222,9 @@ int command_line(int argc, char** argv) {
     app.parse(argc, argv);
     if (app.got_subcommand("calibrate")) return calibrate();
     if (*gap) return gap_command(gap->remaining());
-    if (*check) return check::check_command(words.folder, overrides(words), std::cout);
+    if (*check)
+      return (words.json ? check::check_json_command : check::check_command)(
+          words.folder, overrides(words), std::cout);
     if (*again) return replay_command(words);
     if (*report) return report_command(report_words);
     if (*page) return page_command(page_file);

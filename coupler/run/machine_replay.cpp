@@ -4,8 +4,9 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 
+#include "common/case_lines.hpp"
+#include "common/input_error.hpp"
 #include "common/installation.hpp"
 #include "common/record/record.hpp"
 #include "coupler/launch/last_words.hpp"
@@ -86,11 +87,11 @@ cases::Case case_of_run(const fs::path& run, const std::string& case_folder,
                         std::vector<cases::Finding>& findings) {
   // The text has the values that effects of the case have changed: the effects are in it.
   std::vector<cases::Override> all = {{"effects", "{}"}};
-  std::ifstream text(run / "case.txt");
-  if (!text) findings.push_back({run / "case.txt", 0, "", "cannot be read; name a run's folder"});
-  for (std::string line; std::getline(text, line);) {
-    const auto equals = line.find('=');
-    all.push_back({line.substr(0, equals), line.substr(equals + 1)});
+  try {
+    for (const CaseLine& line : CaseLines::read(run / "case.txt"))
+      all.push_back({line.key, line.value});
+  } catch (const InputError& e) {
+    findings.insert(findings.end(), e.findings().begin(), e.findings().end());
   }
   const fs::path record = run / "record.h5";
   std::string folder = case_folder;

@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "analysis/signals/observe.hpp"
+#include "common/case_lines.hpp"
+#include "common/input_error.hpp"
 #include "common/numbers.hpp"
 #include "common/record/record.hpp"
 #include "coupler/case/schema.hpp"
@@ -85,18 +87,13 @@ void set_observation(cases::ObservationCase& observation, const cases::Override&
 }
 
 cases::ObservationCase read_observation(const fs::path& case_txt) {
-  std::ifstream in(case_txt);
-  if (!in) throw std::runtime_error(case_txt.string() + ": cannot be read; name a run's folder");
   cases::ObservationCase observation;
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (line.rfind("observation.", 0) != 0) continue;
-    const auto equals = line.find('=');
+  for (const CaseLine& line : CaseLines::read(case_txt)) {
+    if (!is_within(line.key, "observation")) continue;
     try {
-      set_observation(observation, {line.substr(0, equals), line.substr(equals + 1)});
+      set_observation(observation, {line.key, line.value});
     } catch (const std::invalid_argument& e) {
-      throw std::runtime_error(fmt::format("{}:{}: {}", case_txt.string(), number, e.what()));
+      throw InputError({{case_txt, line.line, "", e.what()}});
     }
   }
   return observation;

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <iterator>
 #include <set>
-#include <sstream>
 
+#include "common/case_lines.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
 #include "common/sha256.hpp"
@@ -381,18 +381,16 @@ class Leg {
 }  // namespace
 
 std::vector<std::string> changed_since(const fs::path& folder, const cases::Case& c) {
-  const auto lines = [](std::istream& in) {
+  const auto keys = [](const CaseLines& lines) {
     std::set<std::string> kept;
-    for (std::string line; std::getline(in, line);) {
-      const bool free = line.rfind("end_s", 0) == 0 || line.rfind("output.", 0) == 0 ||
-                        line.rfind("coupling.timeout_s", 0) == 0;
-      if (!free) kept.insert(line);
+    for (const CaseLine& line : lines) {
+      const bool free =
+          line.key == "end_s" || is_within(line.key, "output") || line.key == "coupling.timeout_s";
+      if (!free) kept.insert(line.key + '=' + line.value);
     }
     return kept;
   };
-  std::ifstream file(folder / "case.txt");
-  std::istringstream text(c.text);
-  const auto before = lines(file), now = lines(text);
+  const auto before = keys(CaseLines::read(folder / "case.txt")), now = keys(CaseLines(c.text));
   std::vector<std::string> changed;
   std::set_symmetric_difference(before.begin(), before.end(), now.begin(), now.end(),
                                 std::back_inserter(changed));

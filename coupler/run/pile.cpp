@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <chrono>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "common/cache_entry.hpp"
 #include "common/cache_folder.hpp"
+#include "common/case_lines.hpp"
 #include "common/installation.hpp"
 #include "coupler/deck/bench_cut.hpp"
 #include "coupler/deck/contact_table.hpp"
@@ -26,19 +26,15 @@ namespace {
 /// that settles it, the files that deck includes, and the program that runs it.
 std::string pile_hash(const cases::Case& c, const fs::path& deck) {
   std::string all = fmt::format("LIGGGHTS 3.8.0, bench-cut {}\n", deck::kBenchCutVersion);
-  std::istringstream lines(c.text);
-  for (std::string line; std::getline(lines, line);) {
-    for (const char* section : {"rock.", "contact.", "pile.", "domain.", "dem.", "seed"}) {
-      // Of the dig, not of the settling:
-      if (line.rfind("dem.hold", 0) == 0 || line.rfind("pile.clear_machine", 0) == 0 ||
-          line.rfind("pile.held_layer", 0) == 0)
-        continue;
-      // A path says where a file is, not what is in it: the deck's spheres, outline and
-      // surface are hashed below.
-      const bool path =
-          line.rfind("rock.shape_folder", 0) == 0 || line.rfind("pile.profile", 0) == 0;
-      if (line.rfind(section, 0) == 0 && !path) all += line + '\n';
-    }
+  for (const CaseLine& line : CaseLines(c.text)) {
+    // Of the dig, not of the settling; or a path, which says where a file is, not what is in it:
+    // the deck's spheres, outline and surface are hashed below.
+    const auto is = [&](const char* section) { return is_within(line.key, section); };
+    if (is("dem.hold_below_m_s") || is("pile.clear_machine") || is("pile.held_layer_m") ||
+        is("rock.shape_folder") || is("pile.profile"))
+      continue;
+    if (is("rock") || is("contact") || is("pile") || is("domain") || is("dem") || is("seed"))
+      all += line.key + '=' + line.value + '\n';
   }
   std::vector<fs::path> scripts;
   for (const char* name : {"settle.in", "contact.in", "check_pour.in", "check_lost.in"})

@@ -60,7 +60,8 @@ TEST(CaseHash, FollowsEveryValueAndEveryReferencedByte) {
   EXPECT_EQ(hashes.size(), 2U);
 
   const auto files = referenced_files(load(checkout.folder()));
-  EXPECT_EQ(files.size(), 5U + 2 * 3) << "model, motion, 3 walls; STL and YAML of 3 shapes";
+  EXPECT_EQ(files.size(), 7U + 2 * 3)
+      << "model, motion, 3 walls, 2 files beside them; STL and YAML of 3 shapes";
   for (const fs::path& file : files) {
     const std::string bytes = test::read_text(file);
     std::string changed = bytes;
@@ -99,7 +100,9 @@ TEST(CaseHash, DoesNotKnowWhereTheCheckoutIs) {
 TEST(CaseHash, AMeshWithAnotherNameAndTheSameBytesIsTheSame) {
   const Checkout checkout;
   const std::string before = case_hash(load(checkout.folder()));
-  fs::copy(checkout.root / "meshes/truck.stl", checkout.root / "lorry.stl");
+  for (const char* type : {".stl", ".yaml"})
+    fs::copy(checkout.root / (std::string("meshes/truck") + type),
+             checkout.root / (std::string("lorry") + type));
   EXPECT_EQ(
       case_hash(load(checkout.folder(), {{"truck.mesh", (checkout.root / "lorry.stl").string()}})),
       before);

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "common/mesh/stl.hpp"
 #include "coupler/case/bench_surface.hpp"
+#include "coupler/case/case_hash.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_command.hpp"
 #include "coupler/deck/pile_shape.hpp"
@@ -52,6 +54,34 @@ TEST(CheckCase, QuickAsCalibratedIsSound) {
   }
   EXPECT_THAT(set, testing::Not(testing::IsEmpty()));
   expect_findings(check(checkout, set), {});
+}
+
+TEST(CheckCase, JsonTellsWhatAProgramAsks) {
+  Checkout checkout;
+  std::ostringstream sound;
+  EXPECT_EQ(check::check_json_command(checkout.folder(), {{"title", "'a \"b\"'"}}, sound), 0);
+  const auto said = nlohmann::json::parse(sound.str());
+  EXPECT_EQ(said.at("case"), "quick");
+  EXPECT_TRUE(said.at("sound"));
+  EXPECT_TRUE(said.at("findings").empty());
+  EXPECT_EQ(said.at("values").at("rock.density_kg_m3"), 3215);
+  EXPECT_EQ(said.at("values").at("domain.max_m").size(), 3U);
+  EXPECT_EQ(said.at("values").at("title"), "a \"b\"");
+  EXPECT_GT(said.at("size").at("rocks"), 0);
+  EXPECT_GT(said.at("size").at("steps"), 0);
+  std::vector<cases::Finding> findings;
+  EXPECT_EQ(said.at("case_hash"), cases::case_hash(cases::load_case(
+                                      checkout.folder(), {{"title", "'a \"b\"'"}}, findings)));
+
+  const int line = checkout.replace("density_kg_m3", "density_kg_m3: heavy");
+  std::ostringstream wrong;
+  EXPECT_EQ(check::check_json_command(checkout.folder(), {}, wrong), 2);
+  const auto faults = nlohmann::json::parse(wrong.str());
+  EXPECT_FALSE(faults.at("sound"));
+  ASSERT_EQ(faults.at("findings").size(), 1U);
+  EXPECT_EQ(faults.at("findings").at(0).at("line"), line);
+  EXPECT_EQ(faults.at("findings").at(0).at("key"), "rock.density_kg_m3");
+  EXPECT_EQ(faults.count("case_hash"), 0U);
 }
 
 TEST(CheckCase, EveryMissingFileAtOnce) {

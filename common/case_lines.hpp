@@ -1,0 +1,46 @@
+// The text of a case as a run keeps it (case.txt): a line key=value for each key.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dipper {
+
+/// One key. The value is what --set takes: a number, a list, or a text in quotes.
+struct CaseLine {
+  std::string key;
+  std::string value;
+  int line = 0;  ///< 1-based
+};
+
+/// All keys of a case, in the order of the text. Each key is there once.
+class CaseLines {
+ public:
+  CaseLines() = default;
+  explicit CaseLines(std::string_view text);
+
+  /// Of a file; throws InputError when it cannot be read.
+  static CaseLines read(const std::filesystem::path& file);
+
+  const CaseLine* find(std::string_view key) const;  ///< nullptr: there is none
+
+  /// A key's number, or nothing when it has none.
+  std::optional<double> number(std::string_view key) const;
+
+  /// A key's text without its quotes; "" when there is none.
+  std::string text(std::string_view key) const;
+
+  auto begin() const { return lines_.begin(); }
+  auto end() const { return lines_.end(); }
+
+ private:
+  std::vector<CaseLine> lines_;
+};
+
+/// Whether a key is this one or in this section: "rock" has "rock.classes.0.name".
+bool is_within(std::string_view key, std::string_view section);
+
+}  // namespace dipper
