@@ -1,8 +1,7 @@
-// What the rock was weighed with.
 #pragma once
 
 namespace dipper {
 
-constexpr double kGravity_m_s2 = 9.81;  ///< as dem_in/dig.in has it
+constexpr double kGravity_m_s2 = 9.81;  ///< along W's -z; as the decks in dem_in/ have it
 
 }  // namespace dipper

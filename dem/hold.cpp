@@ -19,11 +19,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/gravity.hpp"
+
 namespace dipper::dem {
 namespace {
 
-constexpr double kStruck = 5;      // times the change of load that wakes: an impact
-constexpr double kGravity = 9.81;  // m/s2, as in the deck; only the scale of "out of balance"
+constexpr double kStruck = 5;  // times the change of load that wakes: an impact
 
 Vector3d vector(const double* p) { return Eigen::Map<const Vector3d>(p); }
 
@@ -107,7 +108,7 @@ void HoldRock::for_each_rock(const Visit& visit) const {
                   static_cast<std::size_t>(atom->tag[i]),
                   vector(atom->v[i]),
                   vector(atom->f[i]),
-                  atom->rmass[i] * kGravity};
+                  atom->rmass[i] * kGravity_m_s2};
     visit(f, vector(atom->x[i]), atom->radius[i]);
   }
   if (bodies_ == nullptr) return;
@@ -118,7 +119,7 @@ void HoldRock::for_each_rock(const Visit& visit) const {
     data.xcm(x.data(), b);
     data.vcm(v.data(), b);
     const Facts f{
-        true, b, numbers_.of_body(data.tag(b)), v, vector(force[b]), data.mass(b) * kGravity};
+        true, b, numbers_.of_body(data.tag(b)), v, vector(force[b]), data.mass(b) * kGravity_m_s2};
     visit(f, x, data.r_bound(b));
   }
 }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "common/angles.hpp"
 #include "common/input_error.hpp"
 #include "common/yaml_section.hpp"
 
@@ -50,7 +51,7 @@ class Entries {
   }
 
   static double scale(const std::string& unit) {
-    return unit == "deg" || unit == "deg/s" ? 0.017453292519943295 : 1.0;
+    return unit == "deg" || unit == "deg/s" ? kRadPerDeg : 1.0;
   }
 
   YamlSection section_;

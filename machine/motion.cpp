@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/angles.hpp"
 #include "common/csv_table.hpp"
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
@@ -14,7 +15,6 @@ namespace dipper::machine {
 namespace {
 
 const std::vector<std::string> kColumns = {"time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg"};
-constexpr double kRadPerDeg = 0.017453292519943295;
 constexpr double kLongest_s = 1e6;  // int64 nanoseconds hold it 9000 times over
 
 Drives drives(const std::array<double, 4>& v) { return {v[0], v[1], v[2], v[3]}; }
@@ -51,7 +51,7 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
       continue;
     }
     t_ns_.push_back(t_ns);
-    position_.push_back({v[1], v[2], v[3] * kRadPerDeg, v[4] * kRadPerDeg});
+    position_.push_back({v[1], v[2], radians(v[3]), radians(v[4])});
   }
   if (faults.empty() && t_ns_.size() < 2)
     faults.push_back(

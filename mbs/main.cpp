@@ -1,8 +1,7 @@
 // dipper-mbs CONFIG: the machine side of a paired run.
 #include <fmt/core.h>
 
-#include <cmath>
-
+#include "common/angles.hpp"
 #include "common/json_values.hpp"
 #include "coupler/transport/peer_config.hpp"
 #include "coupler/transport/sealed_transport.hpp"
@@ -20,7 +19,7 @@ void run(const char* config_file) {
   const auto& settings = config.settings;
   Pose X_W0;
   X_W0.p = vector_from(settings.at("base_position_m"));
-  const double rake = settings.at("rake_angle_deg").get<double>() * M_PI / 180;
+  const double rake = radians(settings.at("rake_angle_deg").get<double>());
   machine::MachineCondition condition;
   condition.crowd_friction_N = settings.at("crowd_friction_N").get<double>();
   condition.hoist_loss = settings.at("hoist_loss").get<double>();

@@ -1,5 +1,6 @@
 #include "mbs/shovel_model.hpp"
 
+#include "common/gravity.hpp"
 #include "mbs/convert.hpp"
 #include "mbs/prescribed.hpp"
 
@@ -26,7 +27,7 @@ ShovelModel::ShovelModel(const machine::MachineData& m,
                          double rake)
     : matter(system), forces(system) {
   forces.setNumberOfThreads(1);  // one order of summation, and nothing here is worth a thread
-  const SimTK::Force::UniformGravity gravity(forces, matter, Vec3(0, 0, -kGravity));
+  const SimTK::Force::UniformGravity gravity(forces, matter, Vec3(0, 0, -kGravity_m_s2));
 
   house = SimTK::MobilizedBody::Pin(
       matter.Ground(), transform(X_W0),

@@ -13,8 +13,6 @@
 
 namespace dipper::mbs {
 
-constexpr double kGravity = 9.81;  ///< m/s^2, along W's -z; the decks' value
-
 /// One object, built once, not copied: Simbody's handles point into each other.
 ///
 ///   crawlers (ground) - swing, hinge about z, prescribed - house

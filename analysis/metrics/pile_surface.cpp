@@ -41,9 +41,9 @@ class Tops {
 
 }  // namespace
 
-std::vector<rock::Ball> balls_in(const io::DumpFrame& frame, const rock::Region& region,
-                                 const Pose& X_WB) {
-  std::vector<rock::Ball> balls;
+std::vector<Sphere> balls_in(const io::DumpFrame& frame, const rock::Region& region,
+                             const Pose& X_WB) {
+  std::vector<Sphere> balls;
   const Pose X_BW = inverse(X_WB);
   for_each_sphere(frame, [&](const Vector3d& p, double r) {
     const Vector3d p_B = X_BW * p;
@@ -73,7 +73,7 @@ PileSurface pile_surface(const io::DumpFrame& frame, const rock::Places& places,
   double largest = 0;
   if (frame.particles > kMany)
     pile([&](const Vector3d&, double r) { largest = std::max(largest, r); });
-  std::vector<rock::Ball> balls;
+  std::vector<Sphere> balls;
   if (largest > 0) {
     Tops tops(footprint, 2 * largest);
     pile([&](const Vector3d& p, double r) { tops.of(p) = std::max(tops.of(p), p.z() + r); });
@@ -88,7 +88,7 @@ PileSurface pile_surface(const io::DumpFrame& frame, const rock::Places& places,
   rock::SurfaceOptions options;
   options.floor_m = floor_m;
   double grain = 0;
-  for (const rock::Ball& b : balls) grain = std::max(grain, 2 * b.radius_m);
+  for (const Sphere& b : balls) grain = std::max(grain, 2 * b.radius_m);
   s.profile = rock::surface_profile(balls, options);
   try {
     rock::PileAngleOptions flank;

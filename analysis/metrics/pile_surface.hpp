@@ -18,8 +18,8 @@ PileSurface pile_surface(const io::DumpFrame& frame, const rock::Places& places,
                          const Footprint& footprint, double floor_m);
 
 /// The spheres of a frame whose centres are in a region of the body, in B.
-std::vector<rock::Ball> balls_in(const io::DumpFrame& frame, const rock::Region& region,
-                                 const Pose& X_WB);
+std::vector<Sphere> balls_in(const io::DumpFrame& frame, const rock::Region& region,
+                             const Pose& X_WB);
 
 /// z of a profile at x, straight between its bins.
 double height_at(const rock::SurfaceProfile& profile, double x_m);

@@ -30,8 +30,8 @@ bool clip(const Eigen::Vector3d& origin, const Eigen::Vector3d& up, const Region
 
 }  // namespace
 
-double load_volume(const std::vector<Ball>& balls, const Eigen::Vector3d& up, const Region& region,
-                   double cell_m) {
+double load_volume(const std::vector<Sphere>& balls, const Eigen::Vector3d& up,
+                   const Region& region, double cell_m) {
   const Eigen::Vector3d u = up.unitOrthogonal(), v = up.cross(u);
   double u0 = std::numeric_limits<double>::infinity(), v0 = u0, u1 = -u0, v1 = -u0;
   for (int k = 0; k < 8; ++k) {
@@ -52,7 +52,7 @@ double load_volume(const std::vector<Ball>& balls, const Eigen::Vector3d& up, co
     return top[static_cast<std::size_t>(j) * static_cast<std::size_t>(nu) +
                static_cast<std::size_t>(i)];
   };
-  for (const Ball& b : balls) {
+  for (const Sphere& b : balls) {
     const double bu = (u.dot(b.centre_m) - u0) / cell_m - 0.5;
     const double bv = (v.dot(b.centre_m) - v0) / cell_m - 0.5;
     const double r = b.radius_m / cell_m, w = up.dot(b.centre_m);

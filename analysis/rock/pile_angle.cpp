@@ -6,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "common/angles.hpp"
+
 namespace dipper::analysis::rock {
 namespace {
 
@@ -59,7 +61,7 @@ double theil_sen(const std::vector<double>& x, const std::vector<double>& z) {
   return median(std::move(slopes));
 }
 
-double angle_deg(double slope) { return std::atan(std::abs(slope)) * 180 / M_PI; }
+double angle_deg(double slope) { return degrees(std::atan(std::abs(slope))); }
 
 /// Standard deviation of the angle when blocks of the residuals are drawn again, with replacement.
 double bootstrap_sigma_deg(const std::vector<double>& x, const std::vector<double>& residual,
@@ -139,9 +141,9 @@ PileAngle pile_angle(const SurfaceProfile& profile, double grain_m,
   return out;
 }
 
-PileAngle pile_angle(const std::vector<Ball>& balls, const PileAngleOptions& options) {
+PileAngle pile_angle(const std::vector<Sphere>& balls, const PileAngleOptions& options) {
   double largest = 0;
-  for (const Ball& b : balls) largest = std::max(largest, b.radius_m);
+  for (const Sphere& b : balls) largest = std::max(largest, b.radius_m);
   SurfaceOptions surface;
   surface.floor_m = options.floor_m;
   return pile_angle(surface_profile(balls, surface), 2 * largest, options);

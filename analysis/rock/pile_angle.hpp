@@ -41,6 +41,6 @@ PileAngle pile_angle(const SurfaceProfile& profile, double grain_m,
                      const PileAngleOptions& options = {});
 
 /// The same from the balls, with grain_m twice the largest radius.
-PileAngle pile_angle(const std::vector<Ball>& balls, const PileAngleOptions& options = {});
+PileAngle pile_angle(const std::vector<Sphere>& balls, const PileAngleOptions& options = {});
 
 }  // namespace dipper::analysis::rock

@@ -7,7 +7,7 @@
 
 namespace dipper::analysis::rock {
 
-double mass_inside(const std::vector<Ball>& balls, const std::vector<double>& density_kg_m3,
+double mass_inside(const std::vector<Sphere>& balls, const std::vector<double>& density_kg_m3,
                    const Eigen::AlignedBox3d& box, double cell_m) {
   if (balls.size() != density_kg_m3.size()) throw std::invalid_argument("a density for every ball");
   if (box.isEmpty() || box.volume() <= 0) throw std::invalid_argument("the box is empty");

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "analysis/rock/ball.hpp"
+#include "common/sphere.hpp"
 
 namespace dipper::analysis::rock {
 
@@ -13,7 +13,7 @@ namespace dipper::analysis::rock {
 /// space counts once. `density_kg_m3` is each ball's: for a rock of several balls, its mass by the
 /// volume of their union. Error about cell/box side squared. Throws std::invalid_argument for lists
 /// of different lengths, an empty box, a cell that is not > 0.
-double mass_inside(const std::vector<Ball>& balls, const std::vector<double>& density_kg_m3,
+double mass_inside(const std::vector<Sphere>& balls, const std::vector<double>& density_kg_m3,
                    const Eigen::AlignedBox3d& box, double cell_m);
 
 }  // namespace dipper::analysis::rock

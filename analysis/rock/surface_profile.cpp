@@ -16,9 +16,9 @@ struct Extent {
   double smallest_m = x0;
 };
 
-Extent extent(const std::vector<Ball>& balls) {
+Extent extent(const std::vector<Sphere>& balls) {
   Extent e;
-  for (const Ball& b : balls) {
+  for (const Sphere& b : balls) {
     if (!b.centre_m.allFinite() || !(b.radius_m > 0) || !std::isfinite(b.radius_m))
       throw std::invalid_argument("a ball needs a finite centre and a radius > 0");
     e.x0 = std::min(e.x0, b.centre_m.x() - b.radius_m);
@@ -39,7 +39,7 @@ double median(std::vector<double>& v) {
 
 }  // namespace
 
-SurfaceProfile surface_profile(const std::vector<Ball>& balls, const SurfaceOptions& options) {
+SurfaceProfile surface_profile(const std::vector<Sphere>& balls, const SurfaceOptions& options) {
   if (balls.empty()) throw std::invalid_argument("a surface needs at least one ball");
   const Extent e = extent(balls);
   double cell = options.cell_m > 0 ? options.cell_m : e.smallest_m / 4;
@@ -55,7 +55,7 @@ SurfaceProfile surface_profile(const std::vector<Ball>& balls, const SurfaceOpti
   const auto x_of = [&](std::size_t i) { return e.x0 + (static_cast<double>(i) + 0.5) * cell; };
   const auto y_of = [&](std::size_t j) { return y_first + static_cast<double>(j) * cell; };
   std::vector<double> height(nx * ny, options.floor_m);
-  for (const Ball& b : balls) {
+  for (const Sphere& b : balls) {
     const double r = b.radius_m;
     const auto from = [&](double first, double lowest) {
       return static_cast<std::size_t>(std::max(0.0, std::ceil((lowest - first) / cell)));

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "analysis/rock/ball.hpp"
+#include "common/sphere.hpp"
 
 namespace dipper::analysis::rock {
 
@@ -26,6 +26,7 @@ struct SurfaceOptions {
 /// above, a rough slope has the same height over its mean plane everywhere, so slopes are unbiased.
 /// Between the y of the outermost balls' centres: further out the bed ends. Throws
 /// std::invalid_argument when there is no ball, or one without a finite centre and a radius > 0.
-SurfaceProfile surface_profile(const std::vector<Ball>& balls, const SurfaceOptions& options = {});
+SurfaceProfile surface_profile(const std::vector<Sphere>& balls,
+                               const SurfaceOptions& options = {});
 
 }  // namespace dipper::analysis::rock

@@ -9,6 +9,7 @@
 
 #include "analysis/io/dump_reader.hpp"
 #include "analysis/rock/solid_mass.hpp"
+#include "common/angles.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/sphere_fit.hpp"
 
@@ -25,7 +26,7 @@ constexpr double kBoxPour = 2.5;  // height of the pour in edges
 struct Row {
   int type = 0;
   long body = -1;
-  analysis::rock::Ball ball;
+  Sphere ball;
 };
 
 std::vector<Row> read_rows(const fs::path& dump) {
@@ -61,7 +62,7 @@ PileRig pile_rig(const cases::Case& c, double size_m) {
 }
 
 double poured_mass(const cases::Case& c, const PileRig& rig) {
-  const double slope = std::tan(kFlattest_deg * M_PI / 180);
+  const double slope = std::tan(radians(kFlattest_deg));
   const double section = rig.size_m * rig.size_m / 2 / slope + rig.depth_m * rig.size_m;
   return kPouredFraction * deck::laden_density(c) * 2 * section * rig.width_m;
 }
@@ -95,8 +96,8 @@ DeckRun box_run(const cases::Case& c, const BoxRig& rig) {
 
 analysis::rock::PileAngle measure_pile(const fs::path& dump, const PileRig& rig) {
   // What still stands behind the sheet, which leans over the flank, is not the flank's surface.
-  const double a = kSheetAngle_deg * M_PI / 180;
-  std::vector<analysis::rock::Ball> balls;
+  const double a = radians(kSheetAngle_deg);
+  std::vector<Sphere> balls;
   for (const Row& row : read_rows(dump)) {
     const Eigen::Vector3d& p = row.ball.centre_m;
     if (p.x() * std::sin(a) + (p.z() - rig.size_m) * std::cos(a) < 0) balls.push_back(row.ball);
@@ -113,7 +114,7 @@ analysis::rock::PileAngle measure_pile(const fs::path& dump, const PileRig& rig)
 BulkDensity measure_box(const cases::Case& c, const fs::path& dump, const BoxRig& rig) {
   const std::vector<deck::RockClass> classes = deck::rock_classes(c);
   const std::vector<Row> rows = read_rows(dump);
-  std::map<long, std::vector<deck::Sphere>> bodies;
+  std::map<long, std::vector<Sphere>> bodies;
   double smallest = largest_rock(c);
   for (const Row& row : rows) {
     smallest = std::min(smallest, row.ball.radius_m);
@@ -122,7 +123,7 @@ BulkDensity measure_box(const cases::Case& c, const fs::path& dump, const BoxRig
   std::map<long, double> volume;
   constexpr int kCells = 60;  // across a rock: its union's volume within about 0.1 %
   for (const auto& [body, spheres] : bodies) volume[body] = deck::union_volume(spheres, kCells);
-  std::vector<analysis::rock::Ball> balls;
+  std::vector<Sphere> balls;
   std::vector<double> density;
   for (const Row& row : rows) {
     const deck::RockClass& k = classes.at(static_cast<std::size_t>(row.type - 1));

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "common/angles.hpp"
 #include "common/mesh/mesh_check.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/mesh/tooth_wear.hpp"
@@ -106,7 +107,7 @@ void check_tooth_wear(const cases::Case& c, const mesh::TriangleMesh& dipper, Fi
 void check_truck_in_domain(const cases::Case& c, const mesh::TriangleMesh& truck,
                            Findings& findings) {
   mesh::TriangleMesh placed = truck;
-  const Eigen::AngleAxisd turn(c.truck.heading_deg * M_PI / 180, Eigen::Vector3d::UnitZ());
+  const Eigen::AngleAxisd turn(radians(c.truck.heading_deg), Eigen::Vector3d::UnitZ());
   for (Eigen::Vector3d& v : placed.vertices) v = c.truck.position_m + turn * v;
   check_box(c, "truck.position_m", "the truck", mesh::bounding_box(placed), findings);
 }

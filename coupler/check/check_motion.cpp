@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/angles.hpp"
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
 #include "coupler/check/check_parts.hpp"
@@ -126,7 +127,7 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
   if (!machine || !motion) return motion;
 
   const Pose X_W0{Quaterniond::Identity(), c.machine.base_position_m};
-  const machine::ShovelKinematics shovel(*machine, X_W0, c.machine.rake_angle_deg * M_PI / 180);
+  const machine::ShovelKinematics shovel(*machine, X_W0, radians(c.machine.rake_angle_deg));
   for (const std::string& message : shovel.check(*motion)) {
     findings.push_back({c.machine.motion, 0, "machine.motion", message});
   }

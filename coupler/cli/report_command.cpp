@@ -34,8 +34,8 @@ analysis::run::RunFolder open_folder(const ReportWords& words) {
 void refuse_unwritable(const fs::path& folder) {
   const fs::path parent = fs::absolute(folder).parent_path();
   if (fs::is_directory(parent) && access(parent.c_str(), W_OK | X_OK) == 0) return;
-  throw InputError({fmt::format("{}: cannot be written into; say with --out where the report goes",
-                                parent.string())});
+  throw InputError(
+      {{parent, 0, "", "cannot be written into; say with --out where the report goes"}});
 }
 
 void print_passes(const nlohmann::ordered_json& metrics) {

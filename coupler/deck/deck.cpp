@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/angles.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/case/outline_file.hpp"
@@ -224,7 +225,7 @@ PileShape pile_shape(const cases::Case& c) {
   if (p.profile.empty()) {
     s.toe_x_m = p.toe_x_m;
     s.height_m = p.height_m;
-    s.pour_run_m = p.height_m / std::tan(p.face_angle_deg * M_PI / 180);
+    s.pour_run_m = p.height_m / std::tan(radians(p.face_angle_deg));
     s.rear_x_m = s.toe_x_m + s.pour_run_m + p.crest_depth_m;
     s.volume_m3 = p.width_m * p.height_m * (s.pour_run_m / 2 + p.crest_depth_m);
   } else {

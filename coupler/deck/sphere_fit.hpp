@@ -4,13 +4,9 @@
 #include <vector>
 
 #include "common/mesh/triangle_mesh.hpp"
+#include "common/sphere.hpp"
 
 namespace dipper::deck {
-
-struct Sphere {
-  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
-  double radius_m = 0;
-};
 
 /// `count` spheres whose union covers the solid best: least symmetric difference in volume, and
 /// then the solid's own volume. The volume in just one of union U and solid S changes with the

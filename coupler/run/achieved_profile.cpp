@@ -17,7 +17,7 @@ std::optional<AchievedProfile> achieved_profile(const cases::Case& c,
                                                 const std::filesystem::path& dumps) {
   const std::filesystem::path file = first_dump(dumps);
   if (file.empty()) return std::nullopt;
-  std::vector<analysis::rock::Ball> balls;
+  std::vector<Sphere> balls;
   const analysis::io::DumpReader reader({file});
   analysis::io::DumpReader::read(reader.frames().front(), {"x", "y", "z", "radius"},
                                  [&](const analysis::io::ParticleChunk& chunk) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/angles.hpp"
 #include "common/installation.hpp"
 #include "common/json_values.hpp"
 #include "coupler/deck/collapse.hpp"
@@ -55,7 +56,7 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
         dem::HeldLayer{c.pile.held_layer_m, deck::pile_shape(c).rear_x_m, c.pile.width_m / 2};
   Pose X_WT;
   X_WT.p = c.truck.position_m;
-  X_WT.R = from_rotation_vector({0, 0, c.truck.heading_deg * M_PI / 180});
+  X_WT.R = from_rotation_vector({0, 0, radians(c.truck.heading_deg)});
   setup.scales = {
       {"mass_in_dipper", "dipper", Pose{}, facts.dipper.load.min, facts.dipper.load.max},
       {"mass_in_truck", "", X_WT, facts.truck_bed.min, facts.truck_bed.max}};

@@ -39,13 +39,13 @@ struct Heap {
     return straight;
   }
 
-  std::vector<Ball> balls() const {
+  std::vector<Sphere> balls() const {
     std::mt19937 draw(seed);
     const auto uniform = [&](double lo, double hi) {
       return lo + (hi - lo) * static_cast<double>(draw()) / 4294967295.0;
     };
     std::normal_distribution<double> rough(0, roughness_m > 0 ? roughness_m : 1);
-    std::vector<Ball> out;
+    std::vector<Sphere> out;
     const double run = height_m / std::tan(angle_deg * kDegree);
     while (out.size() < 25'000) {
       const double r = uniform(0, 1) < 0.9 ? 0.2 : uniform(0.25, 0.425);
@@ -91,9 +91,9 @@ TEST(PileAngle, NoiseOutliersToeAndCrestDoNotBend) {
 TEST(PileAngle, TheOtherWayRoundIsTheSameAngle) {
   Heap heap;
   heap.toe_and_crest = true;
-  std::vector<Ball> balls = heap.balls();
+  std::vector<Sphere> balls = heap.balls();
   const PileAngle a = pile_angle(balls);
-  for (Ball& b : balls) b.centre_m.x() *= -1;
+  for (Sphere& b : balls) b.centre_m.x() *= -1;
   const PileAngle mirrored = pile_angle(balls);
   EXPECT_NEAR(mirrored.angle_deg, a.angle_deg, 0.1);
   EXPECT_LT(mirrored.slope, 0);
@@ -135,9 +135,9 @@ TEST(PileAngle, AThirdOfTheBinsMayBeWrongAlmost) {
 }
 
 TEST(PileAngle, SaysWhenThereIsNoFlank) {
-  EXPECT_THROW(pile_angle(std::vector<Ball>{}), std::invalid_argument);
+  EXPECT_THROW(pile_angle(std::vector<Sphere>{}), std::invalid_argument);
   EXPECT_THROW(pile_angle({{{0, 0, 0.2}, 0.2}}), std::invalid_argument);
-  std::vector<Ball> slab;  // a level bed between walls
+  std::vector<Sphere> slab;  // a level bed between walls
   for (int i = 0; i < 50; ++i)
     for (int j = 0; j < 10; ++j) slab.push_back({{0.4 * i, 0.4 * j, 0.2}, 0.2});
   EXPECT_THROW(pile_angle(slab), std::invalid_argument);
@@ -153,14 +153,14 @@ TEST(SurfaceProfile, OfOneBallIsItsTop) {
 }
 
 TEST(SurfaceProfile, OfALevelBedIsLevel) {
-  std::vector<Ball> bed;
+  std::vector<Sphere> bed;
   for (int i = 0; i < 40; ++i)
     for (int j = 0; j < 10; ++j) bed.push_back({{0.2 * i, 0.2 * j, 1.0}, 0.2});
   const SurfaceProfile p = surface_profile(bed);
   for (std::size_t i = 2; i + 2 < p.z_m.size(); ++i) EXPECT_NEAR(p.z_m[i], 1.18, 0.02);
 }
 
-TEST(SurfaceProfile, RefusesWhatIsNoBall) {
+TEST(SurfaceProfile, RefusesWhatIsNoSphere) {
   EXPECT_THROW(surface_profile({}), std::invalid_argument);
   EXPECT_THROW(surface_profile({{{0, 0, 0}, 0}}), std::invalid_argument);
   EXPECT_THROW(surface_profile({{{NAN, 0, 0}, 1}}), std::invalid_argument);

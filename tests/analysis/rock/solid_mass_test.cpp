@@ -14,7 +14,7 @@ Eigen::AlignedBox3d cube(double side) {
 
 /// Spheres that touch on a cubic lattice fill pi/6 of the space.
 TEST(MassInside, CubicLatticeOfSpheres) {
-  std::vector<Ball> balls;
+  std::vector<Sphere> balls;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       for (int k = 0; k < 5; ++k) balls.push_back({{i + 0.5, j + 0.5, k + 0.5}, 0.5});
@@ -37,7 +37,7 @@ TEST(MassInside, ACapCountsAsFarAsItReachesIn) {
 }
 
 TEST(MassInside, SpaceInTwoBallsOfARockCountsOnce) {
-  const std::vector<Ball> twice = {{{0.5, 0.5, 0.5}, 0.3}, {{0.5, 0.5, 0.5}, 0.3}};
+  const std::vector<Sphere> twice = {{{0.5, 0.5, 0.5}, 0.3}, {{0.5, 0.5, 0.5}, 0.3}};
   const double once = 1000 * 4 / 3.0 * M_PI * 0.027;
   EXPECT_NEAR(mass_inside(twice, {1000, 1000}, cube(1), 0.01), once, 0.005 * once);
 }
