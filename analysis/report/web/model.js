@@ -32,9 +32,10 @@ export class Model {
   channel(name) {
     return this.curves.channels[name]?.values;
   }
-  /// √(hoist² + crowd²) where the dipper digs. Anywhere else it is what dipper and load weigh: null.
+  /// √(hoist² + crowd²) where the dipper digs, from first contact. Anywhere else it is what dipper and load weigh: null.
   digForce() {
-    const digs = this.phases.filter((phase) => DIGS.includes(phase.name));
+    const contact = (t) => this.passes.find((p) => p.t_start_s <= t && t < p.t_end_s)?.t_dig_s ?? t;
+    const digs = this.phases.filter(({ name }) => DIGS.includes(name)).map(({ from, to }) => ({ from: Math.max(from, contact(from)), to }));
     if (!digs.length) return undefined;
     const time = this.curves.time_s;
     return this.channel('dig_force')?.map((force, k) => (digs.some((p) => p.from <= time[k] && time[k] <= p.to) ? force : null));

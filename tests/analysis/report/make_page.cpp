@@ -31,9 +31,11 @@ int main(int argc, char** argv) {
   }
   input.curves = {hoist, crowd, dig_force, load};
   input.case_text = "title=\"A synthetic dig\"\nrock.density_kg_m3=3215\n";
-  input.metrics = {{"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
-                   {"phases",
-                    {{{"phase", "reach"}, {"t_start_s", 0}, {"t_end_s", 0.2 * T}},
-                     {{"phase", "dig"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
+  input.metrics = {
+      {"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
+      {"passes", {{{"pass", 1}, {"t_start_s", 0}, {"t_dig_s", 0.3 * T}, {"t_end_s", T}}}},
+      {"phases",
+       {{{"phase", "reach"}, {"t_start_s", 0}, {"t_end_s", 0.2 * T}},
+        {{"phase", "dig"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
   write_report_page("A synthetic dig", input, argv[1]);
 }

@@ -185,10 +185,10 @@ class Page(unittest.TestCase):
             self.assertGreater(colours, 20)
 
     def test_what_the_dipper_weighs_is_no_dig_force(self):
-        # make_page.cpp: it digs from a fifth of the time on
+        # make_page.cpp: it meets the rock at 3 s of 10, one second into the phase
         weighed, drawn = self.browser.run("""
             const force = dipper.model.digForce(), time = dipper.model.curves.time_s;
-            return [force.filter((f, k) => time[k] < 2 && f !== null).length, force.filter((f, k) => time[k] > 2 && f > 0).length];""")
+            return [force.filter((f, k) => time[k] < 2.99 && f !== null).length, force.filter((f, k) => time[k] > 3.01 && f > 0).length];""")
         self.assertEqual(weighed, 0)
         self.assertGreater(drawn, 1000)
         read = "return document.querySelector('.readout').textContent"
