@@ -24,8 +24,9 @@ export function headline(model) {
     { name: 'Payload', unit: 't', cell: (p) => tonnes(p.payload_kg) },
     { name: 'In the truck', unit: 't', cell: (p) => tonnes(p.truck_kg) },
     { name: 'Fill factor', cell: (p) => fixed(p.fill_factor, 2) },
-    { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
-    { name: 'Dig force, peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
+    { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_phases_force_mean_N) },
+    { name: 'to the dump', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
+    { name: 'peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
     { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
     { name: 'Spilt', unit: 't', cell: (p) => tonnes(p.spillage_kg, 2) },
     { name: 'Cycle', unit: 's', cell: (p) => fixed(p.t_end_s - p.t_start_s, 1) },
@@ -34,7 +35,7 @@ export function headline(model) {
   const sum = (key) => passes.reduce((total, p) => total + (p[key] ?? NaN), 0);
   const total = passes.length > 1 ? [{
     pass: 'All', payload_kg: sum('payload_kg'), truck_kg: sum('truck_kg'), fill_factor: sum('fill_factor') / passes.length,
-    dig_force_mean_N: NaN, dig_force_peak_N: Math.max(...passes.map((p) => p.dig_force_peak_N)), dig_work_J: sum('dig_work_J'),
+    dig_force_peak_N: Math.max(...passes.map((p) => p.dig_force_peak_N)), dig_work_J: sum('dig_work_J'),
     spillage_kg: sum('spillage_kg'), t_start_s: passes[0].t_start_s, t_end_s: passes[passes.length - 1].t_end_s,
   }] : [];
   return h('section', { id: 'headline', 'aria-label': 'Headline figures', class: passes.length === 1 ? 'single' : undefined },
