@@ -28,6 +28,24 @@ constexpr double kStruck = 5;  // times the change of load that wakes: an impact
 
 Vector3d vector(const double* p) { return Eigen::Map<const Vector3d>(p); }
 
+void write_record(const HeldRecord& r, ByteWriter& out) {
+  out.put(r.of_layer);
+  out.put(r.groups);
+  for (const Vector3d* v : {&r.carried_N, &r.excess_N, &r.seen_p_W})
+    for (int k = 0; k < 3; ++k) out.put((*v)[k]);
+  out.put(r.seen_step);
+}
+
+HeldRecord read_record(ByteReader& in) {
+  HeldRecord r;
+  r.of_layer = in.get<bool>();
+  r.groups = in.get<int>();
+  for (Vector3d* v : {&r.carried_N, &r.excess_N, &r.seen_p_W})
+    for (int k = 0; k < 3; ++k) (*v)[k] = in.get<double>();
+  r.seen_step = in.get<std::int64_t>();
+  return r;
+}
+
 }  // namespace
 
 void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer) {
@@ -59,13 +77,13 @@ void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer) {
     if (within[numbers.of_sphere(atom->tag[i])] != 0) atom->mask[i] |= bit;
 }
 
-HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm)
+HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm,
+                   RockNumbers numbers)
     : lmp_(lmp),
-      bodies_(
-          static_cast<LAMMPS_NS::FixMultisphere*>(lmp.modify->find_fix_style("multisphere", 0))),
+      bodies_(multisphere_of(lmp)),
       settings_(settings),
       comm_(comm),
-      numbers_(lmp),
+      numbers_(std::move(numbers)),
       parked_(lmp, numbers_),
       policy_(settings, numbers_.size()),
       rocks_(numbers_.size()),
@@ -82,6 +100,10 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
   }
   if (const int group = lmp.group->find(kLayerGroup); group >= 0)
     layer_ = lmp.group->bitmask[group];
+}
+
+HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm)
+    : HoldRock(lmp, settings, comm, RockNumbers(lmp)) {
   // Of every rock, joined over the ranks: its integrators' bits and the layer's.
   std::vector<int> bits(numbers_.size(), 0);
   for (int i = 0; i < lmp_.atom->nlocal; ++i) {
@@ -95,6 +117,31 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
     rocks_[k].of_layer = (bits[k] & layer_) != 0;
   }
   hold_layer();
+}
+
+HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm,
+                   ByteReader& in)
+    : HoldRock(lmp, settings, comm, RockNumbers(in)) {
+  parked_.load(in);
+  policy_.restore(in.get_all<RestRecord>());
+  for (HeldRecord& rock : rocks_) rock = read_record(in);
+  largest_m_ = in.get<double>();
+  checked_ = in.get<std::int64_t>();
+  gathered_ = in.get<std::int64_t>();
+  followed_ = in.get<std::int64_t>();
+  park_again_ = in.get<bool>();
+}
+
+void HoldRock::save(ByteWriter& out) const {
+  numbers_.save(out);
+  parked_.save(out);
+  out.put_all(policy_.records());
+  for (const HeldRecord& rock : rocks_) write_record(rock, out);
+  out.put(largest_m_);
+  out.put(checked_);
+  out.put(gathered_);
+  out.put(followed_);
+  out.put(park_again_);
 }
 
 /// Calls visit(facts, centre, radius) for every rock of this rank in LIGGGHTS.

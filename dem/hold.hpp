@@ -52,11 +52,14 @@ struct HeldRecord {
 /// Rock of the group kLayerGroup is held from the beginning, whatever its load, until a moving wall
 /// comes near; then it is rock like any other, and leaves the group. The group is saved.
 ///
-/// Who else rests is not saved: after a checkpoint, in the run that goes on and in the one that
-/// resumes, all rock moves and a new HoldRock begins.
+/// Who else rests is saved with all that is known of it: a checkpoint wakes nothing.
 class HoldRock {
  public:
   HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm);
+
+  /// As it was when it was saved, once the rock is in LIGGGHTS as it was then.
+  HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm, ByteReader& in);
+  void save(ByteWriter& out) const;
 
   /// Before each window of n steps.
   void before_window(std::int64_t n_steps, const std::vector<MovingBody>& bodies);
@@ -79,6 +82,8 @@ class HoldRock {
     Vector3d v_W, force;
     double weight;
   };
+  HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm,
+           RockNumbers numbers);
   void unpark();
   template <typename Visit>
   void for_each_rock(const Visit& visit) const;

@@ -20,8 +20,7 @@ Holding::Holding(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup,
                  const std::vector<WallMotion*>& walls)
     : lmp_(lmp), setup_(setup), walls_(walls) {}
 
-void Holding::begin() {
-  boxes_.clear();  // a wall's is right once the wall is in place
+void Holding::measure_boxes() {
   for (std::size_t b = 0; b < walls_.size(); ++b) {
     BodyBox box = walls_[b]->box();
     for (const Scale& s : setup_.scales) {  // what is weighed with a body is never parked
@@ -31,7 +30,6 @@ void Holding::begin() {
     }
     boxes_.push_back(box);
   }
-  hold_ = std::make_unique<HoldRock>(lmp_, settings_of(setup_), lmp_.world);
 }
 
 void Holding::measure(const std::vector<Pose>&, std::vector<double>& parts) const {
@@ -51,13 +49,24 @@ void Holding::release() {
 
 void Holding::before_window(const Window& window) {
   if (window.all_rock_in) return;
-  if (!hold_) begin();
+  if (!hold_) hold_ = std::make_unique<HoldRock>(lmp_, settings_of(setup_), lmp_.world);
+  if (boxes_.empty()) measure_boxes();
   const double window_s = static_cast<double>(window.n_steps) * lmp_.update->dt;
   std::vector<MovingBody> bodies;
   for (std::size_t b = 0; b < boxes_.size(); ++b)
     bodies.push_back({boxes_[b], window.X_WB[b],
                       twist_between(window.X_WB[b], window.X_WB_target[b], window_s)});
   hold_->before_window(window.n_steps, bodies);
+}
+
+void Holding::save(ByteWriter& out) const {
+  out.put(hold_ != nullptr);
+  if (hold_) hold_->save(out);
+}
+
+void Holding::load(ByteReader& in) {
+  hold_.reset();
+  if (in.get<bool>()) hold_ = std::make_unique<HoldRock>(lmp_, settings_of(setup_), lmp_.world, in);
 }
 
 void Holding::wake_all() {

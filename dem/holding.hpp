@@ -23,6 +23,8 @@ class Holding final : public RockFeature {
   void before_set_up() override;
   void release() override;
   void before_window(const Window& window) override;
+  void save(ByteWriter& out) const override;
+  void load(ByteReader& in) override;
 
   /// Wakes all rock but keeps what is known of it, for the time of a look at all of it ...
   void wake_all();
@@ -34,12 +36,12 @@ class Holding final : public RockFeature {
   long spheres_parked() const { return hold_ ? hold_->spheres_parked() : 0; }
 
  private:
-  void begin();
+  void measure_boxes();
 
   LAMMPS_NS::LAMMPS& lmp_;
   RockSetup setup_;
   std::vector<WallMotion*> walls_;
-  std::vector<BodyBox> boxes_;  ///< of the bodies and of what is weighed with them
+  std::vector<BodyBox> boxes_;  ///< of the bodies and of what is weighed with them, once in place
   std::unique_ptr<HoldRock> hold_;
 };
 

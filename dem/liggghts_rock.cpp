@@ -7,7 +7,6 @@
 #include <lammps.h>
 #include <universe.h>
 #include <update.h>
-#include <write_restart.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -19,6 +18,7 @@
 #include "dem/holding.hpp"
 #include "dem/moist/crust.hpp"
 #include "dem/moist/register_moist.hpp"
+#include "dem/rock_image.hpp"
 #include "dem/time_loop.hpp"
 #include "dem/wall_motion.hpp"
 #include "dem/weighing.hpp"
@@ -76,6 +76,7 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
   if (!setup_.resumed)
     for (const auto& feature : features_) feature->before_set_up();
   set_up_time_loop(*lmp_);
+  if (setup_.resumed && !setup_.image.empty()) go_on_from(setup_.image);
   if (!setup_.resumed)
     for (const auto& feature : features_)
       if (feature->after_set_up()) set_up_time_loop(*lmp_);
@@ -112,14 +113,23 @@ core::RockState LiggghtsRock::state() {
 }
 
 void LiggghtsRock::save(const std::filesystem::path& file) {
-  // What a resumed run does not know, the run that goes on forgets: holding begins anew.
-  for (const auto& feature : features_) feature->release();
-  std::string name = file.string();  // not as a line of a deck: it may have blanks
-  char* words[] = {name.data()};
-  LAMMPS_NS::WriteRestart(lmp_.get()).command(1, words);
-  // The command moves atoms between ranks, so lists and forces have to be set up again, just as
-  // they are in a run that goes on from the file.
-  set_up_time_loop(*lmp_);
+  write_restart_untouched(*lmp_, file);
+  write_image(image_of(file), *lmp_, [&](ByteWriter& out) {
+    put_rock(*lmp_, out);
+    for (const WallMotion* wall : walls_) wall->save(out);
+    for (const auto& feature : features_) feature->save(out);
+  });
+}
+
+void LiggghtsRock::go_on_from(const std::filesystem::path& file) {
+  ByteReader in = read_image(file, *lmp_);
+  try {
+    get_rock(*lmp_, in);
+    for (WallMotion* wall : walls_) wall->load(in);
+    for (const auto& feature : features_) feature->load(in);
+  } catch (const std::runtime_error& e) {
+    throw std::runtime_error(file.string() + ": " + e.what());
+  }
 }
 
 void LiggghtsRock::load(const std::filesystem::path&) {

@@ -34,6 +34,8 @@ class LiggghtsRock final : public core::Rock {
   core::ServerInfo info() const override;
   core::RockState place(const std::vector<Pose>& X_WB) override;
   core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
+  /// Writes a restart file of LIGGGHTS, and beside it its image (image_of), which a resumed run
+  /// needs as well. Changes nothing: a run that saves goes on as one that does not, to the bit.
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
   std::string state_hash() override;
@@ -43,6 +45,7 @@ class LiggghtsRock final : public core::Rock {
 
  private:
   core::RockState state();
+  void go_on_from(const std::filesystem::path& image);
 
   RockSetup setup_;
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;

@@ -24,10 +24,6 @@ namespace {
 
 constexpr int kOperation = LAMMPS_NS::OPERATION_COMM_EXCHANGE;
 
-FixMultisphere* multisphere_of(LAMMPS_NS::LAMMPS& lmp) {
-  return static_cast<FixMultisphere*>(lmp.modify->find_fix_style("multisphere", 0));
-}
-
 /// LIGGGHTS keeps the bodies on a rank in arrays that grow by themselves, and their number apart.
 int& number_of_bodies(Multisphere& bodies) {
   int len1, len2;
@@ -35,6 +31,35 @@ int& number_of_bodies(Multisphere& bodies) {
 }
 
 }  // namespace
+
+FixMultisphere* multisphere_of(LAMMPS_NS::LAMMPS& lmp) {
+  return static_cast<FixMultisphere*>(lmp.modify->find_fix_style("multisphere", 0));
+}
+
+std::vector<double> packed_body(Multisphere& bodies, int body) {
+  const int size = bodies.prop().elemBufSize(kOperation, nullptr, false, false, false);
+  std::vector<double> packed(static_cast<std::size_t>(size));
+  const int n =
+      bodies.prop().pushElemToBuffer(body, packed.data(), kOperation, false, false, false);
+  packed.resize(static_cast<std::size_t>(n));
+  return packed;
+}
+
+void add_body(Multisphere& bodies, std::vector<double> packed) {
+  bodies.prop().popElemFromBuffer(packed.data(), kOperation, false, false, false);
+  ++number_of_bodies(bodies);
+}
+
+RockNumbers::RockNumbers(ByteReader& in)
+    : spheres_(in.get<std::size_t>()),
+      size_(in.get<std::size_t>()),
+      rock_(in.get_all<std::size_t>()) {}
+
+void RockNumbers::save(ByteWriter& out) const {
+  out.put(spheres_);
+  out.put(size_);
+  out.put_all(rock_);
+}
 
 RockNumbers::RockNumbers(LAMMPS_NS::LAMMPS& lmp) {
   const Atom* atom = lmp.atom;
@@ -98,11 +123,7 @@ void ParkedRock::take_out(const std::vector<Rest>& rest) {
     }
     Vector3d p_W;
     data.xcm(p_W.data(), b);
-    const auto size =
-        static_cast<std::size_t>(data.prop().elemBufSize(kOperation, nullptr, false, false, false));
-    if (buffer.size() < size) buffer.resize(size);
-    const int n = data.prop().pushElemToBuffer(b, buffer.data(), kOperation, false, false, false);
-    masses_.push_back({rock, p_W, data.mass(b), packed(n)});
+    masses_.push_back({rock, p_W, data.mass(b), packed_body(data, b)});
     data.remove_body(b);
   }
 }
@@ -111,10 +132,9 @@ void ParkedRock::put_back(const std::vector<Rest>& rest) {
   const auto returns = [&](const auto& entry) { return rest[entry.rock] != Rest::parked; };
   for (Sphere& s : spheres_)
     if (returns(s)) lmp_.atom->avec->unpack_exchange(s.packed.data());
-  for (Mass& m : masses_) {
+  for (const Mass& m : masses_) {
     if (!returns(m) || m.packed.empty()) continue;
-    bodies_->data().prop().popElemFromBuffer(m.packed.data(), kOperation, false, false, false);
-    ++number_of_bodies(bodies_->data());
+    add_body(bodies_->data(), m.packed);
   }
   spheres_.erase(std::remove_if(spheres_.begin(), spheres_.end(), returns), spheres_.end());
   masses_.erase(std::remove_if(masses_.begin(), masses_.end(), returns), masses_.end());
@@ -159,6 +179,63 @@ void ParkedRock::keep_history(const std::vector<Rest>& rest) {
       packed.insert(packed.end(), h.begin(), h.end());
     }
     history_->unpack_exchange(i, packed.data());
+  }
+}
+
+void ParkedRock::save(ByteWriter& out) const {
+  out.put(spheres_.size());
+  for (const Sphere& s : spheres_) {
+    out.put(s.rock);
+    for (int k = 0; k < 3; ++k) out.put(s.p_W[k]);
+    out.put(s.radius_m);
+    out.put_all(s.packed);
+  }
+  out.put(masses_.size());
+  for (const Mass& m : masses_) {
+    out.put(m.rock);
+    for (int k = 0; k < 3; ++k) out.put(m.p_W[k]);
+    out.put(m.mass_kg);
+    out.put_all(m.packed);
+  }
+  out.put(kept_.size());
+  for (const auto& [id, history] : kept_) {
+    out.put(id);
+    out.put(history.size());
+    for (const auto& [partner, values] : history) {
+      out.put(partner);
+      out.put_all(values);
+    }
+  }
+}
+
+void ParkedRock::load(ByteReader& in) {
+  const auto vector = [&] {
+    Vector3d v;
+    for (int k = 0; k < 3; ++k) v[k] = in.get<double>();
+    return v;
+  };
+  spheres_.resize(in.get<std::size_t>());
+  for (Sphere& s : spheres_) {
+    s.rock = in.get<std::size_t>();
+    s.p_W = vector();
+    s.radius_m = in.get<double>();
+    s.packed = in.get_all<double>();
+  }
+  masses_.resize(in.get<std::size_t>());
+  for (Mass& m : masses_) {
+    m.rock = in.get<std::size_t>();
+    m.p_W = vector();
+    m.mass_kg = in.get<double>();
+    m.packed = in.get_all<double>();
+  }
+  kept_.clear();
+  for (auto n = in.get<std::size_t>(); n > 0; --n) {
+    const int id = in.get<int>();
+    History& history = kept_[id];
+    for (auto contacts = in.get<std::size_t>(); contacts > 0; --contacts) {
+      const int partner = in.get<int>();
+      history.emplace_back(partner, in.get_all<double>());
+    }
   }
 }
 

@@ -4,15 +4,24 @@
 #include <unordered_map>
 #include <vector>
 
+#include "dem/bytes.hpp"
 #include "dem/hold_policy.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
 class FixMultisphere;
 class FixContactHistory;
+class Multisphere;
 }  // namespace LAMMPS_NS
 
 namespace dipper::dem {
+
+/// The fix that moves the multispheres; null when the deck has none.
+LAMMPS_NS::FixMultisphere* multisphere_of(LAMMPS_NS::LAMMPS& lmp);
+
+/// A multisphere of this rank as one that migrates is packed, and back.
+std::vector<double> packed_body(LAMMPS_NS::Multisphere& bodies, int body);
+void add_body(LAMMPS_NS::Multisphere& bodies, std::vector<double> packed);
 
 /// Numbers of the rocks: a single sphere's is its id, a multisphere's follows on the largest id.
 /// The same on every rank, and for as long as no rock is inserted.
@@ -20,6 +29,8 @@ class RockNumbers {
  public:
   /// Collective.
   explicit RockNumbers(LAMMPS_NS::LAMMPS& lmp);
+  explicit RockNumbers(ByteReader& in);
+  void save(ByteWriter& out) const;
   std::size_t size() const { return size_; }
   std::size_t of_body(int tag) const { return spheres_ + static_cast<std::size_t>(tag); }
   /// Of the sphere with this id.
@@ -55,6 +66,9 @@ class ParkedRock {
   /// storing of contact history (Modify::setup_pre_exchange) and the building of lists, both by the
   /// caller.
   void change(const std::vector<Rest>& rest);
+
+  void save(ByteWriter& out) const;
+  void load(ByteReader& in);
 
   const std::vector<Sphere>& spheres() const { return spheres_; }
   const std::vector<Mass>& masses() const { return masses_; }

@@ -6,6 +6,7 @@
 
 #include "common/frames.hpp"
 #include "coupler/core/server.hpp"
+#include "dem/bytes.hpp"
 
 namespace dipper::dem {
 
@@ -52,6 +53,11 @@ class RockFeature {
 
   virtual void before_window(const Window& window) { static_cast<void>(window); }
   virtual void after_window(const Window& window) { static_cast<void>(window); }
+
+  /// What a checkpoint must know of it, and back, once LIGGGHTS's rock is as it was. Saving changes
+  /// nothing.
+  virtual void save(ByteWriter& out) const { static_cast<void>(out); }
+  virtual void load(ByteReader& in) { static_cast<void>(in); }
 };
 
 }  // namespace dipper::dem

@@ -37,12 +37,19 @@ json to_json(const RockSetup& setup) {
   json fall;  // null: none
   if (const auto& f = setup.fall)
     fall = {{"deck", f->deck}, {"at_step", f->at_step}, {"mass_kg", f->mass_kg}};
-  return {{"deck", setup.deck},     {"variables", setup.variables},
-          {"log", setup.log},       {"screen", setup.screen},
-          {"bodies", setup.bodies}, {"resumed", resumed},
-          {"scales", scales},       {"cleared", setup.cleared},
-          {"crust", crust},         {"fall", fall},
-          {"hold", hold},           {"layer", layer}};
+  return {{"deck", setup.deck},
+          {"variables", setup.variables},
+          {"log", setup.log},
+          {"screen", setup.screen},
+          {"bodies", setup.bodies},
+          {"resumed", resumed},
+          {"image", setup.image},
+          {"scales", scales},
+          {"cleared", setup.cleared},
+          {"crust", crust},
+          {"fall", fall},
+          {"hold", hold},
+          {"layer", layer}};
 }
 
 RockSetup rock_setup_from(const json& j) {
@@ -63,6 +70,7 @@ RockSetup rock_setup_from(const json& j) {
     setup.crust = CrustZone{crust.at(0), crust.at(1)};
   }
   // Recordings made before these were there have no such entries.
+  setup.image = j.value("image", std::string{});
   setup.cleared = j.value("cleared", std::vector<std::string>{});
   if (const auto fall = j.find("fall"); fall != j.end() && !fall->is_null()) {
     setup.fall = RockFall{fall->at("deck"), fall->at("at_step"), fall->at("mass_kg")};

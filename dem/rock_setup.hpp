@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -63,7 +64,14 @@ struct RockSetup {
   std::optional<HoldSettings> hold;  ///< not set: all rock is computed all the time
   /// Set, one a body, when the deck reads a checkpoint, with the walls in place.
   std::optional<std::vector<WallMemory>> resumed;
+  std::string image;  ///< then: the image beside the checkpoint (image_of); "": there is none
 };
+
+/// The file that a checkpoint's restart file of LIGGGHTS goes with: rock that LIGGGHTS's own file
+/// has only roughly, to the bit.
+inline std::string image_of(const std::filesystem::path& restart) {
+  return restart.string() + ".image";
+}
 
 /// As JSON, and back.
 nlohmann::json to_json(const RockSetup& setup);

@@ -58,6 +58,24 @@ void WallMotion::adopt(const Pose& X_WB, const WallMemory& remembered) {
   X_WB_ = X_WB;
 }
 
+void WallMotion::save(ByteWriter& out) const {
+  out.put(reference_.size());
+  for (const auto& nodes : reference_)
+    for (const Vector3d& p : nodes)
+      for (int k = 0; k < 3; ++k) out.put(p[k]);
+  for (int k = 0; k < 3; ++k) out.put(X_WB_.p[k]);
+  for (int k = 0; k < 4; ++k) out.put(X_WB_.R.coeffs()[k]);
+}
+
+void WallMotion::load(ByteReader& in) {
+  reference_.resize(in.get<std::size_t>());
+  for (auto& nodes : reference_)
+    for (Vector3d& p : nodes)
+      for (int k = 0; k < 3; ++k) p[k] = in.get<double>();
+  for (int k = 0; k < 3; ++k) X_WB_.p[k] = in.get<double>();
+  for (int k = 0; k < 4; ++k) X_WB_.R.coeffs()[k] = in.get<double>();
+}
+
 void WallMotion::begin_window(const Pose& X_WB_target, long n_steps) {
   // Starting from the pose read back takes out what rounding the last window left.
   X_WB_ = pose_from_nodes();

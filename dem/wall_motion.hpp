@@ -9,6 +9,7 @@
 
 #include "common/frames.hpp"
 #include "coupler/core/server.hpp"
+#include "dem/bytes.hpp"
 #include "dem/hold_policy.hpp"
 #include "dem/rock_setup.hpp"
 
@@ -47,6 +48,10 @@ class WallMotion : public LAMMPS_NS::Fix {
 
   /// The window's mean and last wrench, and the pose read back from the mesh nodes.
   core::BodyLoad end_window();
+
+  /// What a checkpoint must know of it beside WallMemory, and back, after `adopt`.
+  void save(ByteWriter& out) const;
+  void load(ByteReader& in);
 
   // What LIGGGHTS calls.
   int setmask() override;

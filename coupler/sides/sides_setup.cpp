@@ -38,6 +38,7 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
   setup.log = (logs / "dem.liggghts").string();
   setup.screen = (logs / "dem.screen").string();
   setup.resumed = resumed;
+  if (resumed) setup.image = dem::image_of(restart);
   setup.variables = {{"deck", deck.string()},
                      {"pile", restart.string()},
                      {"out", dumps.string()},

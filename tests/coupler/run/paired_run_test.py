@@ -147,6 +147,15 @@ class PairedRun(RunTest):
         data[at - 1] ^= 1
         log.write_bytes(data)
 
+    def test_checkpoints_change_nothing(self):
+        for hold in ((), ("--set", "dem.hold_below_m_s=0.3")):
+            hashes = set()
+            for every in ("0", "0.03"):
+                run = self.folder / f"every{every}{len(hold)}"
+                self.run_case(run, "--ranks", "1", "--set", f"output.checkpoint_every_s={every}", *hold)
+                hashes.add(self.summary(run)["state_hash"])
+            self.assertEqual(len(hashes), 1)
+
     def observed(self, *command):
         """hoist and crowd force of signals.csv that a command writes, kN."""
         out = self.folder / "observed"
