@@ -15,7 +15,7 @@ from pathlib import Path
 import yaml
 
 from .effects import read_catalogue
-from .findings import BadInput
+from .findings import BadInput, Findings
 from .gap_json import as_json, write_json
 from .measured import read_measured
 from .model import NEED_PASSES
@@ -24,6 +24,7 @@ from .patch import write_patched_case
 from .program import ProgramFailed, program
 from .report import write_report
 from .simulator import JOBS, DipperSimulator, RunFailed, check
+from .text_file import read_text
 from .workflow import analyse
 
 
@@ -43,7 +44,10 @@ def cache_folder():
 
 def read_case(folder):
     """What case.yaml holds; the program has checked it."""
-    data = yaml.safe_load((folder / "case.yaml").read_text())
+    found = Findings()
+    text = read_text(folder / "case.yaml", found)
+    found.raise_if_any()
+    data = yaml.safe_load(text)
     if data.get("effects"):
         raise BadInput([f"{folder / 'case.yaml'}: effects: the case has some already; give the case without them"])
     return data
