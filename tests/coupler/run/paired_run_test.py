@@ -228,7 +228,7 @@ class PairedRun(RunTest):
                 np.testing.assert_array_equal(a[name][before], b[name][before], name)
             np.testing.assert_allclose(parked, b["rock/rock_parked"][:], rtol=1e-12)  # the same rests
             force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
-            np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-3 * np.abs(force_a).max())
+            np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-9 * np.abs(force_a).max())
 
     def test_bad_input_starts_nothing_and_writes_nothing(self):
         out, err = self.run_case(self.folder / "x", "--set", "rock.density_t_m3=3.2",
