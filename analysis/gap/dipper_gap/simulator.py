@@ -133,7 +133,12 @@ class DipperSimulator(Simulator):
                 raise
         if failures:
             raise RunFailed("\n".join(failures))
-        return [self._observed(r) for r in requests]
+        with ThreadPoolExecutor(JOBS) as pool:
+            try:
+                return list(pool.map(self._observed, requests))
+            except BaseException:
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
 
     def _kept(self, r):
         """What was said of a run when it was kept; None where it is not, or is damaged. Looked at once."""
