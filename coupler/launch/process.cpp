@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 
@@ -64,6 +65,26 @@ std::optional<std::string> Process::ended() {
   }
   return fmt::format("exit status {}", WEXITSTATUS(status_));
 }
+
+namespace {
+
+double starved_s_of(pid_t pid) {
+  const std::string at = fmt::format("/proc/{}/", pid);
+  std::ifstream children(at + fmt::format("task/{}/children", pid));
+  std::optional<double> least;
+  for (pid_t child = 0; children >> child;) {
+    const double s = starved_s_of(child);
+    if (!least || s < *least) least = s;
+  }
+  if (least) return *least;
+  double run_ns = 0, wait_ns = 0;  // proc(5): schedstat
+  std::ifstream(at + "schedstat") >> run_ns >> wait_ns;
+  return 1e-9 * wait_ns;
+}
+
+}  // namespace
+
+double Process::starved_s() const { return running_ ? starved_s_of(pid_) : 0; }
 
 bool Process::succeeded() { return ended() && WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
 

@@ -30,6 +30,10 @@ class Process {
   /// Asks, then forces.
   void end();
 
+  /// How long it has waited for a core [s], or the last of the programs it started: the one that
+  /// did least of them, since one that is hung does not wait.
+  double starved_s() const;
+
   /// CPU time [s] of the program and what it waited for; once ended.
   double cpu_s() const { return cpu_s_; }
 

@@ -61,8 +61,10 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   transport::LinkOptions options;
   options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * setup.timeout_s));
   options.watch = [this] { watch(); };
+  options.starved = [this] { return std::chrono::duration<double>(dem_->starved_s()); };
   dem_link_ = std::make_unique<transport::Link>("dem", *from_dem_, transport::Channels::to_dem,
                                                 transport::Channels::from_dem, identity, options);
+  options.starved = [this] { return std::chrono::duration<double>(mbs_->starved_s()); };
   mbs_link_ = std::make_unique<transport::Link>("mbs", *from_mbs_, transport::Channels::to_mbs,
                                                 transport::Channels::from_mbs, identity, options);
   machine_ = std::make_unique<transport::RemoteMachine>(*mbs_link_);

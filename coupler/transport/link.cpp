@@ -40,6 +40,8 @@ core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t
   // Until the other side has answered once it may still be starting: ask often, and count nothing.
   std::chrono::duration<double> patience = 100ms;
   if (established_) patience = std::min<decltype(patience)>(1s, 1ms + 2 * answer_time_);
+  std::chrono::milliseconds deadline = limit;
+  std::optional<std::chrono::duration<double>> starved_before;
   bool resent = false;
   for (auto sent = start;;) {
     options_.watch();
@@ -60,7 +62,14 @@ core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t
       established_ = true;
       return std::move(*reply);
     }
-    if (now - start > limit) {
+    if (!starved_before && now - start > deadline - 1s) starved_before = options_.starved();
+    if (now - start > deadline) {
+      const auto starved = options_.starved();
+      if (starved - *starved_before > 250ms) {
+        starved_before = starved;
+        deadline += 1s;
+        continue;
+      }
       throw PeerError(side_,
                       fmt::format("no answer for {} s", static_cast<double>(limit.count()) * 1e-3));
     }

@@ -23,6 +23,12 @@ struct LinkOptions {
   /// For the first answer of all: on a loaded machine a process takes its time to start, and one
   /// that ends is seen by `watch`.
   std::chrono::milliseconds start{300000};
+  /// How long the other side has waited for a core since it started. One that does so for a quarter
+  /// of the second before the time-out, and of each second after it, is not hung but on a loaded
+  /// machine; it is waited for.
+  std::function<std::chrono::duration<double>()> starved = [] {
+    return std::chrono::duration<double>(0);
+  };
   /// Called at least every 50 ms while waiting; throws when waiting has become pointless
   /// (a process ended, the user wants to stop).
   std::function<void()> watch = [] {};

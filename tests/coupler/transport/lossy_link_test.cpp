@@ -204,6 +204,25 @@ TEST(LossyLink, ASideThatThrowsIsHeardWithItsOwnWords) {
   }
 }
 
+TEST(LossyLink, ASideThatWaitsForACoreIsWaitedFor) {
+  MemoryNetwork network;
+  auto alone = network.connect({Channels::from_dem});
+  const auto began = std::chrono::steady_clock::now();
+  LinkOptions options;
+  options.timeout = options.start = 1000ms;
+  options.starved = [&]() -> std::chrono::duration<double> {  // half of the time, for 2 s
+    return std::min<std::chrono::duration<double>>(std::chrono::steady_clock::now() - began, 2s) /
+           2;
+  };
+  options.watch = [&] {
+    if (std::chrono::steady_clock::now() - began > 10s) throw std::runtime_error("never ends");
+  };
+  Link link("dem", *alone, Channels::to_dem, Channels::from_dem, identity(), options);
+  EXPECT_THROW(link.ask(core::Command{core::Action::hello, ""}, 0, 0), PeerError);
+  EXPECT_GT(std::chrono::steady_clock::now() - began, 1900ms);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, 4500ms);
+}
+
 TEST(LossyLink, SilenceEndsInATimeout) {
   MemoryNetwork network;
   auto alone = network.connect({Channels::from_dem});
