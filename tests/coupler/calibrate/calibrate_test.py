@@ -139,6 +139,7 @@ class Calibrate(unittest.TestCase):
         for rest_speed, rests in ((0.02, True), (0, False)):
             out = self.folder / f"rest{rest_speed}"
             out.mkdir()
+            (out / "dem_in").symlink_to(DEM_IN)  # decks include from there
             done = subprocess.run(
                 ["liggghts", "-in", DEM_IN / "calibrate_box.in", "-log", out / "log", "-var", "deck", deck,
                  "-var", "out", out, "-var", "edge", "3.75", "-var", "rest_speed", str(rest_speed)],
