@@ -107,7 +107,7 @@ void get_rock(LAMMPS_NS::LAMMPS& lmp, ByteReader& in) {
   FixMultisphere* fix = multisphere_of(lmp);
   lmp.modify->setup_pre_exchange();
   atom->map_clear();
-  atom->nlocal = 0;
+  atom->nlocal = atom->nghost = 0;  // ghosts too: their ids would be cleared again from the map
   const int spheres = in.get<int>();
   for (int i = 0; i < spheres; ++i) atom->avec->unpack_exchange(in.get_all<double>().data());
   while (fix != nullptr && fix->data().n_body() > 0) fix->data().remove_body(0);
