@@ -1,11 +1,7 @@
 #include "common/cache_entry.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -14,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "common/file_lock.hpp"
 #include "common/manifest.hpp"
 #include "common/sha256.hpp"
 #include "common/warn.hpp"
@@ -22,44 +19,8 @@ namespace dipper {
 namespace fs = std::filesystem;
 namespace {
 
-/// The right to write an entry: a lock on a file beside it. The kernel drops it with the process,
-/// however that ends.
-class EntryLock {
- public:
-  explicit EntryLock(const fs::path& entry) : file_(entry.string() + ".lock") {}
-  EntryLock(const EntryLock&) = delete;
-  EntryLock& operator=(const EntryLock&) = delete;
-  ~EntryLock() {
-    if (fd_ < 0) return;
-    unlink(file_.c_str());  // while it is still ours; see try_lock
-    close(fd_);
-  }
-
-  bool try_lock() {
-    const int fd = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (fd < 0) throw std::system_error(errno, std::generic_category(), file_.string());
-    if (flock(fd, LOCK_EX | LOCK_NB) != 0) {
-      const int why = errno;
-      close(fd);
-      if (why == EWOULDBLOCK || why == EINTR) return false;
-      throw std::system_error(why, std::generic_category(), file_.string());
-    }
-    // The last owner may have removed the file between our opening and locking it: a lock on a file
-    // without a name keeps nobody out.
-    struct stat held {
-    }, named{};
-    if (fstat(fd, &held) != 0 || stat(file_.c_str(), &named) != 0 || held.st_ino != named.st_ino) {
-      close(fd);
-      return false;
-    }
-    fd_ = fd;
-    return true;
-  }
-
- private:
-  fs::path file_;
-  int fd_ = -1;
-};
+/// The right to write an entry.
+fs::path lock_file(const fs::path& entry) { return entry.string() + ".lock"; }
 
 /// Names of parts are ENTRY.PID.part.
 fs::path entry_of(const fs::path& part) {
@@ -73,7 +34,7 @@ void sweep(const fs::path& folder, const fs::path& locked_entry) {
     if (f.path().extension() == ".part") parts.push_back(f.path());
   for (const fs::path& part : parts) {
     const fs::path entry = entry_of(part);
-    EntryLock lock(entry);
+    FileLock lock(lock_file(entry));
     std::error_code ignored;  // another may be sweeping too
     if (entry == locked_entry || lock.try_lock()) fs::remove_all(part, ignored);
   }
@@ -100,10 +61,11 @@ std::string deck_hash(std::string what, const std::vector<fs::path>& files, cons
 bool is_sound(const fs::path& entry) { return fs::exists(entry) && damage_of(entry).empty(); }
 
 struct CacheWriter::State {
-  explicit State(const fs::path& entry_folder) : entry(entry_folder), lock(entry_folder) {}
+  explicit State(const fs::path& entry_folder)
+      : entry(entry_folder), lock(lock_file(entry_folder)) {}
 
   fs::path entry, part;
-  EntryLock lock;
+  FileLock lock;
 };
 
 CacheWriter::CacheWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}

@@ -132,12 +132,6 @@ void LiggghtsRock::go_on_from(const std::filesystem::path& file) {
   }
 }
 
-void LiggghtsRock::load(const std::filesystem::path&) {
-  // LIGGGHTS reads a restart file only into an empty simulation: a resumed run starts this process
-  // with a deck that reads the checkpoint.
-  throw std::logic_error("LIGGGHTS cannot load a checkpoint into a running simulation");
-}
-
 std::string LiggghtsRock::state_hash() {
   if (holding_ != nullptr) holding_->wake_all();
   struct Particle {

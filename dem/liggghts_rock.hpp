@@ -37,7 +37,6 @@ class LiggghtsRock final : public core::Rock {
   /// Writes a restart file of LIGGGHTS, and beside it its image (image_of), which a resumed run
   /// needs as well. Changes nothing: a run that saves goes on as one that does not, to the bit.
   void save(const std::filesystem::path& file) override;
-  void load(const std::filesystem::path& file) override;
   std::string state_hash() override;
 
   /// LIGGGHTS itself, for what no method gives: the tests read its meshes, contacts and momenta.

@@ -23,8 +23,8 @@ const char* const kKey = "rock.density_kg_m3";
 
 class BoxCalibration {
  public:
-  BoxCalibration(const CalibrationRequest& request, const cases::Case& c)
-      : request_(request), case_(c) {
+  BoxCalibration(const CalibrationRequest& request, const cases::Case& c, Reporter& reporter)
+      : request_(request), case_(c), reporter_(reporter) {
     const double d = largest_rock(c);
     rig_.edge_m = request.size_m > 0 ? request.size_m : std::max(kPaperBox_m, kBoxEdge * d);
     if (request_.target <= 0) request_.target = c.rock.bulk_density_kg_m3;
@@ -33,37 +33,38 @@ class BoxCalibration {
 
   int run() {
     if (case_.rock.fines_fraction > 0) {
-      fmt::print("rock.fines_fraction: the box weighs rock alone; --set rock.fines_fraction=0\n");
+      reporter_.line("rock.fines_fraction: the box weighs rock alone; --set rock.fines_fraction=0");
       return 2;
     }
     const double own = case_.rock.density_kg_m3;
     const cases::Case same = changed_case(request_, {{kKey, own}}, case_.seed);
     if (std::abs(same.rock.density_kg_m3 / own - 1) > 1e-6) {
-      fmt::print("{}: an effect changes it; calibrate the case without that effect\n", kKey);
+      reporter_.line(
+          fmt::format("{}: an effect changes it; calibrate the case without that effect", kKey));
       return 2;
     }
     const double d = largest_rock(case_);
     const std::vector<double> rocks = poured_rocks(case_, poured_mass(case_, rig_));
     const std::string missing = missing_classes(case_, rocks);
     if (rig_.edge_m < kSmallestBox * d - 1e-9 || !missing.empty()) {
-      fmt::print(
+      reporter_.line(fmt::format(
           "--size {:g} m is too small{}: the box is to be at least {:g} of the largest rocks "
-          "wide, {:.3g} m\n",
+          "wide, {:.3g} m",
           rig_.edge_m, missing.empty() ? "" : ", it has " + missing, kSmallestBox,
-          kSmallestBox * d);
+          kSmallestBox * d));
       return 2;
     }
     const std::vector<PlannedRun> first = plan("case", case_.rock.density_kg_m3);
     std::vector<DeckRun> decks;
     for (const PlannedRun& p : first) decks.push_back(p.run);
     const std::vector<bool> there = cached_runs(decks);
-    fmt::print(
+    reporter_.line(fmt::format(
         "bulk density: box of {:.3g} m edge, {:.3g} m3, {:.2g} of the largest rocks wide, "
         "about {:.0f} rocks\n{} runs ({} kept from before), then as many with the scaled "
-        "density, {} at a time\n",
+        "density, {} at a time",
         rig_.edge_m, std::pow(rig_.edge_m, 3), rig_.edge_m / d,
         std::accumulate(rocks.begin(), rocks.end(), 0.0), first.size(),
-        std::count(there.begin(), there.end(), true), jobs_of(request_));
+        std::count(there.begin(), there.end(), true), jobs_of(request_)));
     std::vector<MeasuredRun> runs = make(first);
     const MeanOfSeeds before = mean_of_seeds(runs, "case");
     print("the case as it is", case_.rock.density_kg_m3, before, interior(runs, "case"));
@@ -73,7 +74,8 @@ class BoxCalibration {
     const MeanOfSeeds after = mean_of_seeds(runs, "confirm");
     print("scaled", density, after, interior(runs, "confirm"));
     const bool met = std::abs(after.mean / request_.target - 1) <= 0.01;
-    fmt::print("target {:g} kg/m3 +- 1 %: {}\n", request_.target, met ? "met" : "missed");
+    reporter_.line(
+        fmt::format("target {:g} kg/m3 +- 1 %: {}", request_.target, met ? "met" : "missed"));
 
     std::filesystem::create_directories(request_.out);
     write_runs_csv(runs, request_.out / "runs.csv");
@@ -88,10 +90,11 @@ class BoxCalibration {
         {"confirmed", summary(density, after, interior(runs, "confirm"))},
         {"on_target", met}};
     std::ofstream(request_.out / "calibration.json") << json.dump(1) << '\n';
-    fmt::print("{}: runs.csv, calibration.json{}\n", request_.out.string(),
-               met ? ", calibrated.set" : "");
+    reporter_.line(fmt::format("{}: runs.csv, calibration.json{}", request_.out.string(),
+                               met ? ", calibrated.set" : ""));
     if (met)
-      fmt::print("dipper run {} --set {}={:.6g}\n", request_.case_folder.string(), kKey, density);
+      reporter_.line(fmt::format("dipper run {} --set {}={:.6g}", request_.case_folder.string(),
+                                 kKey, density));
     return 0;
   }
 
@@ -106,7 +109,8 @@ class BoxCalibration {
 
   std::vector<MeasuredRun> make(const std::vector<PlannedRun>& runs) const {
     return make_runs(
-        runs, jobs_of(request_), [&](const DeckRun& run, const std::filesystem::path& dump) {
+        runs, jobs_of(request_), reporter_,
+        [&](const DeckRun& run, const std::filesystem::path& dump) {
           const BulkDensity b = measure_box(run.c, dump, rig_);
           return Measures{{"bulk_kg_m3", b.box_kg_m3}, {"interior_kg_m3", b.interior_kg_m3}};
         });
@@ -119,11 +123,11 @@ class BoxCalibration {
     return sum / n;
   }
 
-  static void print(const char* of, double density, const MeanOfSeeds& m, double inside) {
-    fmt::print(
+  void print(const char* of, double density, const MeanOfSeeds& m, double inside) const {
+    reporter_.line(fmt::format(
         "{}, rock of {:.1f} kg/m3: bulk {:.1f} +- {:.1f} kg/m3 over {} seeds (one run: +- "
-        "{:.1f}); a rock's width off walls and floor {:.1f}: the walls cost {:.1f} %\n",
-        of, density, m.mean, m.sigma_of_mean, m.n, m.sigma, inside, 100 * (1 - m.mean / inside));
+        "{:.1f}); a rock's width off walls and floor {:.1f}: the walls cost {:.1f} %",
+        of, density, m.mean, m.sigma_of_mean, m.n, m.sigma, inside, 100 * (1 - m.mean / inside)));
   }
 
   static Json summary(double density, const MeanOfSeeds& m, double inside) {
@@ -138,14 +142,15 @@ class BoxCalibration {
 
   CalibrationRequest request_;
   cases::Case case_;
+  Reporter& reporter_;
   BoxRig rig_;
 };
 
 }  // namespace
 
-int calibrate_bulk_density(const CalibrationRequest& request) {
-  const std::optional<cases::Case> c = checked_case(request);
-  return c ? BoxCalibration(request, *c).run() : 2;
+int calibrate_bulk_density(const CalibrationRequest& request, Reporter& reporter) {
+  const std::optional<cases::Case> c = checked_request(request, reporter);
+  return c ? BoxCalibration(request, *c, reporter).run() : 2;
 }
 
 }  // namespace dipper::calibrate

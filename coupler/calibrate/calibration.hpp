@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 
 namespace dipper::calibrate {
@@ -33,7 +34,7 @@ inline constexpr double kPaperPileAngle_deg = 34.7;
 /// Exit status: 0 done; 2 the request or the case is wrong, nothing started. Throws Interrupted and
 /// std::runtime_error as run_decks does. Both leave runs.csv, calibration.json and, when a change
 /// of the case meets the target, calibrated.set in `out`.
-int calibrate_pile_angle(const CalibrationRequest& request);
-int calibrate_bulk_density(const CalibrationRequest& request);
+int calibrate_pile_angle(const CalibrationRequest& request, Reporter& reporter);
+int calibrate_bulk_density(const CalibrationRequest& request, Reporter& reporter);
 
 }  // namespace dipper::calibrate

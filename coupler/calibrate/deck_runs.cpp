@@ -17,8 +17,8 @@
 #include "common/installation.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/launch/last_words.hpp"
 #include "coupler/launch/process.hpp"
 
 namespace dipper::calibrate {
@@ -120,7 +120,7 @@ std::vector<bool> cached_runs(const std::vector<DeckRun>& runs) {
 }
 
 std::vector<DeckResult> run_decks(
-    const std::vector<DeckRun>& runs, int jobs,
+    const std::vector<DeckRun>& runs, int jobs, Reporter& reporter,
     const std::function<void(std::size_t, const DeckResult&)>& finished) {
   std::vector<DeckResult> results(runs.size());
   std::vector<Active> active;
@@ -137,8 +137,8 @@ std::vector<DeckResult> run_decks(
       if (failure) return;
       failure = std::current_exception();
       if (active.size() > 1)
-        fmt::print(stderr, "dipper: {}\nthose at work are finished first, Ctrl-C ends them\n",
-                   e.what());
+        reporter.error(
+            fmt::format("{}\nthose at work are finished first, Ctrl-C ends them", e.what()));
     }
   };
   while ((next < runs.size() && !failure) || !active.empty()) {
@@ -174,8 +174,8 @@ std::vector<DeckResult> run_decks(
         const fs::path work = it->writer->part();
         if (!it->liggghts->succeeded() || !fs::exists(work / run.dump)) {
           throw std::runtime_error(fmt::format(
-              "{}.in failed with seed {}: {} ({})", run.deck, run.c.seed,
-              launch::last_words(work / "stderr", work / "screen"), *it->liggghts->ended()));
+              "{}.in failed with seed {}: {}", run.deck, run.c.seed,
+              launch::failure_message(*it->liggghts, work / "stderr", work / "screen")));
         }
         done(it->index, keep(run, *it));
       });

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 
 namespace dipper::calibrate {
@@ -36,7 +37,7 @@ std::vector<bool> cached_runs(const std::vector<DeckRun>& runs);
 /// run fails, no other is begun, those at work are finished, then std::runtime_error names the run
 /// and LIGGGHTS's own message.
 std::vector<DeckResult> run_decks(
-    const std::vector<DeckRun>& runs, int jobs,
+    const std::vector<DeckRun>& runs, int jobs, Reporter& reporter,
     const std::function<void(std::size_t, const DeckResult&)>& finished);
 
 }  // namespace dipper::calibrate

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
@@ -26,14 +25,14 @@ void write(const std::filesystem::path& file, const std::string& text) {
 }  // namespace
 
 std::vector<MeasuredRun> make_runs(const std::vector<PlannedRun>& plan, int jobs,
-                                   const Measure& measure) {
+                                   Reporter& reporter, const Measure& measure) {
   std::vector<DeckRun> decks;
   for (const PlannedRun& p : plan) decks.push_back(p.run);
   std::vector<MeasuredRun> out(plan.size());
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   std::size_t done = 0, made = 0;
-  run_decks(decks, jobs, [&](std::size_t i, const DeckResult& result) {
+  run_decks(decks, jobs, reporter, [&](std::size_t i, const DeckResult& result) {
     const PlannedRun& p = plan[i];
     out[i] = {p.stage, p.parameters, p.run.c.seed, measure(p.run, result.dump), result};
     ++done;
@@ -48,11 +47,10 @@ std::vector<MeasuredRun> make_runs(const std::vector<PlannedRun>& plan, int jobs
           wall_s / static_cast<double>(made) * static_cast<double>(plan.size() - done);
       left = fmt::format(", at most {:.0f} min left", std::ceil(left_s / 60));
     }
-    fmt::print("  {:>3}/{}  {}seed {}: {}({}{})\n", done, plan.size(), words_of(p.parameters),
-               p.run.c.seed, measures,
-               result.cached ? "kept from before" : fmt::format("{:.0f} s CPU", result.cpu_s),
-               left);
-    std::fflush(stdout);
+    reporter.line(fmt::format(
+        "  {:>3}/{}  {}seed {}: {}({}{})", done, plan.size(), words_of(p.parameters), p.run.c.seed,
+        measures, result.cached ? "kept from before" : fmt::format("{:.0f} s CPU", result.cpu_s),
+        left));
   });
   return out;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/reporter.hpp"
 #include "coupler/calibrate/deck_runs.hpp"
 
 namespace dipper::calibrate {
@@ -34,9 +35,9 @@ struct PlannedRun {
 /// How a finished run is measured; the parameters have changed `run.c` already.
 using Measure = std::function<Measures(const DeckRun& run, const std::filesystem::path& dump)>;
 
-/// Makes the runs (run_decks), measures each as it ends and prints a line about it.
+/// Makes the runs (run_decks), measures each as it ends and tells of it.
 std::vector<MeasuredRun> make_runs(const std::vector<PlannedRun>& plan, int jobs,
-                                   const Measure& measure);
+                                   Reporter& reporter, const Measure& measure);
 
 struct MeanOfSeeds {
   double mean = 0;

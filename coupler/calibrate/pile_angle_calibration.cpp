@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -23,7 +22,7 @@ using Parameters = std::vector<std::pair<std::string, double>>;
 constexpr int kSearchSeeds = 2;   // a point of the design
 constexpr int kConfirmSeeds = 5;  // of the case, or of the set found
 
-/// The case's own values of the searched keys; checked_case has seen that they are numbers.
+/// The case's own values of the searched keys; checked_request has seen that they are numbers.
 std::vector<double> values_of(const cases::Case& c, const std::vector<SearchRange>& ranges) {
   std::vector<double> out;
   for (const SearchRange& r : ranges) out.push_back(value_of(c, r.key).value());
@@ -32,8 +31,12 @@ std::vector<double> values_of(const cases::Case& c, const std::vector<SearchRang
 
 class PileCalibration {
  public:
-  PileCalibration(const CalibrationRequest& request, const cases::Case& c)
-      : request_(request), case_(c), rig_(pile_rig(c, request.size_m)), scale_(request.search) {
+  PileCalibration(const CalibrationRequest& request, const cases::Case& c, Reporter& reporter)
+      : request_(request),
+        case_(c),
+        reporter_(reporter),
+        rig_(pile_rig(c, request.size_m)),
+        scale_(request.search) {
     if (request_.target <= 0) request_.target = kPaperPileAngle_deg;
   }
 
@@ -41,10 +44,10 @@ class PileCalibration {
     const std::vector<double> rocks = poured_rocks(case_, poured_mass(case_, rig_));
     const std::string missing = missing_classes(case_, rocks);
     if (!missing.empty() || rig_.size_m < 3 * largest_rock(case_)) {
-      fmt::print(
+      reporter_.line(fmt::format(
           "--size {:g} m is too small{}: the pile is to be at least 3 of the largest rocks "
-          "({:.3g} m) high\n",
-          rig_.size_m, missing.empty() ? "" : ", it has " + missing, 3 * largest_rock(case_));
+          "({:.3g} m) high",
+          rig_.size_m, missing.empty() ? "" : ", it has " + missing, 3 * largest_rock(case_)));
       return 2;
     }
     std::vector<PlannedRun> plan =
@@ -77,20 +80,19 @@ class PileCalibration {
     std::vector<DeckRun> decks;
     for (const PlannedRun& p : plan) decks.push_back(p.run);
     const std::vector<bool> there = cached_runs(decks);
-    fmt::print(
-        "pile angle: sheet lifted {:.3g} m at {:.2f} m/s, {:.3g} m wide, about {:.0f} rocks\n",
-        rig_.size_m, 0.61 * std::sqrt(rig_.size_m / 12.2), rig_.width_m, rocks);
-    fmt::print(
-        "{} runs ({} kept from before){}, {} at a time\n", plan.size(),
+    reporter_.line(fmt::format(
+        "pile angle: sheet lifted {:.3g} m at {:.2f} m/s, {:.3g} m wide, about {:.0f} rocks",
+        rig_.size_m, 0.61 * std::sqrt(rig_.size_m / 12.2), rig_.width_m, rocks));
+    reporter_.line(fmt::format(
+        "{} runs ({} kept from before){}, {} at a time", plan.size(),
         std::count(there.begin(), there.end(), true),
         request_.search.empty() ? "" : fmt::format(", then {} at the set found", kConfirmSeeds),
-        jobs_of(request_));
-    std::fflush(stdout);
+        jobs_of(request_)));
   }
 
   std::vector<MeasuredRun> make(const std::vector<PlannedRun>& plan) const {
     return make_runs(
-        plan, jobs_of(request_), [&](const DeckRun&, const std::filesystem::path& dump) {
+        plan, jobs_of(request_), reporter_, [&](const DeckRun&, const std::filesystem::path& dump) {
           const analysis::rock::PileAngle a = measure_pile(dump, rig_);
           return Measures{
               {"angle_deg", a.angle_deg}, {"fit_sigma_deg", a.sigma_deg}, {"height_m", a.height_m}};
@@ -119,18 +121,19 @@ class PileCalibration {
   }
 
   void print_mean(const char* of, const MeanOfSeeds& m) const {
-    fmt::print(
-        "{}: {:.2f} +- {:.2f} deg over {} seeds (one run: +- {:.2f}); target {:g} +- {:g}: {}\n",
-        of, m.mean, m.sigma_of_mean, m.n, m.sigma, request_.target, request_.sigma,
-        on_target(m) ? "met" : "missed");
+    reporter_.line(fmt::format(
+        "{}: {:.2f} +- {:.2f} deg over {} seeds (one run: +- {:.2f}); target {:g} +- {:g}: {}", of,
+        m.mean, m.sigma_of_mean, m.n, m.sigma, request_.target, request_.sigma,
+        on_target(m) ? "met" : "missed"));
   }
 
   void write(const Json& json) const {
     std::filesystem::create_directories(request_.out);
     write_runs_csv(runs_, request_.out / "runs.csv");
     std::ofstream(request_.out / "calibration.json") << json.dump(1) << '\n';
-    fmt::print("{}: runs.csv, calibration.json{}\n", request_.out.string(),
-               std::filesystem::exists(request_.out / "calibrated.set") ? ", calibrated.set" : "");
+    reporter_.line(fmt::format(
+        "{}: runs.csv, calibration.json{}", request_.out.string(),
+        std::filesystem::exists(request_.out / "calibrated.set") ? ", calibrated.set" : ""));
   }
 
   int measured() {
@@ -158,17 +161,17 @@ class PileCalibration {
         nearest_with(surface, request_.target, scale_.point(values_of(case_, request_.search)));
     if (!found) {
       const auto [least, most] = std::minmax_element(y.begin(), y.end());
-      fmt::print(
+      reporter_.line(fmt::format(
           "no set in these ranges gives {:g} deg: the runs lie between {:.1f} and {:.1f}; "
-          "search wider, or another key\n",
-          request_.target, *least, *most);
+          "search wider, or another key",
+          request_.target, *least, *most));
       json["found"] = nullptr;
       write(json);
       return 0;
     }
     json["found"] = describe(surface, *found);
     const Parameters set = scale_.values(*found);
-    fmt::print("confirming with {} seeds\n", kConfirmSeeds);
+    reporter_.line(fmt::format("confirming with {} seeds", kConfirmSeeds));
     for (MeasuredRun& r : make(seeds_at("confirm", set, kConfirmSeeds)))
       runs_.push_back(std::move(r));
     const MeanOfSeeds m = mean_of_seeds(runs_, "confirm");
@@ -179,17 +182,16 @@ class PileCalibration {
     if (met) write_overlay(set, request_.out / "calibrated.set");
     write(json);
     if (!met) return 0;
-    fmt::print("dipper run {}", request_.case_folder.string());
-    for (const auto& [key, value] : set) fmt::print(" --set {}={:.6g}", key, value);
-    fmt::print("\n");
+    std::string command = "dipper run " + request_.case_folder.string();
+    for (const auto& [key, value] : set) command += fmt::format(" --set {}={:.6g}", key, value);
+    reporter_.line(command);
     return 0;
   }
 
   Json describe(const ResponseSurface& s, std::optional<double> seeds) const {
-    fmt::print("surface: one run lies {:.2f} deg about it ({} degrees of freedom)",
-               s.residual_sigma(), s.degrees_of_freedom());
-    if (seeds) fmt::print("; seeds alone: {:.2f} deg", *seeds);
-    fmt::print("\n");
+    reporter_.line(fmt::format(
+        "surface: one run lies {:.2f} deg about it ({} degrees of freedom){}", s.residual_sigma(),
+        s.degrees_of_freedom(), seeds ? fmt::format("; seeds alone: {:.2f} deg", *seeds) : ""));
     const Eigen::VectorXd& c = s.coefficients();
     Json out = {{"coefficients", std::vector<double>(c.data(), c.data() + c.size())},
                 {"of", "1, x_i, x_i x_j (i <= j); x from -1 to 1 over each range"},
@@ -207,25 +209,25 @@ class PileCalibration {
     const double sigma = std::hypot(request_.sigma, p.sigma);
     Json out = {{"predicted_deg", p.value}, {"predicted_sigma_deg", p.sigma}};
     const Parameters set = scale_.values(x);
-    fmt::print("set found, predicted {:.2f} +- {:.2f} deg:\n", p.value, p.sigma);
+    reporter_.line(fmt::format("set found, predicted {:.2f} +- {:.2f} deg:", p.value, p.sigma));
     for (std::size_t i = 0; i < set.size(); ++i) {
       const double slope = g[static_cast<Eigen::Index>(i)] / scale_.half(i);
       out["set"][set[i].first] = {{"value", set[i].second},
                                   {"deg_per_unit", slope},
                                   {"sigma_alone", sigma / std::abs(slope)}};
-      fmt::print("  {} = {:.4g} (+- {:.2g} if the rest stays: {:.3g} deg a unit)\n", set[i].first,
-                 set[i].second, sigma / std::abs(slope), slope);
+      reporter_.line(fmt::format("  {} = {:.4g} (+- {:.2g} if the rest stays: {:.3g} deg a unit)",
+                                 set[i].first, set[i].second, sigma / std::abs(slope), slope));
     }
     out["unique"] = false;
     const std::vector<Point> lines = neutral_directions(s, x);
     if (lines.empty()) {
-      fmt::print(
+      reporter_.line(
           "one angle fixes one number: with any other key changed, another value would fit. "
-          "Search two keys to see along which line\n");
+          "Search two keys to see along which line");
       out["note"] = "one key searched: unique in it alone, not among sets of several keys";
       return out;
     }
-    fmt::print("the set is not unique; the angle stays the same along\n");
+    reporter_.line("the set is not unique; the angle stays the same along");
     for (const Point& line : lines) {
       Json direction, ends = Json::array();
       std::string words;
@@ -245,7 +247,7 @@ class PileCalibration {
         from_to += ")";
         ends.push_back(end);
       }
-      fmt::print("  {}: in these ranges from ({}\n", words, from_to);
+      reporter_.line(fmt::format("  {}: in these ranges from ({}", words, from_to));
       out["neutral"].push_back({{"direction", direction}, {"ends", ends}});
     }
     return out;
@@ -253,6 +255,7 @@ class PileCalibration {
 
   CalibrationRequest request_;
   cases::Case case_;
+  Reporter& reporter_;
   PileRig rig_;
   SearchScale scale_;
   std::vector<MeasuredRun> runs_;
@@ -260,9 +263,9 @@ class PileCalibration {
 
 }  // namespace
 
-int calibrate_pile_angle(const CalibrationRequest& request) {
-  const std::optional<cases::Case> c = checked_case(request);
-  return c ? PileCalibration(request, *c).run() : 2;
+int calibrate_pile_angle(const CalibrationRequest& request, Reporter& reporter) {
+  const std::optional<cases::Case> c = checked_request(request, reporter);
+  return c ? PileCalibration(request, *c, reporter).run() : 2;
 }
 
 }  // namespace dipper::calibrate

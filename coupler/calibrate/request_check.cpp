@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 #include <stdexcept>
 #include <thread>
 
@@ -11,7 +10,7 @@
 #include "common/installation.hpp"
 #include "coupler/calibrate/search_scale.hpp"
 #include "coupler/check/check.hpp"
-#include "coupler/check/check_command.hpp"
+#include "coupler/check/checked_case.hpp"
 #include "coupler/deck/liggghts_path.hpp"
 
 namespace dipper::calibrate {
@@ -62,7 +61,7 @@ std::optional<double> value_of(const cases::Case& c, const std::string& key) {
   return CaseLines(c.text).number(key);
 }
 
-std::optional<cases::Case> checked_case(const CalibrationRequest& request) {
+std::optional<cases::Case> checked_request(const CalibrationRequest& request, Reporter& reporter) {
   std::vector<std::string> faults;
   for (std::size_t i = 0; i < request.search.size(); ++i) {
     const SearchRange& r = request.search[i];
@@ -81,21 +80,19 @@ std::optional<cases::Case> checked_case(const CalibrationRequest& request) {
     faults.push_back(request.out.string() + " is there already; choose another --out");
   if (!deck::liggghts_takes(data_folder()))  // the deck and its sheet are there
     faults.push_back(data_folder().string() + ": " + deck::kLiggghtsRefuses);
-  for (const std::string& fault : faults) std::cout << fault << '\n';
-  if (check::check_command(request.case_folder, request.overrides, std::cout) != 0)
-    return std::nullopt;
-  if (!faults.empty()) return std::nullopt;
-  std::vector<cases::Finding> findings;
-  cases::Case c = cases::load_case(request.case_folder, request.overrides, findings);
+  for (const std::string& fault : faults) reporter.line(fault);
+  std::optional<cases::Case> c =
+      check::checked_case(request.case_folder, request.overrides, reporter);
+  if (!c || !faults.empty()) return std::nullopt;
   if (!request.search.empty()) {
     const std::string fault = fault_at_a_point(request);
     if (!fault.empty()) faults.push_back(fault);
   }
   for (const SearchRange& r : request.search)
-    if (faults.empty() && !value_of(c, r.key))
+    if (faults.empty() && !value_of(*c, r.key))
       faults.push_back(fmt::format("--search: {}: is not a number of this case", r.key));
-  for (const std::string& fault : faults) std::cout << fault << '\n';
-  return faults.empty() ? std::optional(std::move(c)) : std::nullopt;
+  for (const std::string& fault : faults) reporter.line(fault);
+  return faults.empty() ? c : std::nullopt;
 }
 
 cases::Case changed_case(const CalibrationRequest& request,

@@ -9,12 +9,12 @@
 
 namespace dipper::calibrate {
 
-/// The case as asked for, checked as `dipper run` checks it; prints every finding, or what the case
+/// The case as asked for, checked as `dipper run` checks it; tells every finding, or what the case
 /// is. Nothing when something is wrong with it, or with the request.
-std::optional<cases::Case> checked_case(const CalibrationRequest& request);
+std::optional<cases::Case> checked_request(const CalibrationRequest& request, Reporter& reporter);
 
 /// The case with other values of some keys and another seed. Throws std::invalid_argument with the
-/// first finding of `dipper check`; none at the points of a search, which checked_case has seen.
+/// first finding of `dipper check`; none at the points of a search, which checked_request has seen.
 cases::Case changed_case(const CalibrationRequest& request,
                          const std::vector<std::pair<std::string, double>>& parameters,
                          std::int64_t seed);

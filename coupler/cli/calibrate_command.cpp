@@ -1,6 +1,6 @@
 #include "coupler/cli/calibrate_command.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <memory>
 #include <optional>
@@ -8,6 +8,7 @@
 #include "common/numbers.hpp"
 #include "common/range.hpp"
 #include "coupler/calibrate/calibration.hpp"
+#include "coupler/cli/set_option.hpp"
 #include "coupler/launch/interrupt.hpp"
 
 namespace dipper::cli {
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Words {
+struct CalibrateOptions {
   std::string what, folder, out;
   std::vector<std::string> set, search;
   std::optional<long> seed;
@@ -51,77 +52,68 @@ calibrate::SearchRange range_of(const std::string& text) {
       "write KEY=LOW:HIGH, as in --search contact.rolling_friction_sphere=0.05:0.3");
 }
 
-cases::Override override_of(const std::string& text) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos)
-    throw CLI::ValidationError("--set " + text,
-                               "write key=value, as in --set rock.coarse_graining=3");
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
 /// runs/calibrate-WHAT-CASE, or that with -2, -3, ...: a result is never written over.
-fs::path free_folder(const Words& words) {
-  const fs::path folder = fs::absolute(words.folder).lexically_normal();
+fs::path free_folder(const CalibrateOptions& o) {
+  const fs::path folder = fs::absolute(o.folder).lexically_normal();
   const fs::path name = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
-  const fs::path first =
-      fs::path("runs") / fmt::format("calibrate-{}-{}", words.what, name.string());
+  const fs::path first = fs::path("runs") / fmt::format("calibrate-{}-{}", o.what, name.string());
   fs::path out = first;
   for (int k = 2; fs::exists(out); ++k) out = first.string() + fmt::format("-{}", k);
   return out;
 }
 
-int run(Words& words) {
-  calibrate::CalibrationRequest& request = words.request;
-  request.case_folder = words.folder;
-  for (const auto& s : words.set) request.overrides.push_back(override_of(s));
-  if (words.seed) request.overrides.push_back({"seed", std::to_string(*words.seed)});
-  for (const auto& s : words.search) request.search.push_back(range_of(s));
-  request.out = words.out.empty() ? free_folder(words) : fs::path(words.out);
+int run(CalibrateOptions& o, Reporter& reporter) {
+  calibrate::CalibrationRequest& request = o.request;
+  request.case_folder = o.folder;
+  request.overrides = overrides_of(o.set, "rock.coarse_graining=3");
+  if (o.seed) request.overrides.push_back({"seed", std::to_string(*o.seed)});
+  for (const auto& s : o.search) request.search.push_back(range_of(s));
+  request.out = o.out.empty() ? free_folder(o) : fs::path(o.out);
   launch::catch_interrupts();
   try {
-    return words.what == "pile-angle" ? calibrate::calibrate_pile_angle(request)
-                                      : calibrate::calibrate_bulk_density(request);
+    return o.what == "pile-angle" ? calibrate::calibrate_pile_angle(request, reporter)
+                                  : calibrate::calibrate_bulk_density(request, reporter);
   } catch (const launch::Interrupted&) {
-    fmt::print(stderr, "dipper: interrupted; finished runs are kept, the same command goes on\n");
+    reporter.error("interrupted; finished runs are kept, the same command goes on");
     return 4;
   }
 }
 
 }  // namespace
 
-std::function<int()> add_calibrate_command(CLI::App& app) {
-  auto words = std::make_shared<Words>();
-  calibrate::CalibrationRequest& request = words->request;
+Command add_calibrate_command(CLI::App& app, Reporter& reporter) {
+  const auto o = std::make_shared<CalibrateOptions>();
+  calibrate::CalibrationRequest& request = o->request;
   auto* command =
       app.add_subcommand("calibrate", "the paper's calibrations: pile angle, bulk density");
   command->require_subcommand(1);
   const auto add = [&](const char* name, const char* what, const char* target, const Range& targets,
                        const char* size) {
     auto* sub = command->add_subcommand(name, what);
-    sub->add_option("CASE", words->folder, "a folder with a case.yaml")->required();
-    sub->add_option("--set", words->set, "KEY=VALUE instead of what the case says");
+    sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
+    sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
     sub->add_option("--target", request.target, target)->check(number_in(targets));
     sub->add_option("--size", request.size_m, size)->check(number_in({0, 1000, true}));
     sub->add_option("--seeds", request.seeds, "runs that differ in the seed alone, each time")
         ->check(CLI::Range(1, 1000));
-    sub->add_option("--seed", words->seed, "the first of them (default: the case's)");
+    sub->add_option("--seed", o->seed, "the first of them (default: the case's)");
     sub->add_option("--jobs", request.jobs, "runs at once (default: one a core)")
         ->check(CLI::Range(1, 1000));
-    sub->add_option("--out", words->out, "the result's folder (default: runs/calibrate-...)");
-    sub->callback([words, name] { words->what = name; });
+    sub->add_option("--out", o->out, "the result's folder (default: runs/calibrate-...)");
+    sub->callback([o, name] { o->what = name; });
     return sub;
   };
   auto* pile =
       add("pile-angle", "the angle at which the rock comes to rest in front of a lifted sheet",
           "deg (default: 34.7, the paper's mean of six piles)", {0, 90, true, true},
           "m, lift of the sheet (default: 7 of the largest rocks; the paper: 12.2)");
-  pile->add_option("--search", words->search, "KEY=LOW:HIGH: find the value that gives the target");
+  pile->add_option("--search", o->search, "KEY=LOW:HIGH: find the value that gives the target");
   pile->add_option("--sigma", request.sigma, "deg, of the target (default: 1)")
       ->check(number_in({0, 90, true}));
   add("bulk-density", "the density of the rock at which a box of it has the bulk density",
       "kg/m3 (default: the case's rock.bulk_density_kg_m3)", {100, 20000},
       "m, edge of the box (default: 5 of the largest rocks, at least the paper's 3.037)");
-  return [words] { return run(*words); };
+  return {command, [o, &reporter] { return run(*o, reporter); }};
 }
 
 }  // namespace dipper::cli

@@ -1,13 +1,11 @@
-// `dipper calibrate`: its words on the command line.
+// `dipper calibrate`.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include "common/reporter.hpp"
+#include "coupler/cli/command.hpp"
 
 namespace dipper::cli {
 
-/// Adds the subcommand. The function runs it once the line is parsed, and returns the exit status;
-/// it throws CLI::ValidationError for words that parse but say nothing sensible.
-std::function<int()> add_calibrate_command(CLI::App& app);
+Command add_calibrate_command(CLI::App& app, Reporter& reporter);
 
 }  // namespace dipper::cli

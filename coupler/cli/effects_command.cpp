@@ -1,9 +1,7 @@
 #include "coupler/cli/effects_command.hpp"
 
-#include <fmt/core.h>
-
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <vector>
 
 #include "coupler/case/effects.hpp"
@@ -37,16 +35,22 @@ json to_json(const cases::Effect& e) {
 
 }  // namespace
 
-int effects_command(const std::filesystem::path& case_folder, std::ostream& out) {
+int effects_command(const std::filesystem::path& case_folder, Reporter& reporter) {
   std::vector<cases::Finding> findings;
   json effects = json::array();
   for (const std::string& name : cases::effect_names(case_folder))
     effects.push_back(to_json(cases::read_effect(cases::effect_file(case_folder, name), findings)));
-  for (const cases::Finding& finding : findings)
-    fmt::print(stderr, "{}\n", cases::to_string(finding));
+  for (const cases::Finding& finding : findings) reporter.error(cases::to_string(finding));
   if (!findings.empty()) return 2;
-  out << json{{"effects", effects}}.dump() << '\n';
+  reporter.line(json{{"effects", effects}}.dump());
   return 0;
+}
+
+Command add_effects_command(CLI::App& app, Reporter& reporter) {
+  const auto folder = std::make_shared<std::string>();
+  auto* sub = app.add_subcommand("effects", "the effects a case can take, as JSON");
+  sub->add_option("CASE", *folder, "a folder with a case.yaml")->required();
+  return {sub, [folder, &reporter] { return effects_command(*folder, reporter); }};
 }
 
 }  // namespace dipper::cli

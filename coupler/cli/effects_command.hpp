@@ -1,13 +1,18 @@
+// `dipper effects`.
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
+
+#include "common/reporter.hpp"
+#include "coupler/cli/command.hpp"
 
 namespace dipper::cli {
 
 /// Writes the effects a case can take, the catalogue's and its own, as JSON; docs/case.md has the
-/// format. Returns the exit status: 0, or 2 with every fault of their files on stderr and nothing
-/// written.
-int effects_command(const std::filesystem::path& case_folder, std::ostream& out);
+/// format. Returns the exit status: 0, or 2 with every fault of their files told as an error and
+/// nothing written.
+int effects_command(const std::filesystem::path& case_folder, Reporter& reporter);
+
+Command add_effects_command(CLI::App& app, Reporter& reporter);
 
 }  // namespace dipper::cli

@@ -1,28 +1,38 @@
 #include "coupler/cli/page_command.hpp"
 
-#include <fmt/core.h>
-
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "analysis/report/page.hpp"
 
 namespace dipper::cli {
+namespace {
 
-int page_command(const std::string& file) {
+int write_page(const std::string& file, Reporter& reporter) {
   std::string text;
   try {
     text = analysis::report::page(nlohmann::json::parse(std::cin));
   } catch (const nlohmann::json::exception& e) {
-    fmt::print(stderr, "dipper: page: standard input is not JSON: {}\n", e.what());
+    reporter.error(std::string("page: standard input is not JSON: ") + e.what());
     return 2;
   } catch (const std::invalid_argument& e) {
-    fmt::print(stderr, "dipper: page: {}\n", e.what());
+    reporter.error(std::string("page: ") + e.what());
     return 2;
   }
   analysis::report::write_page(text, file);
   return 0;
+}
+
+}  // namespace
+
+Command add_page_command(CLI::App& app, Reporter& reporter) {
+  const auto file = std::make_shared<std::string>();
+  auto* sub = app.add_subcommand("page", "the page of the JSON on standard input");
+  sub->add_option("FILE", *file, "the HTML file to write")->required();
+  sub->group("");  // not in --help: dipper gap calls it
+  return {sub, [file, &reporter] { return write_page(*file, reporter); }};
 }
 
 }  // namespace dipper::cli

@@ -1,12 +1,12 @@
-// dipper page FILE.html: a page of the JSON on standard input.
+// `dipper page FILE.html`: a page of the JSON on standard input.
 #pragma once
 
-#include <string>
+#include "common/reporter.hpp"
+#include "coupler/cli/command.hpp"
 
 namespace dipper::cli {
 
 /// Writes the page that parts of the tool written in other languages ask for; not for users.
-/// Returns the exit status: 2 when the JSON is no page's.
-int page_command(const std::string& file);
+Command add_page_command(CLI::App& app, Reporter& reporter);
 
 }  // namespace dipper::cli

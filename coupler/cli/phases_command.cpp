@@ -1,10 +1,8 @@
 #include "coupler/cli/phases_command.hpp"
 
-#include <fmt/core.h>
-
-#include <istream>
+#include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <stdexcept>
 
 #include "analysis/run/run_folder.hpp"
@@ -55,18 +53,26 @@ json of_readings(std::istream& in) {
 
 }  // namespace
 
-int phases_command(const std::string& folder, std::istream& in, std::ostream& out) {
+int phases_command(const std::string& folder, std::istream& in, Reporter& reporter) {
   try {
-    out << (folder == "-" ? of_readings(in) : of_run(folder)).dump() << '\n';
+    reporter.line((folder == "-" ? of_readings(in) : of_run(folder)).dump());
     return 0;
   } catch (const InputError& e) {
-    fmt::print(stderr, "dipper: {}\n", e.what());
+    reporter.error(e.what());
   } catch (const json::exception& e) {
-    fmt::print(stderr, "dipper: standard input: {}\n", e.what());
+    reporter.error(std::string("standard input: ") + e.what());
   } catch (const std::invalid_argument& e) {
-    fmt::print(stderr, "dipper: {}: {}\n", folder == "-" ? "standard input" : folder, e.what());
+    reporter.error((folder == "-" ? "standard input" : folder) + ": " + e.what());
   }
   return 2;
+}
+
+Command add_phases_command(CLI::App& app, Reporter& reporter) {
+  const auto folder = std::make_shared<std::string>();
+  auto* sub = app.add_subcommand("phases", "passes and phases as JSON");
+  sub->add_option("DIR", *folder, "a run's folder, or - for readings on standard input")
+      ->required();
+  return {sub, [folder, &reporter] { return phases_command(*folder, std::cin, reporter); }};
 }
 
 }  // namespace dipper::cli

@@ -1,7 +1,9 @@
 #include "coupler/cli/report_command.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
+
+#include <memory>
 
 #include "analysis/metrics/paraview_files.hpp"
 #include "analysis/metrics/report_files.hpp"
@@ -14,20 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-analysis::run::RunFolder open_folder(const ReportWords& words) {
-  if (fs::exists(fs::path(words.folder) / "record.h5")) {
-    if (!words.mesh.empty())
-      throw InputError({{words.folder, 0, "",
+analysis::run::RunFolder open_folder(const ReportOptions& options) {
+  if (fs::exists(fs::path(options.folder) / "record.h5")) {
+    if (!options.mesh.empty())
+      throw InputError({{options.folder, 0, "",
                          "has a record of its own; --mesh and --poses are for dumps of other "
                          "programs"}});
-    return analysis::run::read_run_folder(words.folder);
+    return analysis::run::read_run_folder(options.folder);
   }
-  if (words.mesh.empty() != words.poses.empty())
+  if (options.mesh.empty() != options.poses.empty())
     throw InputError(
         {{{}, 0, "--mesh and --poses", "one tells nothing without the other; give both"}});
   std::optional<analysis::run::ForeignDipper> dipper;
-  if (!words.mesh.empty()) dipper = analysis::run::ForeignDipper{words.mesh, words.poses};
-  return analysis::run::read_foreign_folder(words.folder, dipper);
+  if (!options.mesh.empty()) dipper = analysis::run::ForeignDipper{options.mesh, options.poses};
+  return analysis::run::read_foreign_folder(options.folder, dipper);
 }
 
 /// Told before the work is done, and to somebody who reads another one's run.
@@ -38,45 +40,59 @@ void refuse_unwritable(const fs::path& folder) {
       {{parent, 0, "", "cannot be written into; say with --out where the report goes"}});
 }
 
-void print_passes(const nlohmann::ordered_json& metrics) {
+void tell_passes(const nlohmann::ordered_json& metrics, Reporter& reporter) {
   if (!metrics.contains("passes")) return;
   const auto in_MN = [](double newton) { return newton / 1e6; };
   for (const auto& p : metrics["passes"]) {
-    fmt::print(
+    std::string line = fmt::format(
         "pass {}: {:.1f} t in the dipper, {:.1f} t in the truck, {:.2f} t spilt, dig force "
         "{:.2f} MN",
         p["pass"].get<int>(), p["payload_kg"].get<double>() / 1e3,
         p["truck_kg"].get<double>() / 1e3, p["spillage_kg"].get<double>() / 1e3,
         in_MN(p["dig_force_mean_N"]));
     if (p.contains("dig_phases_force_mean_N"))
-      fmt::print(" ({:.2f} MN from penetrate to breakout)", in_MN(p["dig_phases_force_mean_N"]));
-    fmt::print("\n");
+      line += fmt::format(" ({:.2f} MN from penetrate to breakout)",
+                          in_MN(p["dig_phases_force_mean_N"]));
+    reporter.line(line);
   }
 }
 
 }  // namespace
 
-int report_command(const ReportWords& words) {
+int report_command(const ReportOptions& options, Reporter& reporter) {
   try {
-    fs::path folder = words.out.empty() ? fs::path(words.folder) / "report" : fs::path(words.out);
+    fs::path folder =
+        options.out.empty() ? fs::path(options.folder) / "report" : fs::path(options.out);
     if (!folder.has_filename()) folder = folder.parent_path();  // was given as "there/"
     refuse_unwritable(folder);
-    analysis::run::RunFolder run = open_folder(words);
+    analysis::run::RunFolder run = open_folder(options);
     const analysis::io::DumpFolder dumps =
-        analysis::io::open_dump_folder(words.folder, words.timestep_s);
+        analysis::io::open_dump_folder(options.folder, options.timestep_s);
     if (run.is_run) analysis::run::check_dumps_are_of(run, dumps);
     const analysis::metrics::Metrics metrics = analysis::metrics::compute_metrics(run, dumps);
     analysis::metrics::write_report(metrics, folder, [&](const fs::path& made) {
       analysis::report::write_run_page(run, dumps, metrics.values, made / "report.html");
       analysis::metrics::write_paraview_files(dumps, made, fs::absolute(folder));
     });
-    print_passes(metrics.values);
-    fmt::print("{}\n", (folder / "report.html").string());
+    tell_passes(metrics.values, reporter);
+    reporter.line((folder / "report.html").string());
     return 0;
   } catch (const InputError& e) {
-    fmt::print(stderr, "dipper: {}\n", e.what());
+    reporter.error(e.what());
     return 2;
   }
+}
+
+Command add_report_command(CLI::App& app, Reporter& reporter) {
+  const auto o = std::make_shared<ReportOptions>();
+  auto* sub = app.add_subcommand("report", "metrics, tables and the page of a run, or of dumps");
+  sub->add_option("DIR", o->folder, "a run's folder, or one with dumps of LIGGGHTS")->required();
+  sub->add_option("--out", o->out, "the report's folder (default: DIR/report)");
+  sub->add_option("--timestep", o->timestep_s, "of the DEM [s], when no file tells it")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--mesh", o->mesh, "the dipper's STL, for dumps without a record");
+  sub->add_option("--poses", o->poses, "its poses: time_s,x_m,y_m,z_m,qw,qx,qy,qz");
+  return {sub, [o, &reporter] { return report_command(*o, reporter); }};
 }
 
 }  // namespace dipper::cli

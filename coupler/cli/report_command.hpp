@@ -1,12 +1,15 @@
+// `dipper report`.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "common/reporter.hpp"
+#include "coupler/cli/command.hpp"
+
 namespace dipper::cli {
 
-/// What the words of `dipper report` say.
-struct ReportWords {
+struct ReportOptions {
   std::string folder;
   std::string out;  ///< the report's folder; empty: FOLDER/report
   std::optional<double> timestep_s;
@@ -14,7 +17,9 @@ struct ReportWords {
 };
 
 /// Reads the run, computes its metrics and writes the report. Returns the exit status: 0, or 2 with
-/// the reason on stderr and nothing written.
-int report_command(const ReportWords& words);
+/// the reason told as an error and nothing written.
+int report_command(const ReportOptions& options, Reporter& reporter);
+
+Command add_report_command(CLI::App& app, Reporter& reporter);
 
 }  // namespace dipper::cli

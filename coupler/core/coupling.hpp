@@ -26,8 +26,24 @@ struct Window {
   double machine_work_J = 0;     ///< done by the held wrench on the machine's bodies
 };
 
-/// Steps a machine and a rock through windows. The difference of the two works of a window is
-/// energy the coupling made (positive: the machine got more than the rock gave).
+/// A wall at the end of a window, as the rock left it.
+struct WallState {
+  Pose X_WB;
+  Twist V_WB_W;  ///< the constant one it moved with in the window
+  Wrench load;   ///< on it at the window's last DEM step
+};
+
+/// Where a coupling stands between two windows: all it needs to go on from there.
+struct CouplingState {
+  std::int64_t step_index = 0;  ///< windows completed
+  std::int64_t dem_step = 0;    ///< DEM steps completed
+  std::vector<Wrench> held;     ///< by the machine, into the next window
+  std::vector<WallState> walls;
+};
+
+/// Steps a machine and a rock through windows, and counts them: others are told, or ask here. The
+/// difference of the two works of a window is energy the coupling made (positive: the machine got
+/// more than the rock gave).
 class Coupling {
  public:
   Coupling(Machine& machine, Rock& rock, Scheme scheme);
@@ -35,26 +51,25 @@ class Coupling {
   /// Puts the walls where the machine is.
   Window start();
 
-  /// Continues from a checkpoint: both sides have loaded theirs.
-  void resume(std::int64_t step_index, std::int64_t dem_step, std::vector<Wrench> held,
-              std::vector<Pose> X_WB_wall);
+  /// Continues from a checkpoint: the machine has loaded its own, the rock was started from its
+  /// own.
+  void resume(CouplingState state);
 
   /// One window of n_steps DEM steps.
   Window advance(std::int64_t n_steps);
 
-  /// The wrench held into the next window; part of a checkpoint.
-  const std::vector<Wrench>& held() const { return held_; }
+  const CouplingState& state() const { return state_; }
+  std::int64_t t_ns() const { return state_.dem_step * dt_ns_; }
 
  private:
+  void tell_time();
+
   Machine& machine_;
   Rock& rock_;
   Scheme scheme_;
   std::int64_t dt_ns_;
-  std::int64_t step_index_ = 0;
-  std::int64_t dem_step_ = 0;
+  CouplingState state_;
   MachineState machine_state_;
-  std::vector<Pose> X_WB_wall_;
-  std::vector<Wrench> held_;
 };
 
 }  // namespace dipper::core

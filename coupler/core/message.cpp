@@ -31,13 +31,14 @@ struct MessageCheck {
   void operator()(const TargetMotion& m) const {
     for (std::size_t b = 0; b < m.bodies.size(); ++b) {
       pose(m.bodies[b].X_WB, b);
-      require(is_finite(m.bodies[b].V_WB_W), "twist", b);
+      require(is_finite(m.bodies[b].V_WB_W), "twist that is not finite", b);
     }
   }
   void operator()(const WallWrench& m) const {
     for (std::size_t b = 0; b < m.bodies.size(); ++b) {
       pose(m.bodies[b].X_WB, b);
-      require(is_finite(m.bodies[b].mean) && is_finite(m.bodies[b].end), "wrench", b);
+      require(is_finite(m.bodies[b].mean) && is_finite(m.bodies[b].end),
+              "wrench that is not finite", b);
     }
   }
   void operator()(const Command&) const {}

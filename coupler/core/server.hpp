@@ -42,11 +42,21 @@ struct MachineState {
   std::vector<double> channels;
 };
 
+/// A moment between two windows.
+struct SyncTime {
+  std::int64_t step_index = 0;  ///< windows completed
+  std::int64_t t_ns = 0;
+};
+
 /// The machine (Simbody): wrenches in, motion out.
 class Machine {
  public:
   virtual ~Machine() = default;
   virtual ServerInfo info() const = 0;
+
+  /// Told by the coupling (coupling.hpp), which alone counts: where the run stands now. For a side
+  /// that labels its messages.
+  virtual void set_sync_time(const SyncTime&) {}
 
   /// The state the machine is committed to (after construction: t = 0).
   virtual MachineState state() = 0;
@@ -84,6 +94,9 @@ class Rock {
   virtual ~Rock() = default;
   virtual ServerInfo info() const = 0;
 
+  /// As the machine's.
+  virtual void set_sync_time(const SyncTime&) {}
+
   /// Puts the walls where the machine's bodies start (before the first step only).
   virtual RockState place(const std::vector<Pose>& X_WB) = 0;
 
@@ -91,8 +104,9 @@ class Rock {
   /// is to its target.
   virtual RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) = 0;
 
+  /// Writes a checkpoint. A rock is not loaded: it is started from the file (LIGGGHTS reads a
+  /// restart file only into an empty simulation).
   virtual void save(const std::filesystem::path& file) = 0;
-  virtual void load(const std::filesystem::path& file) = 0;
 
   /// SHA-256 over every particle's id, position and velocity, in the order of ids.
   virtual std::string state_hash() = 0;

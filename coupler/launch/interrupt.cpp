@@ -17,6 +17,11 @@ void catch_interrupts() {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before {};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup has ignored it
+  // A run whose reader has gone (`dipper run CASE | head`) goes on.
+  signal(SIGPIPE, SIG_IGN);
 }
 
 int interrupts() { return count; }

@@ -15,10 +15,12 @@
 #include <thread>
 
 #include "coupler/launch/mpi_scratch.hpp"
+#include "coupler/launch/process_tree.hpp"
 
 namespace dipper::launch {
 
-Process::Process(const std::vector<std::string>& command, const std::filesystem::path& log) {
+Process::Process(const std::vector<std::string>& command, const std::filesystem::path& log)
+    : name_(std::filesystem::path(command[0]).filename()) {
   std::vector<std::string> words = command;
   std::vector<char*> argv;
   for (auto& w : words) argv.push_back(w.data());
@@ -35,6 +37,7 @@ Process::Process(const std::vector<std::string>& command, const std::filesystem:
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
+    signal(SIGPIPE, SIG_DFL);  // what is ignored would stay so
     const int in = open("/dev/null", O_RDONLY);
     dup2(in, 0);
     dup2(out, 1);
@@ -87,6 +90,14 @@ double starved_s_of(pid_t pid) {
 double Process::starved_s() const { return running_ ? starved_s_of(pid_) : 0; }
 
 bool Process::succeeded() { return ended() && WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
+
+bool Process::was_killed() {
+  if (!ended() || !WIFSIGNALED(status_)) return false;
+  const int signal = WTERMSIG(status_);
+  return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
+}
+
+double Process::cpu_s() const { return running_ ? tree_cpu_s(pid_) : cpu_s_; }
 
 bool Process::wait(std::chrono::milliseconds patience) {
   const auto deadline = std::chrono::steady_clock::now() + patience;

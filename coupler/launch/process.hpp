@@ -23,6 +23,10 @@ class Process {
   /// Nothing while it runs; then how it ended: "exit status 3", "killed by signal 9 (Killed)".
   std::optional<std::string> ended();
   bool succeeded();
+  /// Ended by a signal that others send: not a crash, nor an exit of its own.
+  bool was_killed();
+  /// Of the program, without its folder.
+  const std::string& name() const { return name_; }
 
   /// Waits for the end; false after `patience`.
   bool wait(std::chrono::milliseconds patience);
@@ -34,10 +38,11 @@ class Process {
   /// did least of them, since one that is hung does not wait.
   double starved_s() const;
 
-  /// CPU time [s] of the program and what it waited for; once ended.
-  double cpu_s() const { return cpu_s_; }
+  /// CPU time [s] of the program and what it has started, so far.
+  double cpu_s() const;
 
  private:
+  std::string name_;
   pid_t pid_ = -1;
   bool running_ = false;
   int status_ = 0;

@@ -8,6 +8,7 @@
 #include "common/json_values.hpp"
 #include "common/manifest.hpp"
 #include "common/warn.hpp"
+
 namespace dipper::run {
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -29,29 +30,32 @@ std::vector<fs::path> list(const fs::path& checkpoints) {
 
 Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock& rock,
                            core::Machine& machine) {
-  const fs::path place = checkpoints / fmt::format("{:09d}", c.step_index);
+  const fs::path place = checkpoints / fmt::format("{:09d}", c.coupling.step_index);
   c.folder = place.string() + ".part";
   fs::remove_all(c.folder);
   fs::create_directories(c.folder);
   rock.save(c.rock());
   machine.save(c.machine());
   json held = json::array(), walls = json::array(), memory = json::array();
-  for (const auto& m : c.memory) {
-    memory.push_back({json_of(m.load), json_of(m.V_WB_W)});
+  for (const auto& F : c.coupling.held) held.push_back(json_of(F));
+  for (const auto& wall : c.coupling.walls) {
+    walls.push_back(json_of(wall.X_WB));
+    memory.push_back({json_of(wall.load), json_of(wall.V_WB_W)});
   }
-  for (const auto& F : c.held) held.push_back(json_of(F));
-  for (const auto& X : c.X_WB_wall) walls.push_back(json_of(X));
   std::ofstream out(c.folder / "coupling.json");
-  out << json{{"step_index", c.step_index},
-              {"dem_step", c.dem_step},
+  out << json{{"step_index", c.coupling.step_index},
+              {"dem_step", c.coupling.dem_step},
               {"held", held},
               {"walls", walls},
               {"memory", memory},
-              {"record_rows", c.record_rows},
-              {"rock_work_J", c.rock_work_J},
-              {"machine_work_J", c.machine_work_J},
-              {"dem_cpu_s", c.dem_cpu_s},
-              {"mbs_cpu_s", c.mbs_cpu_s}}
+              {"record_rows", c.record.rows},
+              {"record_t_ns", c.record.t_ns},
+              {"rock_work_J", c.record.rock_work_J},
+              {"machine_work_J", c.record.machine_work_J},
+              {"dem_cpu_s", c.cost.dem_cpu_s},
+              {"mbs_cpu_s", c.cost.mbs_cpu_s},
+              {"wall_s", c.cost.wall_s},
+              {"rock_wait_s", c.cost.rock_wait_s}}
              .dump(1);
   if (!out.flush())
     throw std::runtime_error("cannot write " + (c.folder / "coupling.json").string());
@@ -85,18 +89,17 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   const json j = json::parse(in);
   Checkpoint c;
   c.folder = all.back();
-  c.step_index = j.at("step_index");
-  c.dem_step = j.at("dem_step");
-  for (const auto& f : j.at("held")) c.held.push_back(wrench_from(f));
-  for (const auto& m : j.at("memory")) {
-    c.memory.push_back({wrench_from(m.at(0)), twist_from(m.at(1))});
+  c.coupling.step_index = j.at("step_index");
+  c.coupling.dem_step = j.at("dem_step");
+  for (const auto& f : j.at("held")) c.coupling.held.push_back(wrench_from(f));
+  for (std::size_t b = 0; b < j.at("walls").size(); ++b) {
+    const auto& memory = j.at("memory").at(b);
+    c.coupling.walls.push_back(
+        {pose_from(j.at("walls").at(b)), twist_from(memory.at(1)), wrench_from(memory.at(0))});
   }
-  for (const auto& x : j.at("walls")) c.X_WB_wall.push_back(pose_from(x));
-  c.record_rows = j.at("record_rows");
-  c.rock_work_J = j.at("rock_work_J");
-  c.machine_work_J = j.at("machine_work_J");
-  c.dem_cpu_s = j.at("dem_cpu_s");
-  c.mbs_cpu_s = j.at("mbs_cpu_s");
+  c.record = {j.at("record_rows"), j.at("record_t_ns"), j.at("rock_work_J"),
+              j.at("machine_work_J")};
+  c.cost = {j.at("dem_cpu_s"), j.at("mbs_cpu_s"), j.at("wall_s"), j.at("rock_wait_s")};
   return c;
 }
 

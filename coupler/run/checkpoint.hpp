@@ -1,25 +1,21 @@
+// Where a run can go on from.
 #pragma once
 
 #include <filesystem>
 #include <optional>
-#include <vector>
 
 #include "coupler/core/coupling.hpp"
-#include "dem/rock_setup.hpp"
+#include "coupler/run/run_cost.hpp"
+#include "coupler/run/run_record.hpp"
 
 namespace dipper::run {
 
-/// Where a run can go on from: one folder under checkpoints/, whole or not there at all.
+/// One folder under checkpoints/, whole or not there at all.
 struct Checkpoint {
   std::filesystem::path folder;
-  std::int64_t step_index = 0;
-  std::int64_t dem_step = 0;
-  std::vector<Wrench> held;             ///< by the machine, into the next window
-  std::vector<Pose> X_WB_wall;          ///< the walls as LIGGGHTS has them
-  std::vector<dem::WallMemory> memory;  ///< of the walls
-  std::size_t record_rows = 0;
-  double rock_work_J = 0, machine_work_J = 0;
-  double dem_cpu_s = 0, mbs_cpu_s = 0;
+  core::CouplingState coupling;
+  RecordPosition record;
+  RunCost cost;
 
   std::filesystem::path rock() const { return folder / "rock.restart"; }
   std::filesystem::path machine() const { return folder / "machine.state"; }

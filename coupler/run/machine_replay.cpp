@@ -9,10 +9,10 @@
 #include "common/input_error.hpp"
 #include "common/installation.hpp"
 #include "common/record/record.hpp"
-#include "coupler/launch/last_words.hpp"
+#include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/run/observed.hpp"
-#include "coupler/run/summary.hpp"
+#include "coupler/run/pass_signals.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
 #include "coupler/transport/peer_config.hpp"
@@ -68,7 +68,8 @@ class LoneMachine {
   transport::LinkOptions options() {
     transport::LinkOptions o;
     o.watch = [this] {
-      if (process_.ended()) throw transport::PeerError("mbs", launch::last_words(log_, ""));
+      if (process_.ended())
+        throw transport::PeerError("mbs", launch::failure_message(process_, log_));
     };
     return o;
   }
@@ -132,6 +133,8 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
     const std::size_t late = changed.coupling.scheme == "serial" ? 1 : 0;
     for (std::size_t i = 1; i < time_s.size(); ++i) {
       const auto t_ns = std::llround(time_s[i] * 1e9);
+      lone.machine().set_sync_time(
+          {static_cast<std::int64_t>(i) - 1, std::llround(time_s[i - 1] * 1e9)});
       put(time_s[i], lone.machine().step(t_ns, {dipper.at(i - late), door.at(i - late)}, true));
     }
   }

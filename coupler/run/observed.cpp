@@ -11,7 +11,7 @@
 #include "common/numbers.hpp"
 #include "common/record/record.hpp"
 #include "coupler/case/schema.hpp"
-#include "coupler/run/summary.hpp"
+#include "coupler/run/pass_signals.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;

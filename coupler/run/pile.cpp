@@ -14,8 +14,8 @@
 #include "common/installation.hpp"
 #include "coupler/deck/bench_cut.hpp"
 #include "coupler/deck/contact_table.hpp"
+#include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/launch/last_words.hpp"
 #include "coupler/launch/process.hpp"
 
 namespace dipper::run {
@@ -89,9 +89,8 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
       }
     }
     if (!liggghts.succeeded() || !fs::exists(out / "pile.restart"))
-      throw std::runtime_error(fmt::format("settling the pile failed: {} ({})",
-                                           launch::last_words(logs / "settle.log", screen),
-                                           *liggghts.ended()));
+      throw std::runtime_error("settling the pile failed: " +
+                               launch::failure_message(liggghts, logs / "settle.log", screen));
   };
   const bool settled = make_once(entry, settle, heed_interrupts);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;

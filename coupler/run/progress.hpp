@@ -1,25 +1,26 @@
+// One line that tells how a run is doing.
 #pragma once
 
 #include <chrono>
-#include <string>
+#include <cstddef>
+
+#include "common/reporter.hpp"
+#include "coupler/run/observer.hpp"
 
 namespace dipper::run {
 
-/// One line that tells how a run is doing: rewritten in place on a terminal, a new line every ten
-/// seconds elsewhere.
-class Progress {
+/// How far it has come, how fast, what is in the dipper, and how long it will take yet.
+class Progress final : public Observer {
  public:
-  Progress(double start_s, double end_s);
-  void show(double t_s, double payload_kg);
-  /// Leaves the last line standing.
-  void done();
+  /// \param payload  where the rock's channels have the mass in the dipper [kg]
+  Progress(Reporter& reporter, double start_s, double end_s, std::size_t payload);
+  void window(const core::Window& w) override;
 
  private:
-  std::string line(double t_s, double payload_kg) const;
-  std::chrono::steady_clock::time_point began_, last_;
+  Reporter& reporter_;
+  std::chrono::steady_clock::time_point began_;
   double start_s_, end_s_;
-  bool terminal_;
-  bool shown_ = false;
+  std::size_t payload_;
 };
 
 }  // namespace dipper::run

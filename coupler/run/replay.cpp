@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "common/installation.hpp"
-#include "coupler/launch/last_words.hpp"
+#include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/link.hpp"
@@ -150,7 +150,8 @@ void replay_leg(const fs::path& run, const std::string& side, const std::string&
   options.timeout = std::chrono::minutes(10);
   options.watch = [&] {
     if (process.ended())
-      throw transport::PeerError(side, launch::last_words(log, scratch / "dem.screen"));
+      throw transport::PeerError(side,
+                                 launch::failure_message(process, log, scratch / "dem.screen"));
   };
   transport::Link link(side, *transport, to, from, config.identity, options);
 

@@ -5,6 +5,8 @@
 namespace dipper::run {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 std::array<double, 7> row(const Pose& X) {
   return {X.p.x(), X.p.y(), X.p.z(), X.R.w(), X.R.x(), X.R.y(), X.R.z()};
 }
@@ -18,9 +20,10 @@ std::array<double, 6> row(const Wrench& F) { return row(F.torque, F.force); }
 
 RunRecord::RunRecord(const std::filesystem::path& file, const core::ServerInfo& machine,
                      const core::ServerInfo& rock,
-                     const std::map<std::string, std::string>& attributes, std::size_t rows)
-    : record_(rows > 0 ? record::Record::resume(file, rows)
-                       : record::Record::create(file, attributes)),
+                     const std::map<std::string, std::string>& attributes,
+                     const RecordPosition& from)
+    : record_(from.rows > 0 ? record::Record::resume(file, from.rows)
+                            : record::Record::create(file, attributes)),
       time_(record_.add("time_s", "s", "-")),
       step_(record_.add("step_index", "1", "-")),
       sync_(record_.add("sync_s", "s", "-")),
@@ -28,7 +31,9 @@ RunRecord::RunRecord(const std::filesystem::path& file, const core::ServerInfo& 
       machine_work_(record_.add("coupling/machine_work", "J", "-")),
       residual_(record_.add("coupling/energy_residual", "J", "-")),
       power_rock_(record_.add("coupling/interface_power_rock", "W", "-")),
-      power_machine_(record_.add("coupling/interface_power_machine", "W", "-")) {
+      power_machine_(record_.add("coupling/interface_power_machine", "W", "-")),
+      at_(from),
+      flushed_(Clock::now()) {
   for (const auto& c : machine.channels) {
     machine_.push_back(record_.add("machine/" + c.name, c.unit, c.frame));
   }
@@ -46,24 +51,23 @@ RunRecord::RunRecord(const std::filesystem::path& file, const core::ServerInfo& 
   }
 }
 
-void RunRecord::resume_at(double time_s, double rock_work_J, double machine_work_J) {
-  last_time_s_ = time_s;
-  rock_work_J_ = rock_work_J;
-  machine_work_J_ = machine_work_J;
+void RunRecord::flush() {
+  record_.flush();
+  flushed_ = Clock::now();
 }
 
-void RunRecord::put(const core::Window& w) {
+void RunRecord::window(const core::Window& w) {
   const double t = static_cast<double>(w.rock.t_ns) * 1e-9;
-  const double sync = t - last_time_s_;
-  last_time_s_ = t;
-  rock_work_J_ += w.rock_work_J;
-  machine_work_J_ += w.machine_work_J;
+  const double sync = t - static_cast<double>(at_.t_ns) * 1e-9;
+  at_.t_ns = w.rock.t_ns;
+  at_.rock_work_J += w.rock_work_J;
+  at_.machine_work_J += w.machine_work_J;
   record_.put(time_, t);
   record_.put(step_, static_cast<double>(w.step_index));
   record_.put(sync_, sync);
-  record_.put(rock_work_, rock_work_J_);
-  record_.put(machine_work_, machine_work_J_);
-  record_.put(residual_, energy_residual_J());
+  record_.put(rock_work_, at_.rock_work_J);
+  record_.put(machine_work_, at_.machine_work_J);
+  record_.put(residual_, at_.machine_work_J - at_.rock_work_J);
   record_.put(power_rock_, sync > 0 ? w.rock_work_J / sync : 0.0);
   record_.put(power_machine_, sync > 0 ? w.machine_work_J / sync : 0.0);
   for (std::size_t i = 0; i < machine_.size(); ++i) {
@@ -78,6 +82,8 @@ void RunRecord::put(const core::Window& w) {
     record_.put(bodies_[b].wall_pose, row(w.rock.bodies[b].X_WB).data());
   }
   record_.next();
+  at_.rows = record_.rows();
+  if (Clock::now() - flushed_ > std::chrono::seconds(1)) flush();
 }
 
 }  // namespace dipper::run

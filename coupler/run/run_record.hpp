@@ -1,36 +1,37 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "common/record/record.hpp"
-#include "coupler/core/coupling.hpp"
+#include "coupler/run/observer.hpp"
 
 namespace dipper::run {
+
+/// Where a record stands; part of a checkpoint.
+struct RecordPosition {
+  std::size_t rows = 0;
+  std::int64_t t_ns = 0;                       ///< of the last row
+  double rock_work_J = 0, machine_work_J = 0;  ///< sums over all windows
+};
 
 /// record.h5 of a run: one row a sync step, from the start. Datasets: time_s, step_index, sync_s;
 /// machine/NAME and rock/NAME for the sides' channels; bodies/BODY/{pose, twist, wrench_mean,
 /// wrench_end, wall_pose}; coupling/{rock_work, machine_work, energy_residual, interface_power_*}.
-class RunRecord {
+class RunRecord final : public Observer {
  public:
-  /// A new record, or (rows > 0) the continuation of an earlier leg's, cut back to `rows`.
+  /// A new record, or (from.rows > 0) an earlier one of the run, cut back to where it stood.
   RunRecord(const std::filesystem::path& file, const core::ServerInfo& machine,
             const core::ServerInfo& rock, const std::map<std::string, std::string>& attributes,
-            std::size_t rows);
+            const RecordPosition& from);
 
-  void put(const core::Window& w);
-  void flush() { record_.flush(); }
-  std::size_t rows() const { return record_.rows(); }
-
-  /// Sum over all windows, earlier legs included [J].
-  double interface_work_J() const { return rock_work_J_; }
-  double energy_residual_J() const { return machine_work_J_ - rock_work_J_; }
-
-  /// Continues the sums of an earlier leg that ended at time_s.
-  void resume_at(double time_s, double rock_work_J, double machine_work_J);
-  double machine_work_J() const { return machine_work_J_; }
+  /// Adds a row; what was added is on the disk about a second later.
+  void window(const core::Window& w) override;
+  void flush();
+  const RecordPosition& position() const { return at_; }
 
  private:
   struct BodyChannels {
@@ -41,7 +42,8 @@ class RunRecord {
       power_machine_;
   std::vector<std::size_t> machine_, rock_;
   std::vector<BodyChannels> bodies_;
-  double last_time_s_ = 0, rock_work_J_ = 0, machine_work_J_ = 0;
+  RecordPosition at_;
+  std::chrono::steady_clock::time_point flushed_;
 };
 
 }  // namespace dipper::run

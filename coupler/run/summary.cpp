@@ -1,31 +1,27 @@
 #include "coupler/run/summary.hpp"
 
-#include <cmath>
+#include <fmt/format.h>
+
+#include <fstream>
+#include <stdexcept>
 
 #include "analysis/signals/pass_phases.hpp"
 #include "common/record/record.hpp"
 #include "common/version.hpp"
+#include "coupler/deck/contact_table.hpp"
+#include "coupler/run/achieved_grading.hpp"
+#include "coupler/run/achieved_profile.hpp"
+#include "coupler/run/pass_signals.hpp"
+#include "coupler/sides/sides_setup.hpp"
 
 namespace dipper::run {
-analysis::signals::PassSignals read_pass_signals(const std::filesystem::path& record) {
-  analysis::signals::PassSignals s;
-  s.time_s = record::read_channel(record, "time_s");
-  s.door_rad = record::read_channel(record, "machine/door");
-  s.hoist_force_N = record::read_channel(record, "machine/hoist_force");
-  s.crowd_force_N = record::read_channel(record, "machine/crowd_force");
-  s.dipper_mass_kg = record::read_channel(record, "rock/mass_in_dipper");
-  s.truck_mass_kg = record::read_channel(record, "rock/mass_in_truck");
-  const auto fx = record::read_channel(record, "bodies/dipper/wrench_mean", 3);
-  const auto fy = record::read_channel(record, "bodies/dipper/wrench_mean", 4);
-  const auto fz = record::read_channel(record, "bodies/dipper/wrench_mean", 5);
-  for (std::size_t i = 0; i < fx.size(); ++i) {
-    s.dipper_force_N.push_back(std::hypot(fx[i], fy[i], fz[i]));
-  }
-  return s;
-}
+namespace {
 
-nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path& record) {
-  using json = nlohmann::ordered_json;
+using json = nlohmann::ordered_json;
+
+json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::path& record) {
+  const double full_kg = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3 *
+                         sides::read_mesh_facts(c).dipper.struck_volume_m3;
   const analysis::signals::PassSignals signals = read_pass_signals(record);
   json passes = json::array();
   analysis::signals::DriveSignals drive;
@@ -41,7 +37,7 @@ nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path&
                 {"t_end_s", p.t_end_s},
                 {"payload_kg", p.payload_kg},
                 {"truck_kg", p.truck_kg},
-                {"fill_factor", p.payload_kg / (f.bulk_density_kg_m3 * f.struck_volume_m3)},
+                {"fill_factor", p.payload_kg / full_kg},
                 {"dig_force_mean_N", p.dig_force_mean_N},
                 {"dig_force_peak_N", p.dig_force_peak_N}};
     if (found.dig_phases_force_mean_N)
@@ -49,20 +45,20 @@ nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path&
     passes.push_back(row);
   }
   const double sim_s = signals.time_s.empty() ? 0.0 : signals.time_s.back();
-  const double cpu_s = f.dem_cpu_s + f.mbs_cpu_s;
+  const double cpu_s = f.cost.dem_cpu_s + f.cost.mbs_cpu_s;
   const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0.0; };
   json out = {
-      {"case", f.case_name},
-      {"seed", f.seed},
+      {"case", c.name},
+      {"seed", c.seed},
       {"version", version()},
       {"status", f.status},
-      {"effects", f.effects},
+      {"effects", c.effects},
       {"passes", passes},
       {"coupling",
-       {{"scheme", f.scheme},
+       {{"scheme", c.coupling.scheme},
         {"syncs", f.syncs},
         {"sync_step_mean_s", ratio(sim_s, static_cast<double>(f.syncs))},
-        {"overhead_fraction", ratio(f.wall_s - f.rock_wait_s, f.wall_s)},
+        {"overhead_fraction", ratio(f.cost.wall_s - f.cost.rock_wait_s, f.cost.wall_s)},
         {"energy_residual_J", f.energy_residual_J},
         {"interface_work_J", f.interface_work_J},
         {"resends", f.resends},
@@ -70,18 +66,82 @@ nlohmann::ordered_json summarise(const RunFacts& f, const std::filesystem::path&
       {"dem",
        {{"particles", f.particles},
         {"bodies", f.bodies},
-        {"timestep_s", f.timestep_s},
+        {"timestep_s", c.dem.timestep_s},
         {"steps", f.dem_steps},
-        {"cpu_s", f.dem_cpu_s},
-        {"wall_s", f.wall_s},
+        {"cpu_s", f.cost.dem_cpu_s},
+        {"wall_s", f.cost.wall_s},
         {"particle_steps_per_cpu_s",
-         ratio(static_cast<double>(f.particles) * static_cast<double>(f.dem_steps), f.dem_cpu_s)}}},
-      {"mbs", {{"cpu_s", f.mbs_cpu_s}, {"realtime_factor", ratio(sim_s, f.mbs_cpu_s)}}},
+         ratio(static_cast<double>(f.particles) * static_cast<double>(f.dem_steps),
+               f.cost.dem_cpu_s)}}},
+      {"mbs", {{"cpu_s", f.cost.mbs_cpu_s}, {"realtime_factor", ratio(sim_s, f.cost.mbs_cpu_s)}}},
       {"sim_s", sim_s},
       {"cpu_s_per_sim_s", ratio(cpu_s, sim_s)},
       {"state_hash", f.state_hash}};
   if (!f.failure.empty()) out["failure"] = f.failure;
   return out;
+}
+
+json achieved(const cases::Case& c, const RunFolder& folder) {
+  json rock = json::array();
+  const auto grading = achieved_grading(c, folder.dumps());
+  std::ofstream(folder.deck() / "achieved.csv") << to_csv(grading);
+  for (const AchievedClass& k : grading) {
+    rock.push_back({{"class", k.name},
+                    {"rocks", k.rocks},
+                    {"mass_percent", k.mass_percent},
+                    {"wanted_percent", k.wanted_percent}});
+  }
+  return rock;
+}
+
+json describe(const AchievedProfile& p) {
+  return {{"below_profile_mean_m", p.below_mean_m},
+          {"below_profile_most_m", p.below_most_m},
+          {"below_profile_most_x_m", p.below_most_x_m},
+          {"face_deg", p.face_deg}};
+}
+
+void tell_passes(const json& passes, Reporter& reporter) {
+  for (const auto& p : passes) {
+    reporter.line(fmt::format(
+        "pass {}: payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN",
+        p.at("pass").get<int>(), p.at("payload_kg").get<double>() * 1e-3,
+        p.at("truck_kg").get<double>() * 1e-3, p.at("dig_force_mean_N").get<double>() * 1e-3,
+        p.at("dig_force_peak_N").get<double>() * 1e-3));
+  }
+}
+
+}  // namespace
+
+void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts& facts,
+                   Reporter& reporter) {
+  json summary = summarise(c, facts, folder.record());
+  if (c.pile.clear_machine == "on") {
+    const auto first = [&](const char* name) {
+      return record::read_channel(folder.record(), name).at(0);
+    };
+    summary["start"] = {{"rocks_removed", first("rock/rocks_removed")},
+                        {"mass_removed_kg", first("rock/mass_removed")}};
+  }
+  summary["rock"] = achieved(c, folder);
+  const auto profile = c.pile.profile.empty() ? std::nullopt : achieved_profile(c, folder.dumps());
+  if (profile) {
+    summary["pile"] = describe(*profile);
+    reporter.line(fmt::format(
+        "pile: stood {:.2f} m below its profile in the mean, {:.2f} m at x = {:.1f} m; its face at "
+        "{:.0f} deg",
+        profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
+  }
+  std::ofstream out(folder.summary());
+  out << summary.dump(2) << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write " + folder.summary().string());
+  tell_passes(summary.at("passes"), reporter);
+}
+
+std::string summary_status(const std::filesystem::path& summary) {
+  std::ifstream in(summary);
+  const json j = json::parse(in, nullptr, false);
+  return j.is_object() ? j.value("status", "") : "";
 }
 
 }  // namespace dipper::run

@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "common/installation.hpp"
+#include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/launch/last_words.hpp"
 #include "coupler/transport/logged_transport.hpp"
 #include "coupler/transport/peer_config.hpp"
 #include "coupler/transport/sealed_transport.hpp"
@@ -74,17 +74,12 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
 Sides::~Sides() = default;  // the processes end with their handles
 
 void Sides::watch() {
-  check(*dem_, "dem", setup_.logs / "dem.log", setup_.dem_screen);
-  check(*mbs_, "mbs", setup_.logs / "mbs.log", {});
+  if (dem_->ended())
+    throw transport::PeerError(
+        "dem", launch::failure_message(*dem_, setup_.logs / "dem.log", setup_.dem_screen));
+  if (mbs_->ended())
+    throw transport::PeerError("mbs", launch::failure_message(*mbs_, setup_.logs / "mbs.log"));
   if (launch::interrupts() > 1) throw launch::Interrupted();
-}
-
-void Sides::check(launch::Process& process, const std::string& side,
-                  const std::filesystem::path& log, const std::filesystem::path& screen) {
-  const auto end = process.ended();
-  if (!end) return;
-  const std::string words = launch::last_words(log, screen);
-  throw transport::PeerError(side, words.empty() ? *end : fmt::format("{} ({})", words, *end));
 }
 
 void Sides::end() {

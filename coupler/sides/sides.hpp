@@ -1,3 +1,4 @@
+// The two processes of a run.
 #pragma once
 
 #include <filesystem>
@@ -36,17 +37,16 @@ class Sides {
   core::LinkCounts machine_link() const { return mbs_link_->counts(); }
   core::LinkCounts rock_link() const { return dem_link_->counts(); }
 
-  /// Tells both to stop and waits; CPU times are known afterwards.
+  /// Tells both to stop and waits.
   void stop();
   /// Ends whatever still runs.
   void end();
+  /// CPU time so far, all ranks.
   double dem_cpu_s() const { return dem_->cpu_s(); }
   double mbs_cpu_s() const { return mbs_->cpu_s(); }
 
  private:
   void watch();
-  void check(launch::Process& process, const std::string& side, const std::filesystem::path& log,
-             const std::filesystem::path& screen);
 
   SidesSetup setup_;
   std::unique_ptr<transport::Transport> from_dem_, from_mbs_;

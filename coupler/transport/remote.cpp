@@ -14,22 +14,23 @@ Expected take(core::Body body, const std::string& side) {
 }
 
 std::string command(Link& link, core::Action action, const std::string& file,
-                    std::int64_t step_index, std::int64_t t_ns) {
-  return take<core::Status>(link.ask(core::Command{action, file}, step_index, t_ns), link.side())
+                    const core::SyncTime& now) {
+  return take<core::Status>(link.ask(core::Command{action, file}, now.step_index, now.t_ns),
+                            link.side())
       .text;
 }
 
 }  // namespace
 
 RemoteMachine::RemoteMachine(Link& link) : link_(link) {
-  info_ = info_from_json(command(link_, core::Action::hello, "", 0, 0));
+  info_ = info_from_json(command(link_, core::Action::hello, "", {}));
   link_.bodies = info_.bodies;
 }
 
 core::MachineState RemoteMachine::state() {
   auto m = take<core::TargetMotion>(
-      link_.ask(core::Command{core::Action::state, ""}, step_index_, t_ns_), link_.side());
-  return {t_ns_, std::move(m.bodies), std::move(m.channels)};
+      link_.ask(core::Command{core::Action::state, ""}, now_.step_index, now_.t_ns), link_.side());
+  return {now_.t_ns, std::move(m.bodies), std::move(m.channels)};
 }
 
 core::MachineState RemoteMachine::step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
@@ -37,32 +38,23 @@ core::MachineState RemoteMachine::step(std::int64_t t_end_ns, const std::vector<
   core::WallWrench request;
   request.commit = commit;
   for (const auto& F : F_Bo_W) request.bodies.push_back({F, F, Pose{}});
-  auto m =
-      take<core::TargetMotion>(link_.ask(std::move(request), step_index_, t_end_ns), link_.side());
-  if (commit) {
-    ++step_index_;
-    t_ns_ = t_end_ns;
-  }
+  auto m = take<core::TargetMotion>(link_.ask(std::move(request), now_.step_index, t_end_ns),
+                                    link_.side());
   return {t_end_ns, std::move(m.bodies), std::move(m.channels)};
 }
 
 void RemoteMachine::save(const std::filesystem::path& file) {
-  command(link_, core::Action::save, file, step_index_, t_ns_);
+  command(link_, core::Action::save, file, now_);
 }
 void RemoteMachine::load(const std::filesystem::path& file) {
-  command(link_, core::Action::load, file, step_index_, t_ns_);
+  command(link_, core::Action::load, file, now_);
 }
 void RemoteMachine::stop() {
-  link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_);
-}
-
-void RemoteMachine::resume_at(std::int64_t step_index, std::int64_t t_ns) {
-  step_index_ = step_index;
-  t_ns_ = t_ns;
+  link_.tell(core::Command{core::Action::stop, ""}, now_.step_index, now_.t_ns);
 }
 
 RemoteRock::RemoteRock(Link& link) : link_(link) {
-  info_ = info_from_json(command(link_, core::Action::hello, "", 0, 0));
+  info_ = info_from_json(command(link_, core::Action::hello, "", {}));
   link_.bodies = info_.bodies;
   dt_ns_ = std::llround(info_.timestep_s * 1e9);
 }
@@ -77,27 +69,18 @@ core::RockState RemoteRock::move(std::int64_t n_steps, const std::vector<Pose>& 
   core::TargetMotion request;
   request.n_steps = n_steps;
   for (const auto& X : X_WB) request.bodies.push_back({X, Twist{}});
-  const std::int64_t t_end_ns = t_ns_ + n_steps * dt_ns_;
-  auto m =
-      take<core::WallWrench>(link_.ask(std::move(request), step_index_, t_end_ns), link_.side());
-  if (n_steps > 0) ++step_index_;
-  t_ns_ = m.dem_step * dt_ns_;
-  return {m.dem_step, t_ns_, std::move(m.bodies), std::move(m.channels)};
+  const std::int64_t t_end_ns = now_.t_ns + n_steps * dt_ns_;
+  auto m = take<core::WallWrench>(link_.ask(std::move(request), now_.step_index, t_end_ns),
+                                  link_.side());
+  return {m.dem_step, m.dem_step * dt_ns_, std::move(m.bodies), std::move(m.channels)};
 }
 
 void RemoteRock::save(const std::filesystem::path& file) {
-  command(link_, core::Action::save, file, step_index_, t_ns_);
+  command(link_, core::Action::save, file, now_);
 }
-void RemoteRock::load(const std::filesystem::path& file) {
-  command(link_, core::Action::load, file, step_index_, t_ns_);
+std::string RemoteRock::state_hash() { return command(link_, core::Action::hash, "", now_); }
+void RemoteRock::stop() {
+  link_.tell(core::Command{core::Action::stop, ""}, now_.step_index, now_.t_ns);
 }
-std::string RemoteRock::state_hash() {
-  return command(link_, core::Action::hash, "", step_index_, t_ns_);
-}
-void RemoteRock::resume_at(std::int64_t step_index, std::int64_t dem_step) {
-  step_index_ = step_index;
-  t_ns_ = dem_step * dt_ns_;
-}
-void RemoteRock::stop() { link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_); }
 
 }  // namespace dipper::transport

@@ -15,15 +15,13 @@ class RemoteMachine final : public core::Machine {
                           bool commit) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
-  /// For the headers of messages, after a checkpoint has been loaded.
-  void resume_at(std::int64_t step_index, std::int64_t t_ns);
+  void set_sync_time(const core::SyncTime& now) override { now_ = now; }
   void stop();  ///< may be called again until the process has ended
 
  private:
   Link& link_;
   core::ServerInfo info_;
-  std::int64_t step_index_ = 0;
-  std::int64_t t_ns_ = 0;
+  core::SyncTime now_;  ///< for the headers of messages
 };
 
 class RemoteRock final : public core::Rock {
@@ -33,10 +31,8 @@ class RemoteRock final : public core::Rock {
   core::RockState place(const std::vector<Pose>& X_WB) override;
   core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
   void save(const std::filesystem::path& file) override;
-  void load(const std::filesystem::path& file) override;
   std::string state_hash() override;
-  /// For the headers of messages, when the other side has started from a checkpoint.
-  void resume_at(std::int64_t step_index, std::int64_t dem_step);
+  void set_sync_time(const core::SyncTime& now) override { now_ = now; }
   void stop();  ///< may be called again until the process has ended
 
  private:
@@ -44,8 +40,7 @@ class RemoteRock final : public core::Rock {
   Link& link_;
   core::ServerInfo info_;
   std::int64_t dt_ns_ = 0;
-  std::int64_t step_index_ = 0;
-  std::int64_t t_ns_ = 0;
+  core::SyncTime now_;
 };
 
 }  // namespace dipper::transport

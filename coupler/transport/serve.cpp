@@ -24,9 +24,6 @@ core::Body obey(Side& side, const core::Command& c) {
     case core::Action::save:
       side.save(c.file);
       return core::Status{};
-    case core::Action::load:
-      side.load(c.file);
-      return core::Status{};
     case core::Action::stop:
       return core::Status{};
     default:
@@ -38,7 +35,10 @@ core::Body obey(Side& side, const core::Command& c) {
 
 core::Body answer(core::Machine& machine, const core::Message& request) {
   if (const auto* c = std::get_if<core::Command>(&request.body)) {
-    return c->action == core::Action::state ? motion(machine.state()) : obey(machine, *c);
+    if (c->action == core::Action::state) return motion(machine.state());
+    if (c->action != core::Action::load) return obey(machine, *c);
+    machine.load(c->file);
+    return core::Status{};
   }
   if (const auto* m = std::get_if<core::WallWrench>(&request.body)) {
     std::vector<Wrench> F_Bo_W;

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "common/mesh/stl.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/check/check.hpp"
-#include "coupler/check/check_command.hpp"
+#include "coupler/check/checked_case.hpp"
 #include "coupler/deck/pile_shape.hpp"
+#include "tests/common/memory_reporter.hpp"
 #include "tests/coupler/case/checkout.hpp"
 #include "tests/coupler/deck/height_field.hpp"
 
@@ -58,9 +58,9 @@ TEST(CheckCase, QuickAsCalibratedIsSound) {
 
 TEST(CheckCase, JsonTellsWhatAProgramAsks) {
   Checkout checkout;
-  std::ostringstream sound;
-  EXPECT_EQ(check::check_json_command(checkout.folder(), {{"title", "'a \"b\"'"}}, sound), 0);
-  const auto said = nlohmann::json::parse(sound.str());
+  test::MemoryReporter sound;
+  EXPECT_TRUE(check::check_as_json(checkout.folder(), {{"title", "'a \"b\"'"}}, sound));
+  const auto said = nlohmann::json::parse(sound.lines);
   EXPECT_EQ(said.at("case"), "quick");
   EXPECT_TRUE(said.at("sound"));
   EXPECT_TRUE(said.at("findings").empty());
@@ -74,9 +74,9 @@ TEST(CheckCase, JsonTellsWhatAProgramAsks) {
                                       checkout.folder(), {{"title", "'a \"b\"'"}}, findings)));
 
   const int line = checkout.replace("density_kg_m3", "density_kg_m3: heavy");
-  std::ostringstream wrong;
-  EXPECT_EQ(check::check_json_command(checkout.folder(), {}, wrong), 2);
-  const auto faults = nlohmann::json::parse(wrong.str());
+  test::MemoryReporter wrong;
+  EXPECT_FALSE(check::check_as_json(checkout.folder(), {}, wrong));
+  const auto faults = nlohmann::json::parse(wrong.lines);
   EXPECT_FALSE(faults.at("sound"));
   ASSERT_EQ(faults.at("findings").size(), 1U);
   EXPECT_EQ(faults.at("findings").at(0).at("line"), line);
@@ -615,23 +615,23 @@ TEST(CheckCase, BodiesThatTheMachineDoesNotHave) {
                                      "missing key; without it nothing digs"}});
 }
 
-TEST(CheckCommand, SoundCase) {
+TEST(CheckedCase, SoundCase) {
   const Checkout checkout;
-  std::ostringstream out;
-  EXPECT_EQ(check_command(checkout.folder(), {}, out), 0);
+  test::MemoryReporter out;
+  EXPECT_TRUE(checked_case(checkout.folder(), {}, out));
   EXPECT_THAT(
-      out.str(),
+      out.lines,
       MatchesRegex("quick is sound: about [0-9]+ rocks, [0-9.]+ s simulated in [0-9]+ "
                    "steps and [0-9]+ windows of [0-9.]+ ms, after [0-9]+ steps that settle "
                    "the pile; the step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"));
 }
 
-TEST(CheckCommand, PrintsEveryFindingAndTheirNumber) {
+TEST(CheckedCase, PrintsEveryFindingAndTheirNumber) {
   Checkout checkout;
   const int line = checkout.replace("ranks", "ranks: none");
-  std::ostringstream out;
-  EXPECT_EQ(check_command(checkout.folder(), {{"dem.timestep_s", "-1"}}, out), 2);
-  EXPECT_EQ(out.str(), "--set: dem.timestep_s: -1 is out of range; allowed is > 0 and <= 0.1 s\n" +
+  test::MemoryReporter out;
+  EXPECT_FALSE(checked_case(checkout.folder(), {{"dem.timestep_s", "-1"}}, out));
+  EXPECT_EQ(out.lines, "--set: dem.timestep_s: -1 is out of range; allowed is > 0 and <= 0.1 s\n" +
                            checkout.file().string() + ":" + std::to_string(line) +
                            ": dem.ranks: is 'none'; write a whole number\n2 errors\n");
 }

@@ -6,7 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
+
+#include "tests/common/memory_reporter.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -30,9 +31,9 @@ class EffectsCommand : public ::testing::Test {
 
 TEST_F(EffectsCommand, TellsTheCataloguesAndTheCasesOwn) {
   write(kMine);
-  std::ostringstream out;
+  test::MemoryReporter out;
   ASSERT_EQ(effects_command(folder_, out), 0);
-  const json effects = json::parse(out.str()).at("effects");
+  const json effects = json::parse(out.lines).at("effects");
   EXPECT_GT(effects.size(), 12U);
   const auto mine = std::find_if(effects.begin(), effects.end(),
                                  [](const json& e) { return e.at("name") == "mine"; });
@@ -50,11 +51,10 @@ TEST_F(EffectsCommand, FaultsAreToldAllAtOnceAndNothingIsWritten) {
   bad.replace(bad.find("machine\n"), 7, "magic");
   bad.replace(bad.find("scale: 0.5"), 10, "scale: 0.0");
   write(bad);
-  std::ostringstream out;
-  ::testing::internal::CaptureStderr();
+  test::MemoryReporter out;
   EXPECT_EQ(effects_command(folder_, out), 2);
-  const std::string said = ::testing::internal::GetCapturedStderr();
-  EXPECT_EQ(out.str(), "");
+  const std::string said = out.errors;
+  EXPECT_EQ(out.lines, "");
   for (const char* what : {"kind: is 'magic'", "parameter.scale: is 0"})
     EXPECT_NE(said.find(what), std::string::npos) << what << " in " << said;
 }

@@ -11,6 +11,7 @@
 #include "analysis/signals/phases.hpp"
 #include "common/record/record.hpp"
 #include "tests/analysis/dump_files.hpp"
+#include "tests/common/memory_reporter.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -36,9 +37,9 @@ json readings() {
 
 int ask(const std::string& folder, const std::string& text, json& answer) {
   std::istringstream in(text);
-  std::ostringstream out;
+  test::MemoryReporter out;
   const int status = phases_command(folder, in, out);
-  answer = out.str().empty() ? json() : json::parse(out.str());
+  answer = out.lines.empty() ? json() : json::parse(out.lines);
   return status;
 }
 

@@ -10,6 +10,7 @@
 #include "common/mesh/stl.hpp"
 #include "tests/analysis/dump_files.hpp"
 #include "tests/analysis/tray.hpp"
+#include "tests/common/memory_reporter.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -36,8 +37,8 @@ void write_dumps(const analysis::Scratch& s) {
   s.write("tray.csv", "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,5,1,0,0,0\n1,0,0,5,1,0,0,0\n");
 }
 
-ReportWords words(const analysis::Scratch& s) {
-  ReportWords w;
+ReportOptions options(const analysis::Scratch& s) {
+  ReportOptions w;
   w.folder = (s.folder() / "post").string();
   w.timestep_s = 1e-3;
   return w;
@@ -53,7 +54,8 @@ constexpr double kBall_kg = 2500 * 4.0 / 3.0 * M_PI * 1e-3;
 TEST(ReportCommand, WorksOnDumpsAlone) {
   const analysis::Scratch s;
   write_dumps(s);
-  EXPECT_EQ(report_command(words(s)), 0);
+  test::MemoryReporter reporter;
+  EXPECT_EQ(report_command(options(s), reporter), 0);
   const auto m = metrics_of(s);
   EXPECT_EQ(m["source"]["kind"], "dumps");
   EXPECT_EQ(m["source"]["mass_from"], "spheres");
@@ -69,21 +71,22 @@ TEST(ReportCommand, WorksOnDumpsAlone) {
 TEST(ReportCommand, WithAMeshAndPosesItKnowsTheDippersLoad) {
   const analysis::Scratch s;
   write_dumps(s);
-  ReportWords w = words(s);
+  ReportOptions w = options(s);
   w.mesh = (s.folder() / "tray.stl").string();
   w.poses = (s.folder() / "tray.csv").string();
-  EXPECT_EQ(report_command(w), 0);
+  test::MemoryReporter reporter;
+  EXPECT_EQ(report_command(w, reporter), 0);
   const auto m = metrics_of(s);
   EXPECT_NEAR(m["dipper"]["struck_volume_m3"], 3.0, 0.03);
   EXPECT_NEAR(m["frames"]["in_dipper_kg"][0], 10 * kBall_kg, 1e-6);
   EXPECT_NEAR(m["frames"]["bulk_kg"][0], 10 * kBall_kg, 1e-6);
 }
 
-/// Exit status 2, the message on stderr, and no report nor half of one.
-std::string refused(const analysis::Scratch& s, const ReportWords& w) {
-  testing::internal::CaptureStderr();
-  const int status = report_command(w);
-  const std::string message = testing::internal::GetCapturedStderr();
+/// Exit status 2, the message as an error, and no report nor half of one.
+std::string refused(const analysis::Scratch& s, const ReportOptions& w) {
+  test::MemoryReporter reporter;
+  const int status = report_command(w, reporter);
+  const std::string& message = reporter.errors;
   EXPECT_EQ(status, 2) << message;
   for (const auto& entry : fs::directory_iterator(s.folder() / "post"))
     EXPECT_TRUE(entry.is_regular_file()) << entry.path();
@@ -93,7 +96,7 @@ std::string refused(const analysis::Scratch& s, const ReportWords& w) {
 TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
   const analysis::Scratch s;
   write_dumps(s);
-  ReportWords w = words(s);
+  ReportOptions w = options(s);
   w.mesh = (s.folder() / "tray.stl").string();
   EXPECT_THAT(refused(s, w), HasSubstr("--mesh and --poses"));
   w.poses = s.write("bad.csv", "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,5,2,0,0,0\n").string();
@@ -109,7 +112,7 @@ TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
   w.mesh = s.write("not.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n").string();
   EXPECT_THAT(refused(s, w), HasSubstr("not.stl:5: "));
 
-  ReportWords plain = words(s);
+  ReportOptions plain = options(s);
   s.write("post/dump100.liggghts",
           analysis::text_frame(100, 310, "id x y z radius density", "1 0 0 0 1 1\n"));
   EXPECT_THAT(refused(s, plain),
@@ -125,15 +128,15 @@ TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
 TEST(ReportCommand, WritesWhereItIsTold) {
   const analysis::Scratch s;
   write_dumps(s);
-  ReportWords w = words(s);
+  ReportOptions w = options(s);
+  test::MemoryReporter reporter;
   w.out = (s.folder() / "elsewhere").string();
-  EXPECT_EQ(report_command(w), 0);
+  EXPECT_EQ(report_command(w, reporter), 0);
   EXPECT_TRUE(fs::exists(s.folder() / "elsewhere/metrics.json"));
   EXPECT_FALSE(fs::exists(s.folder() / "post/report"));
   w.out = (s.folder() / "no/such/report").string();
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(report_command(w), 2);
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("no/such: cannot be written into"));
+  EXPECT_EQ(report_command(w, reporter), 2);
+  EXPECT_THAT(reporter.errors, HasSubstr("no/such: cannot be written into"));
 }
 
 TEST(ReportCommand, AFileBesideTheDumpsThatMayNotBeReadIsLeftAlone) {
@@ -141,7 +144,8 @@ TEST(ReportCommand, AFileBesideTheDumpsThatMayNotBeReadIsLeftAlone) {
   write_dumps(s);
   fs::permissions(s.write("post/events", "secret"), fs::perms::none);
   s.write("post/README", "no extension either");
-  EXPECT_EQ(report_command(words(s)), 0);
+  test::MemoryReporter reporter;
+  EXPECT_EQ(report_command(options(s), reporter), 0);
 }
 
 }  // namespace

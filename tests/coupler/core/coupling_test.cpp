@@ -85,7 +85,8 @@ class SpringRock final : public Rock {
     return report(sum / static_cast<double>(n));
   }
   void save(const std::filesystem::path&) override {}
-  void load(const std::filesystem::path&) override {}
+  void set_sync_time(const SyncTime& now) override { told = now; }
+  SyncTime told;
   std::string state_hash() override { return ""; }
   double x2() const { return x2_; }
 
@@ -178,6 +179,28 @@ TEST(Coupling, ResidualIsTheEnergyTheSchemeMade) {
     const double gained = kinetic + stored - 0.5 * k;
     EXPECT_NEAR(made, gained, 0.01 * std::abs(gained) + 1e-6 * k) << made << " " << gained;
   }
+}
+
+TEST(Coupling, CountsForBothSidesAndGoesOnFromItsState) {
+  const auto machine = [] { return MassSpring(1, 0, 0, 1); };
+  const auto rock = [] { return SpringRock(1e-3, 10, 0, 0, 0); };
+  MassSpring mass = machine();
+  SpringRock spring = rock();
+  Coupling whole(mass, spring, Scheme::serial);
+  whole.start();
+  whole.advance(4);
+  EXPECT_EQ(whole.advance(6).step_index, 2);
+  EXPECT_EQ(whole.state().step_index, 2);
+  EXPECT_EQ(whole.state().dem_step, 10);
+  EXPECT_EQ(spring.told.step_index, 2);
+  EXPECT_EQ(spring.told.t_ns, 10'000'000);
+
+  SpringRock again = rock();
+  Coupling resumed(mass, again, Scheme::serial);
+  resumed.resume(whole.state());
+  EXPECT_EQ(again.told.t_ns, 10'000'000);
+  EXPECT_EQ(resumed.t_ns(), whole.t_ns());
+  EXPECT_EQ(resumed.advance(5).step_index, 3);
 }
 
 TEST(Coupling, RefusesSidesWithDifferentBodies) {

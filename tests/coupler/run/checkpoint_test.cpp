@@ -22,7 +22,6 @@ class TextRock final : public core::Rock {
   core::RockState place(const std::vector<Pose>&) override { return {}; }
   core::RockState step(std::int64_t, const std::vector<Pose>&) override { return {}; }
   void save(const fs::path& file) override { std::ofstream(file) << "where the rock is"; }
-  void load(const fs::path&) override {}
   std::string state_hash() override { return ""; }
 };
 
@@ -41,9 +40,11 @@ class Checkpoints : public testing::Test {
     fs::remove_all(folder_);
     for (const std::int64_t step : {10, 20}) {
       Checkpoint c;
-      c.step_index = step;
-      c.X_WB_wall = {Pose{Quaterniond(0.6, 0, 0.8, 0), {1, 2, 3}}};
-      c.memory = {{Wrench{{1, 2, 3}, {4, 5, 6}}, Twist{{7, 8, 9}, {10, 11, 12}}}};
+      c.coupling.step_index = step;
+      c.coupling.walls = {{Pose{Quaterniond(0.6, 0, 0.8, 0), {1, 2, 3}},
+                           Twist{{7, 8, 9}, {10, 11, 12}}, Wrench{{1, 2, 3}, {4, 5, 6}}}};
+      c.record.t_ns = step * 1000;
+      c.cost.wall_s = 1.5;
       save_checkpoint(folder_, c, rock_, machine_);
     }
   }
@@ -53,7 +54,7 @@ class Checkpoints : public testing::Test {
   std::pair<std::int64_t, std::string> last() {
     testing::internal::CaptureStderr();
     const auto c = last_checkpoint(folder_);
-    return {c ? c->step_index : -1, testing::internal::GetCapturedStderr()};
+    return {c ? c->coupling.step_index : -1, testing::internal::GetCapturedStderr()};
   }
 
   const fs::path folder_ =
@@ -66,9 +67,12 @@ class Checkpoints : public testing::Test {
 TEST_F(Checkpoints, TheNewestIsTaken) {
   const auto c = last_checkpoint(folder_);
   ASSERT_TRUE(c);
-  EXPECT_EQ(c->step_index, 20);
-  EXPECT_EQ(c->X_WB_wall.at(0).R.y(), 0.8);
-  EXPECT_EQ(c->memory.at(0).V_WB_W.v.z(), 12);
+  EXPECT_EQ(c->coupling.step_index, 20);
+  EXPECT_EQ(c->coupling.walls.at(0).X_WB.R.y(), 0.8);
+  EXPECT_EQ(c->coupling.walls.at(0).V_WB_W.v.z(), 12);
+  EXPECT_EQ(c->coupling.walls.at(0).load.force.z(), 6);
+  EXPECT_EQ(c->record.t_ns, 20'000);
+  EXPECT_EQ(c->cost.wall_s, 1.5);
   EXPECT_EQ(last().second, "");
 }
 
@@ -84,7 +88,7 @@ TEST_F(Checkpoints, AFlippedBitMakesItTheOneBefore) {
     EXPECT_THAT(said, AllOf(HasSubstr(file.string() + " is not what was written"),
                             HasSubstr("000000020.damaged"), HasSubstr("000000010")));
     Checkpoint c;
-    c.step_index = 20;
+    c.coupling.step_index = 20;
     save_checkpoint(folder_, c, rock_, machine_);
     EXPECT_EQ(last().first, 20);
   }

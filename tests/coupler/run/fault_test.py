@@ -62,7 +62,9 @@ class Faults(RunTest):
     def test_a_killed_mpirun(self):
         process, out = self.digging("mpirun")
         os.kill(self.pids(out, "mpirun")[0], signal.SIGKILL)
-        self.assert_ended(process, out, 3, "the dem side failed at t = ", "signal 9")
+        err = self.assert_ended(process, out, 3, "the dem side failed at t = ",
+                                "mpirun was killed by signal 9")
+        self.assertNotIn("WARNING", err)
 
     def test_a_killed_launcher_leaves_no_orphan(self):
         process, out = self.digging("launcher")
@@ -96,6 +98,24 @@ class Faults(RunTest):
         self.run_case(out, *LONGER, "--resume")
         self.assertEqual(self.summary(out)["status"], "complete")
         self.assertEqual(self.summary(out)["dem"]["steps"], STEPS)
+
+    def test_a_closed_terminal_is_an_interrupt(self):
+        out = self.folder / "terminal"
+        process = self.start(out, *LONGER)
+        process.stdout.readline()  # what is written after it has no reader
+        process.stdout.close()
+        process.stdout = None
+        self.wait_until_digging(process, out, 0.7)
+        process.send_signal(signal.SIGHUP)
+        self.assert_ended(process, out, 4, "interrupted at t = ", "--resume")
+
+    def test_one_run_writes_a_folder(self):
+        process, out = self.digging("live")
+        for more in ((), ("--resume",)):
+            _, err = self.run_case(out, *LONGER, *more, status=2)
+            self.assertIn(f"another run is writing it (process {process.pid})", err)
+        process.send_signal(signal.SIGINT)
+        self.assert_ended(process, out, 4, "interrupted at t = ")
 
     def test_a_killed_run_resumes_from_its_last_checkpoint(self):
         process, out = self.digging("killed", time_s=1.3)

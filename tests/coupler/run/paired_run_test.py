@@ -106,10 +106,14 @@ class PairedRun(RunTest):
 
     def test_a_resumed_run_ends_like_an_uninterrupted_one(self):
         self.run_case(self.folder / "whole")
-        self.run_case(self.folder / "parts", "--set", "end_s=1.8")
-        self.run_case(self.folder / "parts", "--resume")
         whole, parts = self.folder / "whole", self.folder / "parts"
-        self.assertEqual(self.summary(parts)["dem"]["steps"], 7000)
+        self.run_case(parts, "--set", "end_s=1.8")
+        first = self.summary(parts)
+        self.run_case(parts, "--resume")
+        both = self.summary(parts)
+        self.assertEqual(both["dem"]["steps"], 7000)
+        for side in ("dem", "mbs"):  # the second part, a sixth of the first, comes on top
+            self.assertGreater(both[side]["cpu_s"], first[side]["cpu_s"])
         for side in ("dem", "mbs"):
             done = self.replay(parts, side)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -194,7 +198,7 @@ class PairedRun(RunTest):
         self.assertFalse((self.folder / "no").exists())
 
     def test_a_case_that_is_elsewhere_now_is_named(self):
-        gone = self.folder / "tests" / "run" / "gone"
+        gone = self.folder / "tests" / "coupler" / "run" / "gone"
         shutil.copytree(TINY, gone)
         for beside in ("meshes", "mbs", "cases"):  # the case names files there
             (self.folder / beside).symlink_to(TINY.parents[3] / beside)
@@ -243,6 +247,22 @@ class PairedRun(RunTest):
         _, err = self.run_case(self.folder / "once", status=2)
         self.assertIn("holds a run already", err)
         self.assertEqual((self.folder / "once" / "record.h5").read_bytes(), before)
+
+    def test_resuming_what_is_complete_changes_nothing(self):
+        run = self.folder / "done"
+        self.run_case(run, "--set", "end_s=0.03", "--ranks", "1")
+        before = (run / "summary.json").read_bytes()
+        out, _ = self.run_case(run, "--set", "end_s=0.03", "--ranks", "1", "--resume")
+        self.assertIn("complete already", out)
+        self.assertEqual((run / "summary.json").read_bytes(), before)
+
+    def test_a_run_goes_on_with_the_files_it_began_with(self):
+        case, run = self.tiny_with_its_own_machine(), self.folder / "run"
+        self.run_case(run, "--set", "end_s=0.03", "--ranks", "1", case=case)
+        machine = case / "machine.yaml"
+        machine.write_text(machine.read_text() + "# heavier\n")
+        _, err = self.run_case(run, "--set", "end_s=0.06", "--ranks", "1", "--resume", case=case, status=2)
+        self.assertIn(f"{machine} has other contents", err)
 
     def test_resuming_nothing_is_bad_usage(self):
         _, err = self.run_case(self.folder / "none", "--resume", status=2)

@@ -50,6 +50,16 @@ class RunTest(unittest.TestCase):
         self.assertEqual(process.returncode, status, text[0] + text[1])
         return text
 
+    def tiny_with_its_own_machine(self):
+        """A copy of the tiny case whose machine file, machine.yaml, is in its folder."""
+        root = TINY.parents[3]
+        folder = self.folder / "a" / "b" / "case"
+        folder.mkdir(parents=True)
+        shutil.copy(root / "mbs" / "bucyrus495.yaml", folder / "machine.yaml")
+        case = (TINY / "case.yaml").read_text().replace("../../../../mbs/bucyrus495.yaml", "machine.yaml")
+        (folder / "case.yaml").write_text(case.replace("../../../../", f"{root}/"))
+        return folder
+
     def wait_until_digging(self, process, out, time_s=0.5):
         """Until the record shows that much simulated time."""
         import h5py

@@ -232,5 +232,13 @@ TEST(LossyLink, SilenceEndsInATimeout) {
   EXPECT_THROW(link.ask(core::Command{core::Action::hello, ""}, 0, 0), PeerError);
 }
 
+TEST(Answer, OnlyTheMachineLoads) {
+  FakeMachine machine;
+  FakeRock rock;
+  const core::Message load{identity(), core::Command{core::Action::load, "checkpoint"}};
+  EXPECT_TRUE(std::get<core::Status>(answer(machine, load)).ok);
+  EXPECT_THROW(answer(rock, load), core::ProtocolError);
+}
+
 }  // namespace
 }  // namespace dipper::transport

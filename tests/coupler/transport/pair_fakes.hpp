@@ -55,7 +55,6 @@ class FakeRock final : public core::Rock {
     return report(X[0]);
   }
   void save(const std::filesystem::path&) override {}
-  void load(const std::filesystem::path&) override {}
   std::string state_hash() override { return "hash"; }
   std::atomic<int> windows{0};
   std::int64_t sick_from = std::numeric_limits<std::int64_t>::max();

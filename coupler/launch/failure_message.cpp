@@ -1,4 +1,4 @@
-#include "coupler/launch/last_words.hpp"
+#include "coupler/launch/failure_message.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -26,14 +26,14 @@ std::string last_with(const std::vector<std::string>& all, const std::string& wo
 
 }  // namespace
 
-std::string last_words(const std::filesystem::path& log, const std::filesystem::path& screen) {
+std::string error_line(const std::filesystem::path& log, const std::filesystem::path& screen) {
   if (!screen.empty()) {
     const std::string error = last_with(lines(screen), "ERROR");
     if (!error.empty()) return error;
   }
   const auto all = lines(log);
-  for (const char* word :
-       {"ERROR", "dipper-dem:", "dipper-mbs:", "exited on signal", "cannot start"}) {
+  for (const char* word : {"ERROR", "exited on signal 9",
+                           "dipper-dem:", "dipper-mbs:", "exited on signal", "cannot start"}) {
     const std::string line = last_with(all, word);
     if (!line.empty()) return line;
   }
@@ -41,6 +41,14 @@ std::string last_words(const std::filesystem::path& log, const std::filesystem::
     return line.rfind("---", 0) != 0 && line.find("mpirun") == std::string::npos;
   });
   return plain == all.rend() ? "" : *plain;
+}
+
+std::string failure_message(Process& process, const std::filesystem::path& log,
+                            const std::filesystem::path& screen) {
+  const std::string end = process.ended().value_or("still runs");
+  if (process.was_killed()) return process.name() + " was " + end;
+  const std::string line = error_line(log, screen);
+  return line.empty() ? process.name() + ": " + end : line + " (" + end + ")";
 }
 
 }  // namespace dipper::launch

@@ -1,4 +1,4 @@
-#include "coupler/check/check_command.hpp"
+#include "coupler/check/checked_case.hpp"
 
 #include <fmt/format.h>
 
@@ -70,20 +70,21 @@ json values_of(const cases::Case& c) {
 
 }  // namespace
 
-int check_command(const std::filesystem::path& folder,
-                  const std::vector<cases::Override>& overrides, std::ostream& out) {
-  const auto [c, findings] = checked(folder, overrides);
-  for (const Finding& finding : findings) out << to_string(finding) << '\n';
-  if (findings.empty()) {
-    out << c.name << " is sound: " << summary(c) << '\n';
-    return 0;
+std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
+                                        const std::vector<cases::Override>& overrides,
+                                        Reporter& reporter) {
+  auto [c, findings] = checked(folder, overrides);
+  for (const Finding& finding : findings) reporter.line(to_string(finding));
+  if (!findings.empty()) {
+    reporter.line(fmt::format("{} error{}", findings.size(), findings.size() == 1 ? "" : "s"));
+    return std::nullopt;
   }
-  out << findings.size() << (findings.size() == 1 ? " error\n" : " errors\n");
-  return 2;
+  reporter.line(c.name + " is sound: " + summary(c));
+  return std::move(c);
 }
 
-int check_json_command(const std::filesystem::path& folder,
-                       const std::vector<cases::Override>& overrides, std::ostream& out) {
+bool check_as_json(const std::filesystem::path& folder,
+                   const std::vector<cases::Override>& overrides, Reporter& reporter) {
   const auto [c, findings] = checked(folder, overrides);
   json said = {{"case", c.name}, {"sound", findings.empty()}, {"findings", json::array()}};
   for (const Finding& f : findings)
@@ -106,8 +107,8 @@ int check_json_command(const std::filesystem::path& folder,
     said["files"] = json::array();
     for (const auto& file : cases::referenced_files(c)) said["files"].push_back(file.string());
   }
-  out << said.dump(1, ' ', false, json::error_handler_t::replace) << '\n';
-  return findings.empty() ? 0 : 2;
+  reporter.line(said.dump(1, ' ', false, json::error_handler_t::replace));
+  return findings.empty();
 }
 
 }  // namespace dipper::check

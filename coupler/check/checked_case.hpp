@@ -1,0 +1,26 @@
+// A case that may be run, or what is wrong with it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "common/reporter.hpp"
+#include "coupler/case/case.hpp"
+
+namespace dipper::check {
+
+/// Loads and checks a case and tells the reporter a line a finding, `file:line: key: message`, and
+/// "N errors"; or "CASE is sound: ..." with what a run of it will take. The case when it is sound.
+std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
+                                        const std::vector<cases::Override>& overrides,
+                                        Reporter& reporter);
+
+/// The same for programs: one JSON object with case, sound, findings[] {file, line, column, key,
+/// message} and, of a sound case, case_hash, size {rocks, simulated_s, steps, windows,
+/// settle_steps, stable_timestep_s}, values {key: value}, effects {name: strength} and files[] it
+/// is made from. Whether it is sound.
+bool check_as_json(const std::filesystem::path& folder,
+                   const std::vector<cases::Override>& overrides, Reporter& reporter);
+
+}  // namespace dipper::check

@@ -1,0 +1,33 @@
+#include "coupler/cli/check_command.hpp"
+
+#include <memory>
+
+#include "coupler/check/checked_case.hpp"
+#include "coupler/cli/set_option.hpp"
+
+namespace dipper::cli {
+namespace {
+
+struct CheckOptions {
+  std::string folder;
+  std::vector<std::string> set;
+  bool json = false;
+};
+
+}  // namespace
+
+Command add_check_command(CLI::App& app, Reporter& reporter) {
+  const auto o = std::make_shared<CheckOptions>();
+  auto* sub = app.add_subcommand("check", "check a case: every error at once");
+  sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
+  sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
+  sub->add_flag("--json", o->json, "findings, hash, size and values, for programs");
+  return {sub, [o, &reporter] {
+            const auto set = overrides_of(o->set, "coupling.scheme=serial");
+            const bool sound = o->json ? check::check_as_json(o->folder, set, reporter)
+                                       : check::checked_case(o->folder, set, reporter).has_value();
+            return sound ? 0 : 2;
+          }};
+}
+
+}  // namespace dipper::cli

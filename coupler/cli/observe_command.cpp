@@ -1,0 +1,40 @@
+#include "coupler/cli/observe_command.hpp"
+
+#include <memory>
+
+#include "coupler/cli/set_option.hpp"
+#include "coupler/run/observed.hpp"
+
+namespace dipper::cli {
+namespace {
+
+struct ObserveOptions {
+  std::string folder, out;
+  std::vector<std::string> set;
+};
+
+int observe(const ObserveOptions& o) {
+  namespace fs = std::filesystem;
+  cases::ObservationCase observation = run::read_observation(fs::path(o.folder) / "case.txt");
+  try {
+    for (const cases::Override& set : overrides_of(o.set, "observation.lag_s=0.2"))
+      run::set_observation(observation, set);
+  } catch (const std::invalid_argument& e) {
+    throw CLI::ValidationError("--set", e.what());
+  }
+  run::write_observed(fs::path(o.folder) / "record.h5", observation, o.out);
+  return 0;
+}
+
+}  // namespace
+
+Command add_observe_command(CLI::App& app) {
+  const auto o = std::make_shared<ObserveOptions>();
+  auto* sub = app.add_subcommand("observe", "a run as the mine's instruments would show it");
+  sub->add_option("DIR", o->folder, "a run's folder")->required()->check(CLI::ExistingDirectory);
+  sub->add_option("--out", o->out, "the folder to write")->required();
+  sub->add_option("--set", o->set, "observation.KEY=VALUE instead of what the run's case says");
+  return {sub, [o] { return observe(*o); }};
+}
+
+}  // namespace dipper::cli

@@ -1,0 +1,72 @@
+#include "coupler/cli/replay_command.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "coupler/check/check.hpp"
+#include "coupler/cli/own_network.hpp"
+#include "coupler/cli/set_option.hpp"
+#include "coupler/run/machine_replay.hpp"
+#include "coupler/run/replay.hpp"
+
+namespace dipper::cli {
+namespace {
+
+struct ReplayOptions {
+  std::string folder, out, case_folder;
+  std::string side = "dem";
+  std::vector<std::string> set;
+};
+
+int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
+  if (o.side != "mbs" || o.out.empty()) {
+    throw CLI::ValidationError("--set", "replays another machine: it needs --side mbs and --out");
+  }
+  std::vector<cases::Finding> findings;
+  const cases::Case changed = run::case_of_run(
+      o.folder, o.case_folder, overrides_of(o.set, "effects.crowd_friction=100"), findings);
+  if (findings.empty()) findings = check::check_case(changed);
+  for (const cases::Finding& f : findings) reporter.error(cases::to_string(f));
+  if (!findings.empty()) return 2;
+  enter_own_network(reporter);
+  run::observe_changed_machine(o.folder, changed, o.out);
+  return 0;
+}
+
+int replay(const ReplayOptions& o, Reporter& reporter) {
+  if (!o.set.empty()) return observe_another_machine(o, reporter);
+  if (!o.case_folder.empty()) throw CLI::ValidationError("--case", "goes with --set");
+  enter_own_network(reporter);
+  const run::ReplayResult r = run::replay(o.folder, o.side);
+  reporter.line(fmt::format(
+      "{}: {} requests of {} leg{} asked again in {:.1f} s; the paired run took {:.1f} s over them "
+      "({:.3f} times as long)",
+      o.side, r.requests, r.legs, r.legs == 1 ? "" : "s", r.wall_s, r.recorded_wall_s,
+      r.recorded_wall_s / r.wall_s));
+  reporter.line(r.different == 0
+                    ? "every answer is the recorded one to the bit"
+                    : fmt::format("{} answers differ: force by up to {:.3g} N, position by up to "
+                                  "{:.3g} m",
+                                  r.different, r.force_N, r.position_m));
+  return r.different == 0 ? 0 : 3;
+}
+
+}  // namespace
+
+Command add_replay_command(CLI::App& app, Reporter& reporter) {
+  const auto o = std::make_shared<ReplayOptions>();
+  auto* sub = app.add_subcommand("replay", "run one side against the other's recording");
+  sub->add_option("DIR", o->folder, "a run's folder")->required()->check(CLI::ExistingDirectory);
+  sub->add_option("--set", o->set,
+                  "KEY=VALUE of another machine, which is observed into --out (with --side mbs)");
+  sub->add_option("--out", o->out, "the folder to observe another machine into");
+  sub->add_option("--case", o->case_folder, "the run's case, where it is no longer at its place")
+      ->check(CLI::ExistingDirectory);
+  sub->add_option("--side", o->side, "the side to run: dem or mbs")
+      ->check(CLI::IsMember({"dem", "mbs"}))
+      ->capture_default_str();
+  return {sub, [o, &reporter] { return replay(*o, reporter); }};
+}
+
+}  // namespace dipper::cli

@@ -1,0 +1,88 @@
+#include "coupler/cli/run_command.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "common/cache_folder.hpp"
+#include "common/input_error.hpp"
+#include "coupler/check/checked_case.hpp"
+#include "coupler/cli/own_network.hpp"
+#include "coupler/cli/set_option.hpp"
+#include "coupler/deck/liggghts_path.hpp"
+#include "coupler/launch/interrupt.hpp"
+#include "coupler/run/paired_run.hpp"
+#include "coupler/run/same_run.hpp"
+
+namespace dipper::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunOptions {
+  std::string folder, out;
+  std::vector<std::string> set;
+  int ranks = 0;
+  std::optional<long> seed;
+  bool resume = false;
+};
+
+/// The folder asked for, or runs/NAME, runs/NAME-2, ...: a result is never written over.
+fs::path run_folder(const RunOptions& o, const std::string& name) {
+  if (!o.out.empty()) return o.out;
+  fs::path folder = fs::path("runs") / name;
+  for (int k = 2; !o.resume && fs::exists(folder); ++k) {
+    folder = fs::path("runs") / fmt::format("{}-{}", name, k);
+  }
+  return folder;
+}
+
+int run(const RunOptions& o, Reporter& reporter) {
+  std::vector<cases::Override> set = overrides_of(o.set, "coupling.scheme=serial");
+  if (o.ranks > 0) set.push_back({"dem.ranks", std::to_string(o.ranks)});
+  if (o.seed) set.push_back({"seed", std::to_string(*o.seed)});
+  const std::optional<cases::Case> c = check::checked_case(o.folder, set, reporter);
+  if (!c) return 2;
+  const fs::path out = run_folder(o, c->name);
+  for (const auto& [folder, remedy] :
+       {std::pair{out, "choose another --out"},
+        std::pair{cache_folder(), "set XDG_CACHE_HOME to another folder"}}) {
+    if (deck::liggghts_takes(folder)) continue;
+    reporter.error(
+        fmt::format("{}: {}; {}", fs::absolute(folder).string(), deck::kLiggghtsRefuses, remedy));
+    return 2;
+  }
+  try {
+    const run::RunFolder folder =
+        o.resume ? run::RunFolder::resume(out) : run::RunFolder::create(out);
+    const auto changed =
+        o.resume ? run::changed_since(folder.root(), *c) : std::vector<std::string>{};
+    for (const auto& line : changed)
+      reporter.error(fmt::format("not as in {}: {}", out.string(), line));
+    if (!changed.empty()) return 2;
+    launch::catch_interrupts();
+    enter_own_network(reporter);
+    return static_cast<int>(run::paired_run(*c, folder, o.resume, reporter));
+  } catch (const InputError& e) {
+    reporter.error(e.what());
+    return 2;
+  }
+}
+
+}  // namespace
+
+Command add_run_command(CLI::App& app, Reporter& reporter) {
+  const auto o = std::make_shared<RunOptions>();
+  auto* sub = app.add_subcommand("run", "run a case: LIGGGHTS digs, Simbody drives");
+  sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
+  sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
+  sub->add_option("--out", o->out, "the run's folder (default: runs/NAME)");
+  sub->add_option("--ranks", o->ranks, "MPI ranks of the rock side")->check(CLI::PositiveNumber);
+  sub->add_option("--seed", o->seed, "seed of the pile");
+  sub->add_flag("--resume", o->resume, "continue from the last checkpoint");
+  return {sub, [o, &reporter] { return run(*o, reporter); }};
+}
+
+}  // namespace dipper::cli

@@ -1,0 +1,11 @@
+// `dipper run`.
+#pragma once
+
+#include "common/reporter.hpp"
+#include "coupler/cli/command.hpp"
+
+namespace dipper::cli {
+
+Command add_run_command(CLI::App& app, Reporter& reporter);
+
+}  // namespace dipper::cli

@@ -1,0 +1,26 @@
+#include "coupler/run/checkpointer.hpp"
+
+#include <utility>
+
+namespace dipper::run {
+
+Checkpointer::Checkpointer(std::filesystem::path checkpoints, double every_s, Of of)
+    : folder_(std::move(checkpoints)),
+      every_s_(every_s),
+      of_(std::move(of)),
+      saved_ns_(of_.coupling.t_ns()) {}
+
+void Checkpointer::window(const core::Window& w) {
+  const double since_s = static_cast<double>(w.rock.t_ns - saved_ns_) * 1e-9;
+  if (w.step_index == 0 || every_s_ <= 0 || since_s < every_s_ - 1e-9) return;
+  save();
+  saved_ns_ = w.rock.t_ns;
+}
+
+void Checkpointer::save() {
+  of_.record.flush();
+  save_checkpoint(folder_, {{}, of_.coupling.state(), of_.record.position(), of_.cost()}, of_.rock,
+                  of_.machine);
+}
+
+}  // namespace dipper::run

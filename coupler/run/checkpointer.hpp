@@ -1,0 +1,37 @@
+// When a run's checkpoints are made.
+#pragma once
+
+#include <functional>
+
+#include "coupler/run/checkpoint.hpp"
+#include "coupler/run/observer.hpp"
+
+namespace dipper::run {
+
+/// Saves a checkpoint every so often and at the end, with the record flushed up to it.
+class Checkpointer final : public Observer {
+ public:
+  struct Of {  ///< what a checkpoint is made of
+    const core::Coupling& coupling;
+    core::Machine& machine;
+    core::Rock& rock;
+    RunRecord& record;
+    std::function<RunCost()> cost;
+  };
+
+  /// \param every_s  simulated time between two; 0: only at the end
+  Checkpointer(std::filesystem::path checkpoints, double every_s, Of of);
+
+  void window(const core::Window& w) override;
+  void end() override { save(); }
+
+ private:
+  void save();
+
+  std::filesystem::path folder_;
+  double every_s_;
+  Of of_;
+  std::int64_t saved_ns_;  ///< when the last one was due
+};
+
+}  // namespace dipper::run

@@ -1,0 +1,20 @@
+// Who wants to know how a run goes.
+#pragma once
+
+#include "coupler/core/coupling.hpp"
+
+namespace dipper::run {
+
+/// Told by the stepper (stepper.hpp) of a run's windows as they are done.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+
+  /// A window has been stepped; index 0: the start, before the first.
+  virtual void window(const core::Window& w) = 0;
+
+  /// No more windows come: the end is reached or the run is interrupted. Not after a failure.
+  virtual void end() {}
+};
+
+}  // namespace dipper::run

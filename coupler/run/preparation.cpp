@@ -1,0 +1,86 @@
+#include "coupler/run/preparation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "common/mesh/stl.hpp"
+#include "coupler/case/case_hash.hpp"
+#include "coupler/deck/deck.hpp"
+#include "coupler/run/pile.hpp"
+#include "coupler/run/same_run.hpp"
+#include "coupler/sides/dipper_layers.hpp"
+#include "coupler/sides/sides_setup.hpp"
+#include "machine/motion.hpp"
+
+namespace dipper::run {
+namespace fs = std::filesystem;
+namespace {
+
+void write_decks(const cases::Case& c, const sides::DipperLayers& layers, const fs::path& deck) {
+  cases::Case as_built = c;
+  if (layers.mesh) {
+    as_built.bodies["dipper"] = deck / "dipper.stl";
+    std::ofstream(as_built.bodies["dipper"]) << mesh::to_stl("dipper", *layers.mesh);
+  }
+  deck::write_deck(as_built, c.rock.shape_folder, deck);
+}
+
+fs::path find_pile(const cases::Case& c, const RunFolder& folder, Reporter& reporter) {
+  reporter.line("pile: looking in the cache, else settling");
+  const Pile pile = settled_pile(c, folder.deck(), folder.logs());
+  reporter.line(pile.cached ? "pile: cached"
+                            : fmt::format("pile: settled in {:.0f} s", pile.wall_s));
+  return pile.restart;
+}
+
+std::vector<dem::WallMemory> wall_memory(const core::CouplingState& state) {
+  std::vector<dem::WallMemory> memory;
+  for (const core::WallState& wall : state.walls) memory.push_back({wall.load, wall.V_WB_W});
+  return memory;
+}
+
+}  // namespace
+
+std::int64_t end_step(const cases::Case& c) {
+  const machine::Motion motion = machine::Motion::load(c.machine.motion);
+  const double end_s = c.end_s > 0 ? c.end_s : static_cast<double>(motion.end_ns()) * 1e-9;
+  return std::llround(end_s / c.dem.timestep_s);
+}
+
+sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
+                          const std::optional<Checkpoint>& from, Reporter& reporter) {
+  const sides::MeshFacts shovel = sides::read_mesh_facts(c);
+  const sides::DipperLayers layers = sides::dipper_layers(c, shovel.dipper.cavity);
+  write_decks(c, layers, folder.deck());
+  write_identity(folder.root(), c);
+
+  const std::int64_t steps = end_step(c);
+  reporter.line(fmt::format("{}: {:.2f} s, {} windows of {} steps, {} rank{}", c.name,
+                            static_cast<double>(steps) * c.dem.timestep_s,
+                            (steps + c.coupling.sync_steps - 1) / c.coupling.sync_steps,
+                            c.coupling.sync_steps, c.dem.ranks, c.dem.ranks == 1 ? "" : "s"));
+  if (from) {
+    reporter.line(fmt::format("going on from t = {:.3f} s",
+                              static_cast<double>(from->coupling.dem_step) * c.dem.timestep_s));
+  }
+  const fs::path restart = from ? from->rock() : find_pile(c, folder, reporter);
+
+  sides::SidesSetup setup;
+  setup.run_id = folder.root().filename().string();
+  setup.case_hash = cases::case_hash(c);
+  setup.ranks = c.dem.ranks;
+  setup.timeout_s = c.coupling.timeout_s;
+  setup.logs = folder.logs();
+  setup.checkpoints = folder.checkpoints();
+  setup.dem_screen = folder.logs() / "dem.screen";
+  if (from) setup.leg = fmt::format("-{}", from->coupling.step_index);
+  setup.message_log = folder.root() / ("events" + setup.leg + ".lcmlog");
+  setup.dem = sides::dem_settings(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
+                                  from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
+  setup.mbs = sides::mbs_settings(c, layers);
+  return setup;
+}
+
+}  // namespace dipper::run

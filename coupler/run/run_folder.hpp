@@ -1,0 +1,37 @@
+// What is where in a run's folder, and the right to write it.
+#pragma once
+
+#include <filesystem>
+
+#include "common/file_lock.hpp"
+
+namespace dipper::run {
+
+/// Held by the one process that writes the run: a second one is refused.
+class RunFolder {
+ public:
+  /// Makes the folder of a new run. Throws InputError when it holds a run, or another process is
+  /// writing one there.
+  static RunFolder create(const std::filesystem::path& folder) { return {folder, false}; }
+
+  /// Opens the folder of a run that goes on. Throws InputError when it holds none, or the run is
+  /// still going on.
+  static RunFolder resume(const std::filesystem::path& folder) { return {folder, true}; }
+
+  const std::filesystem::path& root() const { return root_; }
+  std::filesystem::path deck() const { return root_ / "deck"; }
+  std::filesystem::path dumps() const { return root_ / "dumps"; }
+  std::filesystem::path checkpoints() const { return root_ / "checkpoints"; }
+  std::filesystem::path logs() const { return root_ / "logs"; }
+  std::filesystem::path record() const { return root_ / "record.h5"; }
+  std::filesystem::path summary() const { return root_ / "summary.json"; }
+  std::filesystem::path observed() const { return root_ / "observed"; }
+
+ private:
+  RunFolder(const std::filesystem::path& folder, bool resume);
+
+  std::filesystem::path root_;
+  FileLock lock_;
+};
+
+}  // namespace dipper::run

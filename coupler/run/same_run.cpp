@@ -1,0 +1,96 @@
+#include "coupler/run/same_run.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "common/case_lines.hpp"
+#include "common/sha256.hpp"
+#include "coupler/case/case_hash.hpp"
+
+namespace dipper::run {
+namespace fs = std::filesystem;
+namespace {
+
+/// The lines of a case's text that a run must not change on its way.
+std::set<std::string> fixed_lines(const CaseLines& text) {
+  std::set<std::string> fixed;
+  for (const CaseLine& line : text) {
+    const bool free =
+        line.key == "end_s" || is_within(line.key, "output") || line.key == "coupling.timeout_s";
+    if (!free) fixed.insert(line.key + '=' + line.value);
+  }
+  return fixed;
+}
+
+/// SHA-256 by path, relative to the case's folder: the files the case names, and what is written
+/// beside the meshes of dipper and truck.
+std::map<std::string, std::string> input_hashes(const cases::Case& c) {
+  std::vector<fs::path> files = cases::referenced_files(c);
+  files.push_back(fs::path(c.bodies.at("dipper")).replace_extension(".yaml"));
+  files.push_back(fs::path(c.truck.mesh).replace_extension(".yaml"));
+  std::map<std::string, std::string> hashes;
+  for (const fs::path& file : files) {
+    hashes[file.lexically_relative(c.folder).generic_string()] = sha256_file(file);
+  }
+  return hashes;
+}
+
+/// inputs.sha256 of a run; empty when there is none.
+std::map<std::string, std::string> recorded_hashes(const fs::path& file) {
+  std::map<std::string, std::string> hashes;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const auto blank = line.find("  ");
+    if (blank != std::string::npos) hashes[line.substr(blank + 2)] = line.substr(0, blank);
+  }
+  return hashes;
+}
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+}  // namespace
+
+void write_identity(const fs::path& folder, const cases::Case& c) {
+  std::string inputs;
+  for (const auto& [file, hash] : input_hashes(c)) inputs += hash + "  " + file + "\n";
+  write(folder / "case.txt", c.text);
+  write(folder / "inputs.sha256", inputs);
+}
+
+std::vector<std::string> changed_since(const fs::path& folder, const cases::Case& c) {
+  const auto before = fixed_lines(CaseLines::read(folder / "case.txt"));
+  const auto now = fixed_lines(CaseLines(c.text));
+  std::vector<std::string> changed;
+  std::set_symmetric_difference(before.begin(), before.end(), now.begin(), now.end(),
+                                std::back_inserter(changed));
+  const auto recorded = recorded_hashes(folder / "inputs.sha256");
+  if (recorded.empty()) {
+    changed.push_back("no inputs.sha256, which tells whether the case's files are still the same");
+    return changed;
+  }
+  const auto path = [&](const std::string& relative) {
+    return (c.folder / relative).lexically_normal().string();
+  };
+  const auto hashes = input_hashes(c);
+  for (const auto& [name, hash] : hashes) {
+    const auto was = recorded.find(name);
+    if (was == recorded.end()) {
+      changed.push_back(path(name) + " was no part of it");
+    } else if (was->second != hash) {
+      changed.push_back(path(name) + " has other contents");
+    }
+  }
+  for (const auto& [name, hash] : recorded)
+    if (hashes.count(name) == 0) changed.push_back(path(name) + " is no part of the case any more");
+  return changed;
+}
+
+}  // namespace dipper::run

@@ -1,0 +1,85 @@
+#include "coupler/launch/failure_message.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <thread>
+
+namespace dipper::launch {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FailureMessage : public testing::Test {
+ protected:
+  fs::path write(const std::string& name, const std::string& text) {
+    const fs::path file = fs::temp_directory_path() / (name + std::to_string(getpid()));
+    std::ofstream(file) << text;
+    files_.push_back(file);
+    return file;
+  }
+  ~FailureMessage() override {
+    for (const auto& f : files_) fs::remove(f);
+  }
+  std::vector<fs::path> files_;
+};
+
+TEST_F(FailureMessage, LiggghtsErrorComesFirst) {
+  const auto log = write("log", "mpirun noticed that process rank 0 exited on signal 6\n");
+  const auto screen = write("screen", "Step Atoms\n0 10\nERROR: Mesh left the box (mesh.cpp:1)\n");
+  EXPECT_EQ(error_line(log, screen), "ERROR: Mesh left the box (mesh.cpp:1)");
+}
+
+TEST_F(FailureMessage, ASidesOwnLineBeatsMpirun) {
+  const auto log = write("log",
+                         "dipper-dem: the deck has no fix for body 'door'\n"
+                         "-----\nmpirun has exited due to process rank 0\n-----\n");
+  EXPECT_EQ(error_line(log), "dipper-dem: the deck has no fix for body 'door'");
+}
+
+TEST_F(FailureMessage, ASignalIsReportedAsMpirunSawIt) {
+  const auto log =
+      write("log", "---\nmpirun noticed that process rank 1 exited on signal 9\n---\n");
+  EXPECT_EQ(error_line(log), "mpirun noticed that process rank 1 exited on signal 9");
+}
+
+TEST_F(FailureMessage, NothingSaidIsEmpty) {
+  EXPECT_EQ(error_line(write("log", "")), "");
+  EXPECT_EQ(error_line("/no/such/file"), "");
+}
+
+TEST_F(FailureMessage, AKillIsNamedAndNotWhatWasSaidBeforeIt) {
+  const auto log = write("log", "WARNING: Dangerous settings (neighbor.cpp:7)\n");
+  Process killed({"sh", "-c", "kill -KILL $$"}, log);
+  ASSERT_TRUE(killed.wait(std::chrono::seconds(10)));
+  EXPECT_TRUE(killed.was_killed());
+  EXPECT_EQ(failure_message(killed, log), "sh was killed by signal 9 (Killed)");
+
+  Process failed({"sh", "-c", "exit 3"}, log);
+  ASSERT_TRUE(failed.wait(std::chrono::seconds(10)));
+  EXPECT_FALSE(failed.was_killed());
+  EXPECT_EQ(failure_message(failed, log),
+            "WARNING: Dangerous settings (neighbor.cpp:7) (exit status 3)");
+}
+
+TEST_F(FailureMessage, AKilledRankBeatsWhatItSaidBefore) {
+  const auto log = write("log",
+                         "dipper-dem: 3 rocks removed\n"
+                         "mpirun noticed that process rank 1 exited on signal 9\n");
+  EXPECT_EQ(error_line(log), "mpirun noticed that process rank 1 exited on signal 9");
+}
+
+TEST_F(FailureMessage, CpuTimeIsKnownWhileItRuns) {
+  const auto log = write("log", "");
+  Process busy({"sh", "-c", "sh -c 'while :; do :; done' & wait"}, log);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (busy.cpu_s() < 0.1 && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_GE(busy.cpu_s(), 0.1);
+  EXPECT_FALSE(busy.ended());
+}
+
+}  // namespace
+}  // namespace dipper::launch

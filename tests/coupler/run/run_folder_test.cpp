@@ -1,0 +1,70 @@
+// Who may write a run's folder, and whether what goes on there is the same run.
+#include "coupler/run/run_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/input_error.hpp"
+#include "coupler/run/same_run.hpp"
+#include "tests/coupler/case/checkout.hpp"
+
+namespace dipper::run {
+namespace {
+
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ThrowsMessage;
+namespace fs = std::filesystem;
+
+TEST(RunFolder, HasOneOwnerAtATime) {
+  const test::Checkout scratch;
+  const fs::path out = scratch.root / "run";
+  {
+    const RunFolder mine = RunFolder::create(out);
+    EXPECT_TRUE(fs::is_directory(mine.checkpoints()));
+    EXPECT_THAT([&] { RunFolder::create(out); },
+                ThrowsMessage<InputError>(
+                    HasSubstr("another run is writing it (process " + std::to_string(getpid()))));
+    EXPECT_THAT([&] { RunFolder::resume(out); },
+                ThrowsMessage<InputError>(HasSubstr("holds no run to resume")));
+    test::write_text(mine.record(), "rows");
+    EXPECT_THAT([&] { RunFolder::resume(out); },
+                ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+  }
+  EXPECT_THAT([&] { RunFolder::create(out); },
+              ThrowsMessage<InputError>(HasSubstr("holds a run already")));
+  EXPECT_EQ(RunFolder::resume(out).root(), out);
+  EXPECT_FALSE(fs::exists(out / "run.lock"));
+}
+
+TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {
+  const test::Checkout checkout;
+  const fs::path out = checkout.root / "run";
+  fs::create_directory(out);
+  const auto load = [&](const std::vector<cases::Override>& set) {
+    std::vector<cases::Finding> findings;
+    cases::Case c = cases::load_case(checkout.folder(), set, findings);
+    EXPECT_TRUE(findings.empty());
+    return c;
+  };
+  write_identity(out, load({}));
+  EXPECT_THAT(changed_since(out, load({})), IsEmpty());
+  EXPECT_THAT(changed_since(out, load({{"end_s", "3"}, {"output.dump_every_s", "1"}})), IsEmpty());
+  EXPECT_THAT(changed_since(out, load({{"seed", "12345"}})), testing::Contains("seed=12345"));
+
+  for (const char* name : {"mbs/bucyrus495.yaml", "meshes/door.stl", "meshes/dipper.yaml"}) {
+    const fs::path file = checkout.root / name;
+    const std::string before = test::read_text(file);
+    test::write_text(file, before + "\n");
+    EXPECT_THAT(changed_since(out, load({})),
+                ElementsAre(EndsWith(std::string(name) + " has other contents")));
+    test::write_text(file, before);
+  }
+  fs::remove(out / "inputs.sha256");
+  EXPECT_THAT(changed_since(out, load({})), ElementsAre(HasSubstr("no inputs.sha256")));
+}
+
+}  // namespace
+}  // namespace dipper::run
