@@ -27,15 +27,15 @@ class Markup {
   std::int64_t end_offset() const { return in_.offset(); }  ///< the file's size
   long end_line() const { return in_.line(); }
 
-  struct Place {
+  struct Position {
     std::int64_t offset;  ///< in the file, of what follows the tag
     long line;            ///< where the tag ends
   };
   /// Of the tag around this place of text().
-  Place place(std::ptrdiff_t at) const {
+  Position place(std::ptrdiff_t at) const {
     const auto after = std::upper_bound(begins_.begin(), begins_.end(), at);
     return after == begins_.begin()
-               ? Place{0, 1}
+               ? Position{0, 1}
                : places_[static_cast<std::size_t>(after - begins_.begin()) - 1];
   }
 
@@ -80,7 +80,7 @@ class Markup {
   ByteReader in_;
   std::string text_;
   std::vector<std::ptrdiff_t> begins_;  // of each tag in text_, and where it ends in the file
-  std::vector<Place> places_;
+  std::vector<Position> places_;
 };
 
 class XmlIndex {
@@ -176,7 +176,7 @@ class XmlIndex {
         {"Float32", Type::f32}, {"Float64", Type::f64}};
     const auto type = types.find(node.attribute("type").value());
     if (!node || type == types.end()) return std::nullopt;
-    const Markup::Place place = markup_.place(node.offset_debug());
+    const Markup::Position place = markup_.place(node.offset_debug());
     const std::string form = node.attribute("format").value();
     if (form == "appended") fail(place.line, "appended data: write the file with `binary no`");
     VtkArray a;

@@ -16,19 +16,19 @@ struct Following {
   LoadFate fate;
 };
 
-void take(Following& f, const rock::Rock& rock) {
+void take(Following& f, const rock::Fragment& rock) {
   f.rocks[rock.key].mass_kg = rock.mass_kg;
   f.fate.lifted_kg += rock.mass_kg;
   f.fate.class_kg[rock.type] += rock.mass_kg;
 }
 
-void look(Following& f, const rock::Rock& rock, rock::Place place, const Footprint& pile) {
+void look(Following& f, const rock::Fragment& rock, rock::Location place, const Footprint& pile) {
   const auto at = f.rocks.find(rock.key);
   if (at == f.rocks.end()) return;
   at->second.found = true;
-  if (place == rock::Place::truck) {
+  if (place == rock::Location::truck) {
     f.fate.truck_kg += rock.mass_kg;
-  } else if (place == rock::Place::dipper) {
+  } else if (place == rock::Location::dipper) {
     f.fate.carry_back_kg += rock.mass_kg;
   } else {
     (pile.holds(rock.p_W) ? f.fate.back_in_pile_kg : f.fate.spillage_kg) += rock.mass_kg;
@@ -53,7 +53,7 @@ bool Footprint::holds(const Vector3d& p) const {
 }
 
 Survey survey_frames(const io::DumpFolder& dumps, const rock::ClumpMasses& clumps,
-                     const rock::Places& places, const rock::PoseTrack& dipper,
+                     const rock::LoadRegions& regions, const rock::PoseTrack& dipper,
                      const std::vector<LoadToFollow>& loads) {
   Survey s;
   std::vector<Following> all;
@@ -62,19 +62,19 @@ Survey survey_frames(const io::DumpFolder& dumps, const rock::ClumpMasses& clump
     const BodyState body = dipper.empty() ? BodyState{} : dipper.at(dumps.time_s[k]);
     rock::FrameSums sums;
     std::size_t rocks = 0;
-    rock::for_each_rock(dumps.frames[k], clumps, [&](const rock::Rock& rock) {
-      sums.add(rock, places, body);
+    rock::for_each_fragment(dumps.frames[k], clumps, [&](const rock::Fragment& rock) {
+      sums.add(rock, regions, body);
       ++rocks;
-      const rock::Place place = rock::place_of(places, body.X_WB, rock.p_W);
+      const rock::Location place = rock::location_of(regions, body.X_WB, rock.p_W);
       if (k == 0) {
-        if (place == rock::Place::elsewhere) s.pile.add(rock.p_W);
+        if (place == rock::Location::elsewhere) s.pile.add(rock.p_W);
         ClassSums& c = s.classes[rock.type];
         c.mass_kg += rock.mass_kg;
         if (rock.density_kg_m3 > 0) c.volume_m3 += rock.mass_kg / rock.density_kg_m3;
         ++c.rocks;
       }
       for (Following& f : all) {
-        if (k == f.load.lift_frame && place == rock::Place::dipper) take(f, rock);
+        if (k == f.load.lift_frame && place == rock::Location::dipper) take(f, rock);
         if (k == f.load.end_frame) look(f, rock, place, s.pile);
       }
     });

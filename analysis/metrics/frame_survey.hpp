@@ -45,7 +45,7 @@ struct Survey {
 /// Reads every frame once. A rock of a load that is in no frame at its end has left the domain:
 /// it counts as spilt. `dipper` may be empty.
 Survey survey_frames(const io::DumpFolder& dumps, const rock::ClumpMasses& clumps,
-                     const rock::Places& places, const rock::PoseTrack& dipper,
+                     const rock::LoadRegions& regions, const rock::PoseTrack& dipper,
                      const std::vector<LoadToFollow>& loads);
 
 }  // namespace dipper::analysis::metrics

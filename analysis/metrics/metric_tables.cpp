@@ -16,17 +16,18 @@ std::string weight_note(const PassFacts& f) {
   std::string note =
       fmt::format("The weight on dipper and door differs from the rocks inside by {:+.2f} t",
                   tonnes(difference));
-  if (!f.hung)
+  if (!f.suspended)
     return note + "; no frame with velocities lies in that time, so it cannot be told what it is.";
-  note +=
-      fmt::format(": {:+.2f} t is rock that rides outside the cavity", tonnes(f.hung->riding_kg));
-  if (!f.hung->accelerating_kg) return note + "; one frame does not show the load's acceleration.";
-  const double rest = difference - f.hung->riding_kg - *f.hung->accelerating_kg;
+  note += fmt::format(": {:+.2f} t is rock that rides outside the cavity",
+                      tonnes(f.suspended->riding_kg));
+  if (!f.suspended->accelerating_kg)
+    return note + "; one frame does not show the load's acceleration.";
+  const double rest = difference - f.suspended->riding_kg - *f.suspended->accelerating_kg;
   return note +
          fmt::format(
              ", {:+.2f} t the load's acceleration (a load that is let down weighs less); {:+.2f} t "
              "remain, since the frames show both only now and then.",
-             tonnes(*f.hung->accelerating_kg), tonnes(rest));
+             tonnes(*f.suspended->accelerating_kg), tonnes(rest));
 }
 
 /// Why the three payloads differ, in figures.
@@ -37,9 +38,9 @@ json ways(const PassFacts& f) {
     out["wrench_kg"] = f.still->mass_kg;
     out["still_from_s"] = f.still->from_s;
     out["still_to_s"] = f.still->to_s;
-    if (f.hung) {
-      out["riding_outside_kg"] = f.hung->riding_kg;
-      if (f.hung->accelerating_kg) out["accelerating_kg"] = *f.hung->accelerating_kg;
+    if (f.suspended) {
+      out["riding_outside_kg"] = f.suspended->riding_kg;
+      if (f.suspended->accelerating_kg) out["accelerating_kg"] = *f.suspended->accelerating_kg;
     }
     notes.push_back(weight_note(f));
   } else {
@@ -60,7 +61,7 @@ json ways(const PassFacts& f) {
   return out;
 }
 
-double dig_work_J(const run::RunFolder& run, const PassFacts& f) {
+double dig_work_J(const run::RunData& run, const PassFacts& f) {
   double work = 0;
   for (const signals::Phase& p : f.phases) {
     if (p.name != "penetrate" && p.name != "fill" && p.name != "breakout") continue;
@@ -72,7 +73,7 @@ double dig_work_J(const run::RunFolder& run, const PassFacts& f) {
 
 }  // namespace
 
-json run_table(const run::RunFolder& run, const io::DumpFolder& dumps, const Survey& survey) {
+json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Survey& survey) {
   json out;
   const auto copy = [&](const char* key) {
     if (run.summary.is_object() && run.summary.contains(key)) out[key] = run.summary[key];
@@ -96,8 +97,7 @@ json run_table(const run::RunFolder& run, const io::DumpFolder& dumps, const Sur
   return out;
 }
 
-json passes_table(const run::RunFolder& run, const std::vector<PassFacts>& passes,
-                  double struck_m3) {
+json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes, double struck_m3) {
   json out = json::array();
   for (const PassFacts& f : passes) {
     const signals::Pass& p = f.pass;
@@ -129,7 +129,7 @@ json passes_table(const run::RunFolder& run, const std::vector<PassFacts>& passe
   return out;
 }
 
-json phases_table(const run::RunFolder& run, const std::vector<PassFacts>& passes) {
+json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes) {
   json out = json::array();
   for (const PassFacts& f : passes) {
     for (const signals::Phase& p : f.phases) {
@@ -169,7 +169,8 @@ json stages_table(const io::DumpFolder& dumps, const Survey& survey,
   return out;
 }
 
-json frames_table(const io::DumpFolder& dumps, const Survey& survey, const rock::Places& places) {
+json frames_table(const io::DumpFolder& dumps, const Survey& survey,
+                  const rock::LoadRegions& regions) {
   json out = {{"time_s", dumps.time_s}};
   const auto column = [&](const char* name, auto value) {
     json& values = out[name] = json::array();
@@ -177,14 +178,14 @@ json frames_table(const io::DumpFolder& dumps, const Survey& survey, const rock:
   };
   for (const io::DumpFrame& f : dumps.frames) out["step"].push_back(f.step);
   column("rock_kg", [](const rock::FrameSums& f) { return f.rock_kg; });
-  if (places.dipper) {
+  if (regions.dipper) {
     column("in_dipper_kg", [](const rock::FrameSums& f) { return f.in_dipper_kg; });
     column("flow_kg", [](const rock::FrameSums& f) { return f.flow_kg; });
     column("bulk_kg", [](const rock::FrameSums& f) { return f.bulk_kg; });
     column("ahead_kg", [](const rock::FrameSums& f) { return f.ahead_kg; });
     column("relative_speed_m_s", [](const rock::FrameSums& f) { return f.relative_speed_m_s(); });
   }
-  if (places.truck) column("in_truck_kg", [](const rock::FrameSums& f) { return f.in_truck_kg; });
+  if (regions.truck) column("in_truck_kg", [](const rock::FrameSums& f) { return f.in_truck_kg; });
   column("kinetic_energy_J", [](const rock::FrameSums& f) { return f.kinetic_energy_J; });
   return out;
 }
@@ -208,7 +209,7 @@ json pile_table(const PileSurface& before, const PileSurface& after) {
   return out;
 }
 
-json sizes_table(const run::RunFolder& run, const Survey& survey,
+json sizes_table(const run::RunData& run, const Survey& survey,
                  const std::vector<PassFacts>& passes) {
   json out = json::array();
   double all = 0;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "analysis/metrics/frame_survey.hpp"
-#include "analysis/metrics/hung_load.hpp"
 #include "analysis/metrics/metrics.hpp"
 #include "analysis/metrics/pass_signals.hpp"
 #include "analysis/metrics/pile_surface.hpp"
+#include "analysis/metrics/suspended_load.hpp"
 #include "analysis/rock/struck_volume.hpp"
 #include "analysis/signals/pass_phases.hpp"
 
@@ -21,18 +21,18 @@ struct PassFacts : signals::PassPhases {
   double load_in_volume_kg = 0;
   std::vector<rock::Stage> stages;
   std::optional<StillWeight> still;
-  std::optional<HungLoad> hung;
+  std::optional<SuspendedLoad> suspended;
 };
 
-json run_table(const run::RunFolder& run, const io::DumpFolder& dumps, const Survey& survey);
-json passes_table(const run::RunFolder& run, const std::vector<PassFacts>& passes,
-                  double struck_m3);
-json phases_table(const run::RunFolder& run, const std::vector<PassFacts>& passes);
+json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Survey& survey);
+json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes, double struck_m3);
+json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes);
 json stages_table(const io::DumpFolder& dumps, const Survey& survey,
                   const std::vector<PassFacts>& passes);
-json frames_table(const io::DumpFolder& dumps, const Survey& survey, const rock::Places& places);
+json frames_table(const io::DumpFolder& dumps, const Survey& survey,
+                  const rock::LoadRegions& regions);
 json pile_table(const PileSurface& before, const PileSurface& after);
-json sizes_table(const run::RunFolder& run, const Survey& survey,
+json sizes_table(const run::RunData& run, const Survey& survey,
                  const std::vector<PassFacts>& passes);
 json walls_table(const std::vector<rock::WallField>& fields);
 

@@ -14,7 +14,7 @@ struct Metrics {
 };
 
 /// Reads the dumps once for the sums and again for single frames. For a mesh without a file beside
-/// it, the region of the load is set in `run.places`. Throws InputError.
-Metrics compute_metrics(run::RunFolder& run, const io::DumpFolder& dumps);
+/// it, the region of the load is set in `run.regions`. Throws InputError.
+Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps);
 
 }  // namespace dipper::analysis::metrics

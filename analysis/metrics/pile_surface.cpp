@@ -62,11 +62,11 @@ double height_at(const rock::SurfaceProfile& profile, double x) {
   return (1 - share) * profile.z_m[i - 1] + share * profile.z_m[i];
 }
 
-PileSurface pile_surface(const io::DumpFrame& frame, const rock::Places& places, const Pose& X_WB,
-                         const Footprint& footprint, double floor_m) {
+PileSurface pile_surface(const io::DumpFrame& frame, const rock::LoadRegions& regions,
+                         const Pose& X_WB, const Footprint& footprint, double floor_m) {
   const auto pile = [&](const Visit& visit) {
     for_each_sphere(frame, [&](const Vector3d& p, double r) {
-      if (footprint.holds(p) && rock::place_of(places, X_WB, p) == rock::Place::elsewhere)
+      if (footprint.holds(p) && rock::location_of(regions, X_WB, p) == rock::Location::elsewhere)
         visit(p, r);
     });
   };

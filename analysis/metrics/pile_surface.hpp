@@ -14,8 +14,8 @@ struct PileSurface {
 /// Of the rock over the footprint that is neither in the dipper nor in the truck. Of a frame of
 /// more than a few hundred thousand spheres only those near the top of their column are kept in
 /// memory.
-PileSurface pile_surface(const io::DumpFrame& frame, const rock::Places& places, const Pose& X_WB,
-                         const Footprint& footprint, double floor_m);
+PileSurface pile_surface(const io::DumpFrame& frame, const rock::LoadRegions& regions,
+                         const Pose& X_WB, const Footprint& footprint, double floor_m);
 
 /// The spheres of a frame whose centres are in a region of the body, in B.
 std::vector<Sphere> balls_in(const io::DumpFrame& frame, const rock::Region& region,

@@ -9,7 +9,7 @@
 
 namespace dipper::analysis::report {
 
-std::vector<MovingWall> replay_walls(const run::RunFolder& run) {
+std::vector<MovingWall> replay_walls(const run::RunData& run) {
   std::vector<MovingWall> walls;
   for (const auto& [name, mesh] : run.meshes) {
     const auto recorded = run.signals.walls.find(name);
@@ -19,7 +19,7 @@ std::vector<MovingWall> replay_walls(const run::RunFolder& run) {
     } else if (name == "dipper" && !run.dipper.empty()) {
       walls.push_back({{name, mesh}, [&track = run.dipper](double t) { return track.at(t); }});
     } else if (name == "truck") {
-      walls.push_back({{name, mesh}, [X_WT = run.places.X_WT](double) {
+      walls.push_back({{name, mesh}, [X_WT = run.regions.X_WT](double) {
                          return BodyState{X_WT, {}};
                        }});
     }

@@ -17,7 +17,7 @@ struct MovingWall {
 
 /// The walls of a run, or of dumps with a mesh and poses: dipper and door on their tracks, the
 /// truck where it stands. `run` has to outlive them.
-std::vector<MovingWall> replay_walls(const run::RunFolder& run);
+std::vector<MovingWall> replay_walls(const run::RunData& run);
 
 /// Walls have the fields that their dumps have of every triangle, its number apart.
 ///

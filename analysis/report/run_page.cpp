@@ -7,13 +7,13 @@
 
 namespace dipper::analysis::report {
 
-void write_run_page(const run::RunFolder& run, const io::DumpFolder& dumps,
+void write_run_page(const run::RunData& run, const io::DumpFolder& dumps,
                     const nlohmann::ordered_json& metrics, const std::filesystem::path& file) {
   const DumpReplay replay(dumps, replay_walls(run));
   ReportInput input;
   input.metrics = metrics;
-  if (run.places.dipper) {  // the cavity with its heap, for the zones in the slices
-    const auto& region = *run.places.dipper;
+  if (run.regions.dipper) {  // the cavity with its heap, for the zones in the slices
+    const auto& region = *run.regions.dipper;
     input.metrics["dipper"]["load_region"] = {{"min_m", json_of(region.min_m)},
                                               {"max_m", json_of(region.max_m)}};
   }

@@ -11,7 +11,7 @@ namespace dipper::analysis::report {
 
 /// `metrics` as docs/metrics.md says. Throws what the record's and the dumps' readers throw, and
 /// std::runtime_error when the file cannot be written.
-void write_run_page(const run::RunFolder& run, const io::DumpFolder& dumps,
+void write_run_page(const run::RunData& run, const io::DumpFolder& dumps,
                     const nlohmann::ordered_json& metrics, const std::filesystem::path& file);
 
 }  // namespace dipper::analysis::report

@@ -145,8 +145,8 @@ std::string mass_source(const io::DumpFrame& frame, const ClumpMasses& clumps) {
   return frame.has("mass") ? "mass column" : "spheres";
 }
 
-void for_each_rock(const io::DumpFrame& frame, const ClumpMasses& masses,
-                   const std::function<void(const Rock&)>& visit) {
+void for_each_fragment(const io::DumpFrame& frame, const ClumpMasses& masses,
+                       const std::function<void(const Fragment&)>& visit) {
   const Columns columns(frame);
   if (!columns.weighs())
     throw io::input_error(
@@ -168,7 +168,7 @@ void for_each_rock(const io::DumpFrame& frame, const ClumpMasses& masses,
         c.v += volume * columns.v(chunk, i);
         continue;
       }
-      Rock rock;
+      Fragment rock;
       rock.key = columns.id(chunk, i);
       rock.type = columns.type(chunk, i);
       rock.mass_kg = mass;
@@ -179,7 +179,7 @@ void for_each_rock(const io::DumpFrame& frame, const ClumpMasses& masses,
     }
   });
   for (const auto& [id, c] : clumps) {
-    Rock rock;
+    Fragment rock;
     rock.key = -1 - id;
     rock.type = c.type;
     rock.mass_kg = c.mass_kg;

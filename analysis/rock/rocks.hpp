@@ -9,7 +9,7 @@
 
 namespace dipper::analysis::rock {
 
-struct Rock {
+struct Fragment {
   std::int64_t key = 0;  ///< a sphere's id, or -1 - id_multisphere: the same rock in every frame
   int type = 1;          ///< size class, from 1
   double mass_kg = 0;
@@ -30,7 +30,7 @@ std::string mass_source(const io::DumpFrame& frame, const ClumpMasses& clumps);
 /// Hands every rock of a frame to `visit`: single spheres as they are read, then the clumps, which
 /// are all that is kept in memory. Throws InputError: particles without radius, id, or without both
 /// mass and density; a clump of a class the deck does not have.
-void for_each_rock(const io::DumpFrame& frame, const ClumpMasses& clumps,
-                   const std::function<void(const Rock&)>& visit);
+void for_each_fragment(const io::DumpFrame& frame, const ClumpMasses& clumps,
+                       const std::function<void(const Fragment&)>& visit);
 
 }  // namespace dipper::analysis::rock

@@ -5,19 +5,19 @@
 
 namespace dipper::analysis::rock {
 
-Place place_of(const Places& places, const Pose& X_WB, const Vector3d& p_W) {
-  if (places.dipper && places.dipper->holds(inverse(X_WB) * p_W)) return Place::dipper;
-  if (places.truck && places.truck->holds(inverse(places.X_WT) * p_W)) return Place::truck;
-  return Place::elsewhere;
+Location location_of(const LoadRegions& regions, const Pose& X_WB, const Vector3d& p_W) {
+  if (regions.dipper && regions.dipper->holds(inverse(X_WB) * p_W)) return Location::dipper;
+  if (regions.truck && regions.truck->holds(inverse(regions.X_WT) * p_W)) return Location::truck;
+  return Location::elsewhere;
 }
 
-void FrameSums::add(const Rock& rock, const Places& places, const BodyState& dipper) {
+void FrameSums::add(const Fragment& rock, const LoadRegions& regions, const BodyState& dipper) {
   rock_kg += rock.mass_kg;
   kinetic_energy_J += 0.5 * rock.mass_kg * rock.v_W.squaredNorm();
-  if (places.truck && places.truck->holds(inverse(places.X_WT) * rock.p_W))
+  if (regions.truck && regions.truck->holds(inverse(regions.X_WT) * rock.p_W))
     in_truck_kg += rock.mass_kg;
-  if (!places.dipper) return;
-  const Region& load = *places.dipper;
+  if (!regions.dipper) return;
+  const Region& load = *regions.dipper;
   const Vector3d p_B = inverse(dipper.X_WB) * rock.p_W;
   if (load.holds(p_B)) {
     const double speed = (rock.v_W - velocity_at(dipper, rock.p_W)).norm();
@@ -27,8 +27,8 @@ void FrameSums::add(const Rock& rock, const Places& places, const BodyState& dip
     relative_momentum += rock.mass_kg * speed;
     (speed > kFlowSpeed_m_s ? flow_kg : bulk_kg) += rock.mass_kg;
   }
-  const double reach = (places.lip_x_m - load.min_m.x()) / 2;
-  const bool ahead = p_B.x() > places.lip_x_m && p_B.x() <= places.lip_x_m + reach &&
+  const double reach = (regions.lip_x_m - load.min_m.x()) / 2;
+  const bool ahead = p_B.x() > regions.lip_x_m && p_B.x() <= regions.lip_x_m + reach &&
                      p_B.y() >= load.min_m.y() && p_B.y() <= load.max_m.y() &&
                      p_B.z() >= load.min_m.z() && p_B.z() <= load.max_m.z();
   if (ahead) ahead_kg += rock.mass_kg;

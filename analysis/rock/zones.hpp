@@ -15,15 +15,15 @@ namespace dipper::analysis::rock {
 constexpr double kFlowSpeed_m_s = 0.1;
 
 /// Where rock is counted: the dipper's load in B, the truck's bed in T. Either may be missing.
-struct Places {
+struct LoadRegions {
   std::optional<Region> dipper;
   std::optional<Region> truck;
   Pose X_WT;
   double lip_x_m = 0;  ///< of the cavity's end in B: the dipper's region goes on over it, the heap
 };
 
-enum class Place { dipper, truck, elsewhere };
-Place place_of(const Places& places, const Pose& X_WB, const Vector3d& p_W);
+enum class Location { dipper, truck, elsewhere };
+Location location_of(const LoadRegions& regions, const Pose& X_WB, const Vector3d& p_W);
 
 /// Sums over the rocks of one frame.
 struct FrameSums {
@@ -34,7 +34,7 @@ struct FrameSums {
   double kinetic_energy_J = 0;      ///< of the rocks' translation
   double rearmost_m = 0;  ///< distance of the innermost rock in the dipper from the rear [m]
 
-  void add(const Rock& rock, const Places& places, const BodyState& dipper);
+  void add(const Fragment& rock, const LoadRegions& regions, const BodyState& dipper);
   double relative_speed_m_s() const {
     return in_dipper_kg > 0 ? relative_momentum / in_dipper_kg : 0;
   }

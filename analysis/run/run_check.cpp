@@ -27,7 +27,7 @@ bool numbers(std::string text, Eigen::Vector3d& v) {
   return true;
 }
 
-int class_count(const RunFolder& run) {
+int class_count(const RunData& run) {
   int n = 0;
   while (run.case_lines.find(fmt::format("rock.classes.{}.name", n)) != nullptr) ++n;
   return n;
@@ -39,10 +39,10 @@ double at_time(const RunSignals& s, const std::vector<double>& values, double t)
   return values[std::min(static_cast<std::size_t>(after - time.begin()), values.size() - 1)];
 }
 
-void check_frame(const RunFolder& run, const io::DumpFrame& frame, double t) {
+void check_frame(const RunData& run, const io::DumpFrame& frame, double t) {
   double mass = 0;
   const int classes = class_count(run);
-  rock::for_each_rock(frame, run.clumps, [&](const rock::Rock& r) {
+  rock::for_each_fragment(frame, run.clumps, [&](const rock::Fragment& r) {
     if (classes > 0 && (r.type < 1 || r.type > classes))
       another(frame.file, frame.line,
               fmt::format("a rock of type {}, but the case has {} classes", r.type, classes));
@@ -56,7 +56,7 @@ void check_frame(const RunFolder& run, const io::DumpFrame& frame, double t) {
 }
 
 /// The middle of the wall's corners, in its own frame, is the mesh's.
-void check_wall(const RunFolder& run, const std::string& name, const std::filesystem::path& file,
+void check_wall(const RunData& run, const std::string& name, const std::filesystem::path& file,
                 double t) {
   const auto middle = [](const mesh::TriangleMesh& m) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -79,7 +79,7 @@ void check_wall(const RunFolder& run, const std::string& name, const std::filesy
 
 }  // namespace
 
-void check_dumps_are_of(const RunFolder& run, const io::DumpFolder& dumps) {
+void check_dumps_are_of(const RunData& run, const io::DumpFolder& dumps) {
   Eigen::Vector3d low, high;
   const auto value = [&](const char* key) {
     const CaseLine* line = run.case_lines.find(key);

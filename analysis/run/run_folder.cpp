@@ -37,17 +37,17 @@ json json_of(const fs::path& file) {
 
 /// The regions the rock side has weighed in, as it was told. dem.json has them too, but beside the
 /// run's secret: its owner alone reads it.
-void read_scales(const fs::path& logs, rock::Places& places) {
+void read_scales(const fs::path& logs, rock::LoadRegions& regions) {
   const bool apart = fs::exists(logs / "scales.json");
   const fs::path file = logs / (apart ? "scales.json" : "dem.json");
   const json told = json_of(file);
   try {
     for (const json& s : apart ? told.at("scales") : told.at("settings").at("scales")) {
       const rock::Region region{vector_from(s.at("min_m")), vector_from(s.at("max_m"))};
-      if (s.at("name") == "mass_in_dipper") places.dipper = region;
+      if (s.at("name") == "mass_in_dipper") regions.dipper = region;
       if (s.at("name") != "mass_in_truck") continue;
-      places.truck = region;
-      places.X_WT = {quaternion_from(s.at("R_WS")), vector_from(s.at("p_WS"))};
+      regions.truck = region;
+      regions.X_WT = {quaternion_from(s.at("R_WS")), vector_from(s.at("p_WS"))};
     }
   } catch (const json::exception& e) {
     throw io::input_error(file, 0, e.what());
@@ -94,7 +94,7 @@ mesh::TriangleMesh from_dump(const fs::path& file, const Pose& X_WB) {
   return mesh;
 }
 
-void read_meshes(RunFolder& run, const fs::path& deck) {
+void read_meshes(RunData& run, const fs::path& deck) {
   const auto variables = deck_variables(deck);
   for (const char* name : {"dipper", "door", "truck"}) {
     const auto at = variables.find(std::string(name) + "_mesh");
@@ -106,13 +106,14 @@ void read_meshes(RunFolder& run, const fs::path& deck) {
     }
     const fs::path dump = run.folder / "dumps" / (std::string(name) + "_0.vtk");
     const auto track = run.signals.walls.find(name);
-    const Pose X_WB = track == run.signals.walls.end() ? run.places.X_WT : track->second.at(0).X_WB;
+    const Pose X_WB =
+        track == run.signals.walls.end() ? run.regions.X_WT : track->second.at(0).X_WB;
     if (fs::exists(dump)) run.meshes[name] = from_dump(dump, X_WB);
   }
 }
 
 /// The dipper with its door where it is at the start: shut.
-mesh::TriangleMesh vessel_of(const RunFolder& run) {
+mesh::TriangleMesh vessel_of(const RunData& run) {
   mesh::TriangleMesh vessel = run.meshes.at("dipper");
   if (run.meshes.count("door") == 0) return vessel;
   const Pose X_BD =
@@ -127,9 +128,9 @@ mesh::TriangleMesh vessel_of(const RunFolder& run) {
 }
 
 /// What the YAML file beside a dipper's mesh says of it.
-void read_beside(RunFolder& run, fs::path file) {
+void read_beside(RunData& run, fs::path file) {
   file.replace_extension(".yaml");
-  run.places.lip_x_m = run.places.dipper->max_m.x();
+  run.regions.lip_x_m = run.regions.dipper->max_m.x();
   if (!fs::exists(file)) return;
   std::vector<Finding> faults;
   const YamlTree tree = read_yaml(file, faults);
@@ -137,20 +138,20 @@ void read_beside(RunFolder& run, fs::path file) {
   if (y.find("struck_volume_m3") != nullptr)
     run.struck_given_m3 = y.number("struck_volume_m3", "a number in m3");
   if (y.find("heap_height_m") != nullptr)
-    run.places.lip_x_m -= y.number("heap_height_m", "a number in m");
+    run.regions.lip_x_m -= y.number("heap_height_m", "a number in m");
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 }  // namespace
 
-double RunFolder::number(const std::string& key, double otherwise) const {
+double RunData::number(const std::string& key, double otherwise) const {
   return case_lines.number(key).value_or(otherwise);
 }
 
-std::string RunFolder::text(const std::string& key) const { return case_lines.text(key); }
+std::string RunData::text(const std::string& key) const { return case_lines.text(key); }
 
-RunFolder read_run_folder(const fs::path& folder) {
-  RunFolder run;
+RunData read_run_folder(const fs::path& folder) {
+  RunData run;
   run.folder = folder;
   run.is_run = true;
   run.case_text = bytes_of(folder / "case.txt");
@@ -168,11 +169,11 @@ RunFolder read_run_folder(const fs::path& folder) {
   }
   run.dipper = run.signals.walls.at("dipper");
   run.bulk_density_kg_m3 = run.number("rock.bulk_density_kg_m3");
-  read_scales(folder / "logs", run.places);
+  read_scales(folder / "logs", run.regions);
   run.clumps = rock::read_clump_masses(folder / "deck" / "rocks.in");
   read_meshes(run, folder / "deck" / "case.in");
   if (run.meshes.count("dipper") != 0) run.vessel = vessel_of(run);
-  if (run.places.dipper) read_beside(run, run.mesh_files["dipper"]);
+  if (run.regions.dipper) read_beside(run, run.mesh_files["dipper"]);
   return run;
 }
 
@@ -187,8 +188,8 @@ mesh::TriangleMesh read_sound_mesh(const fs::path& file) {
   return mesh;
 }
 
-RunFolder read_foreign_folder(const fs::path& folder, const std::optional<ForeignDipper>& dipper) {
-  RunFolder run;
+RunData read_foreign_folder(const fs::path& folder, const std::optional<ForeignDipper>& dipper) {
+  RunData run;
   run.folder = folder;
   if (!dipper) return run;
   run.meshes["dipper"] = run.vessel = read_sound_mesh(dipper->mesh);

@@ -25,7 +25,7 @@ struct RunSignals {
 };
 
 /// What is known besides the dumps.
-struct RunFolder {
+struct RunData {
   std::filesystem::path folder;
   bool is_run = false;     ///< of Dipper: there is a record
   std::string case_text;   ///< case.txt
@@ -34,7 +34,7 @@ struct RunFolder {
   std::string case_hash, rock_version, machine_version, version;
   RunSignals signals;
   rock::ClumpMasses clumps;
-  rock::Places places;
+  rock::LoadRegions regions;
   rock::PoseTrack dipper;                            ///< empty: not known
   std::map<std::string, mesh::TriangleMesh> meshes;  ///< in their own frames: dipper, door, truck
   std::map<std::string, std::filesystem::path> mesh_files;
@@ -54,11 +54,11 @@ struct ForeignDipper {
 };
 
 /// Reads a run's folder. Throws InputError naming file and line.
-RunFolder read_run_folder(const std::filesystem::path& folder);
+RunData read_run_folder(const std::filesystem::path& folder);
 
 /// Of a folder without a record. Throws InputError, also for a mesh that does not enclose a volume.
-RunFolder read_foreign_folder(const std::filesystem::path& folder,
-                              const std::optional<ForeignDipper>& dipper);
+RunData read_foreign_folder(const std::filesystem::path& folder,
+                            const std::optional<ForeignDipper>& dipper);
 
 /// Poses from a CSV file with a header line. Throws InputError naming file and line.
 rock::PoseTrack read_poses(const std::filesystem::path& file);
@@ -66,7 +66,7 @@ rock::PoseTrack read_poses(const std::filesystem::path& file);
 /// Whether these dumps are of this run: the box is the case's domain, types are the case's classes,
 /// all rock weighs what the record says, walls are where the record has them. Throws InputError
 /// naming file and line.
-void check_dumps_are_of(const RunFolder& run, const io::DumpFolder& dumps);
+void check_dumps_are_of(const RunData& run, const io::DumpFolder& dumps);
 
 /// The channels of record.h5, cut to the shortest: a run may be writing it. Throws InputError.
 RunSignals read_signals(const std::filesystem::path& record);

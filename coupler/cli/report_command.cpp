@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-analysis::run::RunFolder open_folder(const ReportOptions& options) {
+analysis::run::RunData open_folder(const ReportOptions& options) {
   if (fs::exists(fs::path(options.folder) / "record.h5")) {
     if (!options.mesh.empty())
       throw InputError({{options.folder, 0, "",
@@ -65,7 +65,7 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
         options.out.empty() ? fs::path(options.folder) / "report" : fs::path(options.out);
     if (!folder.has_filename()) folder = folder.parent_path();  // was given as "there/"
     refuse_unwritable(folder);
-    analysis::run::RunFolder run = open_folder(options);
+    analysis::run::RunData run = open_folder(options);
     const analysis::io::DumpFolder dumps =
         analysis::io::open_dump_folder(options.folder, options.timestep_s);
     if (run.is_run) analysis::run::check_dumps_are_of(run, dumps);

@@ -177,7 +177,7 @@ inline void read_all(const std::filesystem::path& file) {
   } else {
     const DumpReader reader({file});
     for (const DumpFrame& frame : reader.frames())
-      rock::for_each_rock(frame, {}, [](const rock::Rock&) {});
+      rock::for_each_fragment(frame, {}, [](const rock::Fragment&) {});
   }
 }
 

@@ -15,14 +15,14 @@ using testing::ElementsAre;
 /// The dipper's cavity is 4 m deep, its heap one more; it goes up at 2 m/s. The truck's bed is at
 /// x = 20, turned by 90 degrees.
 struct Scene {
-  rock::Places places;
+  rock::LoadRegions regions;
   rock::PoseTrack dipper{{0, 1, 2, 3}, {pose(0), pose(2), pose(4), pose(6)}};
   static Pose pose(double z) { return {Quaterniond::Identity(), {0, 0, z}}; }
   Scene() {
-    places.dipper = rock::Region{{0, -1, -1}, {5, 1, 1}};
-    places.lip_x_m = 4;
-    places.truck = rock::Region{{-2, -1, 0}, {2, 1, 3}};
-    places.X_WT = {Quaterniond(std::sqrt(0.5), 0, 0, std::sqrt(0.5)), {20, 0, 0}};
+    regions.dipper = rock::Region{{0, -1, -1}, {5, 1, 1}};
+    regions.lip_x_m = 4;
+    regions.truck = rock::Region{{-2, -1, 0}, {2, 1, 3}};
+    regions.X_WT = {Quaterniond(std::sqrt(0.5), 0, 0, std::sqrt(0.5)), {20, 0, 0}};
   }
 };
 
@@ -52,7 +52,7 @@ TEST(Survey, SumsTheRockOfAFrame) {
       s, {{ball(1, 9, 0, 0)},
           {ball(1, 1, 0, 2, 2.05, 3), ball(2, 2.5, 0, 2, 1.0, 5), ball(3, 5.5, 0.5, 2, 0, 7),
            ball(4, 6.5, 0, 2, 0, 11), ball(5, 20.9, 1.9, 1, 0, 13), ball(6, 21.1, 0, 1, 0, 17)}});
-  const rock::FrameSums f = survey_frames(d, {}, scene.places, scene.dipper, {}).frames.at(1);
+  const rock::FrameSums f = survey_frames(d, {}, scene.regions, scene.dipper, {}).frames.at(1);
   EXPECT_NEAR(f.rock_kg, 56, 1e-9);
   EXPECT_NEAR(f.in_dipper_kg, 8, 1e-9);
   EXPECT_NEAR(f.bulk_kg, 3, 1e-9) << "0.05 m/s against the dipper";
@@ -78,7 +78,7 @@ TEST(Survey, FollowsEveryRockOfALoad) {
                     ball(7, 10, 0, 1, 0, 7)},
                    {ball(1, 8, -3, 0), ball(2, 20, 0, 1, 0, 2), ball(3, 1, 0, 4, 0, 3),
                     ball(4, 11, 0, 0, 0, 4, 2), ball(5, -5, 0, 0, 0, 5), ball(7, 20, 1, 1, 0, 7)}});
-  const Survey v = survey_frames(d, {}, scene.places, scene.dipper, {{1, 2, 0}});
+  const Survey v = survey_frames(d, {}, scene.regions, scene.dipper, {{1, 2, 0}});
   ASSERT_EQ(v.fates.size(), 1u);
   const LoadFate& f = v.fates[0];
   EXPECT_NEAR(f.lifted_kg, 20, 1e-9);

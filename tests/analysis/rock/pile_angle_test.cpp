@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-/// A pile under a plane of known angle: spheres of mixed sizes at random places, tops at most a
+/// A pile under a plane of known angle: spheres of mixed sizes at random regions, tops at most a
 /// metre under z = tan(angle) x (what lies deeper is not seen). Faces -x.
 struct Heap {
   double angle_deg = 35;

@@ -27,11 +27,11 @@ constexpr const char* kDeck =
     "  type 1 mass 55.5 use_density &\n  inertia_tensor 1 2 3 4 5 6\n"
     "fix grading all particledistribution/discrete/massbased 19 2 d200_sphere 0.5 d300_block 0.5\n";
 
-std::vector<Rock> rocks_of(const Scratch& s, const std::string& columns, const std::string& rows,
-                           int particles, const ClumpMasses& masses) {
+std::vector<Fragment> rocks_of(const Scratch& s, const std::string& columns,
+                               const std::string& rows, int particles, const ClumpMasses& masses) {
   const io::DumpReader reader({s.write("rocks_5.dump", text_frame(5, particles, columns, rows))});
-  std::vector<Rock> rocks;
-  for_each_rock(reader.frames().at(0), masses, [&](const Rock& r) { rocks.push_back(r); });
+  std::vector<Fragment> rocks;
+  for_each_fragment(reader.frames().at(0), masses, [&](const Fragment& r) { rocks.push_back(r); });
   return rocks;
 }
 

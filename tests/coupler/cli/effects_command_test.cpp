@@ -55,7 +55,7 @@ TEST_F(EffectsCommand, FaultsAreToldAllAtOnceAndNothingIsWritten) {
   EXPECT_EQ(effects_command(folder_, out), 2);
   const std::string said = out.errors;
   EXPECT_EQ(out.lines, "");
-  for (const char* what : {"kind: is 'magic'", "parameter.scale: is 0"})
+  for (const char* what : {"kind: is 'magic'", "parameter.scale: 0.0 is out of range"})
     EXPECT_NE(said.find(what), std::string::npos) << what << " in " << said;
 }
 

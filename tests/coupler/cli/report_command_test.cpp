@@ -102,7 +102,7 @@ TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
   w.poses = s.write("bad.csv", "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,5,2,0,0,0\n").string();
   EXPECT_THAT(refused(s, w), HasSubstr("bad.csv:2: qw ... qz is no rotation"));
   s.write("bad.csv", "time_s,x_m\n");
-  EXPECT_THAT(refused(s, w), HasSubstr("bad.csv:1: the first line is"));
+  EXPECT_THAT(refused(s, w), HasSubstr("bad.csv:1:1: header is"));
 
   mesh::TriangleMesh open = analysis::tray();
   open.triangles.erase(open.triangles.begin() + 4);

@@ -1,5 +1,5 @@
 // A dipper that hangs over a truck, frames a second apart.
-#include "analysis/metrics/hung_load.hpp"
+#include "analysis/metrics/suspended_load.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace dipper::analysis::metrics {
 namespace {
 
-rock::Places places() {
-  rock::Places p;
+rock::LoadRegions regions() {
+  rock::LoadRegions p;
   p.dipper = rock::Region{{0, -1, -1}, {5, 1, 1}};
   p.truck = rock::Region{{-2, -2, -3}, {2, 2, -1.1}};
   return p;
@@ -30,7 +30,7 @@ io::DumpFolder dumps_of(const Scratch& s, const std::vector<std::string>& frames
 
 const rock::PoseTrack kStill({0, 9}, {Pose{}, Pose{}});
 
-TEST(HungLoad, WeighsWhatRidesOutsideAndWhatGainsMomentum) {
+TEST(SuspendedLoad, WeighsWhatRidesOutsideAndWhatGainsMomentum) {
   const Scratch s;
   // Rests inside; gains 0.981 m/s in 1 s: 10 kg weigh 1 kg more; rides on the lip; falls past the
   // lip; lies in the truck below; lies too far away to be carried.
@@ -39,31 +39,31 @@ TEST(HungLoad, WeighsWhatRidesOutsideAndWhatGainsMomentum) {
            ball(4, 5.6, 0, -1, 7) + ball(5, 0, -1.5, 0, 11) + ball(6, 6.5, 0, 0, 13);
   };
   const io::DumpFolder dumps = dumps_of(s, {frame(0, 4), frame(0.981, 4), frame(3, 4)}, 6);
-  const auto load = hung_load(dumps, {}, places(), kStill, 0, 1.5);
+  const auto load = suspended_load(dumps, {}, regions(), kStill, 0, 1.5);
   ASSERT_TRUE(load);
   EXPECT_NEAR(load->riding_kg, 4, 1e-9);
   ASSERT_TRUE(load->accelerating_kg);
   EXPECT_NEAR(*load->accelerating_kg, 1, 1e-6);
 }
 
-TEST(HungLoad, ALoadThatIsLetDownWeighsLess) {
+TEST(SuspendedLoad, ALoadThatIsLetDownWeighsLess) {
   const Scratch s;
   const io::DumpFolder dumps =
       dumps_of(s, {ball(1, 2, 0, 0, 100), ball(1, 2, -0.1, -0.0981, 100)}, 1);
-  EXPECT_NEAR(*hung_load(dumps, {}, places(), kStill, 0, 2)->accelerating_kg, -1, 1e-6);
+  EXPECT_NEAR(*suspended_load(dumps, {}, regions(), kStill, 0, 2)->accelerating_kg, -1, 1e-6);
 }
 
-TEST(HungLoad, OneFrameShowsNoAccelerationAndNoFrameNothing) {
+TEST(SuspendedLoad, OneFrameShowsNoAccelerationAndNoFrameNothing) {
   const Scratch s;
   const io::DumpFolder dumps = dumps_of(s, {ball(1, 2, 0, 0, 1), ball(1, 2, 0, 0, 1)}, 1);
-  EXPECT_FALSE(hung_load(dumps, {}, places(), kStill, 0.5, 1.5)->accelerating_kg);
-  EXPECT_FALSE(hung_load(dumps, {}, places(), kStill, 0.2, 0.8));
+  EXPECT_FALSE(suspended_load(dumps, {}, regions(), kStill, 0.5, 1.5)->accelerating_kg);
+  EXPECT_FALSE(suspended_load(dumps, {}, regions(), kStill, 0.2, 0.8));
 }
 
-TEST(HungLoad, NeedsVelocities) {
+TEST(SuspendedLoad, NeedsVelocities) {
   const Scratch s;
   const io::DumpFolder dumps = dumps_of(s, {"1 1 2 0 0 0.1 1\n"}, 1, "id type x y z radius mass");
-  EXPECT_FALSE(hung_load(dumps, {}, places(), kStill, 0, 1));
+  EXPECT_FALSE(suspended_load(dumps, {}, regions(), kStill, 0, 1));
 }
 
 }  // namespace

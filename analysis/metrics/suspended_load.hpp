@@ -7,7 +7,7 @@
 namespace dipper::analysis::metrics {
 
 /// Both belong to the weight on the walls, not to the rock counted inside.
-struct HungLoad {
+struct SuspendedLoad {
   double riding_kg = 0;  ///< outside the dipper's region but carried: mean of frames
   std::optional<double> accelerating_kg;  ///< momentum gained upwards, by time and gravity
 };
@@ -16,8 +16,10 @@ struct HungLoad {
 /// velocities. Rock rides when it is within 1 m of the region, not in the truck, and moves with the
 /// dipper (kFlowSpeed_m_s). What the walls carry is sum m (g + a): the second part is the change of
 /// vertical momentum, from the first frame to the last, of the rock inside or riding in the first.
-std::optional<HungLoad> hung_load(const io::DumpFolder& dumps, const rock::ClumpMasses& clumps,
-                                  const rock::Places& places, const rock::PoseTrack& dipper,
-                                  double from_s, double to_s);
+std::optional<SuspendedLoad> suspended_load(const io::DumpFolder& dumps,
+                                            const rock::ClumpMasses& clumps,
+                                            const rock::LoadRegions& regions,
+                                            const rock::PoseTrack& dipper, double from_s,
+                                            double to_s);
 
 }  // namespace dipper::analysis::metrics
