@@ -20,8 +20,8 @@ class Record {
   static Record create(const std::filesystem::path& file,
                        const std::map<std::string, std::string>& attributes);
 
-  /// Opens the file of a run that goes on and cuts every dataset back to `rows`. Channels must then be
-  /// added again, in any order.
+  /// Opens the file of a run that goes on and cuts every dataset back to `rows`. Channels must then
+  /// be added again, in any order.
   static Record resume(const std::filesystem::path& file, std::size_t rows);
   ~Record();
   Record(const Record&) = delete;

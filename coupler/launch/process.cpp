@@ -111,8 +111,8 @@ bool Process::wait(std::chrono::milliseconds patience) {
 void Process::end() {
   if (ended()) return;
   kill(pid_, SIGTERM);  // mpirun passes it on to its ranks
-  if (wait(std::chrono::milliseconds(1500))) return;
-  kill(-pid_, SIGKILL);
+  wait(std::chrono::milliseconds(1500));
+  kill(-pid_, SIGKILL);  // and whatever of its group is left
   wait(std::chrono::milliseconds(1500));
 }
 
