@@ -39,7 +39,7 @@ core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t
   const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
   // Until the other side has answered once it may still be starting: ask often, and count nothing.
   std::chrono::duration<double> patience = 100ms;
-  if (established_) patience = std::min<decltype(patience)>(1s, 1ms + 2 * answer_time_);
+  if (established_) patience = std::min<decltype(patience)>(1s, 500us + 1.5 * answer_time_);
   std::chrono::milliseconds deadline = limit;
   std::optional<std::chrono::duration<double>> starved_before;
   bool resent = false;

@@ -35,8 +35,8 @@ struct LinkOptions {
 };
 
 /// The asking end: sends a request until its reply comes. It sends again when the reply takes more
-/// than twice as long as replies have taken lately, at first 51 ms, at most 1 s, then a quarter
-/// more slowly each time: a packet lost costs little time, a long window few packets.
+/// than half as long again as replies have taken lately, at first 50 ms, at most 1 s, then a
+/// quarter more slowly each time: a packet lost costs little time, a long window few packets.
 class Link {
  public:
   /// `transport` hears nothing but `from`: what is left over on it is counted here.
@@ -65,7 +65,7 @@ class Link {
   core::Requester requester_;
   LinkOptions options_;
   bool established_ = false;
-  std::chrono::duration<double> answer_time_{0.025};  ///< smoothed
+  std::chrono::duration<double> answer_time_{0.033};  ///< smoothed
   std::string told_;
 };
 

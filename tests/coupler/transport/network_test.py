@@ -56,6 +56,8 @@ class Network(RunTest):
         """A folder with `dipper` whose two sides are reached through relay.py."""
         real = pathlib.Path(DIPPER).parent
         folder = self.folder / "bin"
+        if folder.exists():
+            return folder
         folder.mkdir()
         for program in real.iterdir():
             (folder / program.name).symlink_to(program)
@@ -83,9 +85,10 @@ class Network(RunTest):
         return took, counts
 
     def test_a_third_of_all_packets_lost(self):
+        carried, _ = self.through("carried")  # what the relay itself takes, on this machine, now
         took, counts = self.through("loss", drop=0.3)
         self.assertGreater(counts["resends"], 500)
-        self.assertLess(took, 3 * self.quiet_s + 2)  # 2 s: the two Python programs in between start
+        self.assertLess(took, 3 * carried)
 
     def test_lost_doubled_swapped_and_late(self):
         self.through("all", drop=0.3, double=0.2, swap=0.2, late=0.1, late_s=0.1)
