@@ -116,7 +116,7 @@ class OneOfYourOwn(RunTest):
         case = self.folder / "case"
         (case / "effects").mkdir(parents=True)
         (case / file[1]).write_text(file[3])
-        (case / "case.yaml").write_text((TINY / "case.yaml").read_text().replace("../../..", str(ROOT)))
+        (case / "case.yaml").write_text((TINY / "case.yaml").read_text().replace("../../../..", str(ROOT)))
 
         words = command[1].split()
         done = subprocess.run([DIPPER, "check", case, *words], capture_output=True, text=True)
