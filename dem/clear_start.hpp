@@ -1,11 +1,10 @@
 // Rock that stands where the machine starts is taken out before the first step.
 #pragma once
 
-#include <mpi.h>
-
 #include <string>
 #include <vector>
 
+#include "dem/remove_rock.hpp"
 #include "dem/rock_feature.hpp"
 
 namespace LAMMPS_NS {
@@ -14,18 +13,12 @@ class LAMMPS;
 
 namespace dipper::dem {
 
-/// What was taken out; the same on every rank.
-struct Cleared {
-  double rocks = 0;  ///< multispheres and single spheres
-  double mass_kg = 0;
-};
-
 /// Takes out every rock with a sphere that overlaps one of the closed wall meshes or lies inside
 /// its steel: it would be shot out. (Svanberg et al. 2021, section 3.2: rocks in the space of the
 /// bucket were moved or removed, since the pile is made when there is no shovel.) Rock that is free
 /// in the dipper's hollow stays. To be called after the deck and before the first run. Collective.
 /// Throws std::runtime_error when the deck has no such mesh.
-Cleared clear_start(LAMMPS_NS::LAMMPS& lmp, const std::vector<std::string>& meshes, MPI_Comm comm);
+Cleared clear_start(LAMMPS_NS::LAMMPS& lmp, const std::vector<std::string>& meshes);
 
 /// Clears the start. Channels: rocks_removed, mass_removed; 0 in the rows after a resume.
 class ClearStart final : public RockFeature {

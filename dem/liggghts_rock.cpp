@@ -15,6 +15,7 @@
 #include "common/sha256.hpp"
 #include "dem/clear_start.hpp"
 #include "dem/collapse.hpp"
+#include "dem/contact_pause.hpp"
 #include "dem/holding.hpp"
 #include "dem/moist/crust.hpp"
 #include "dem/moist/register_moist.hpp"
@@ -52,6 +53,8 @@ LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup
   if (setup_.fall) features_.push_back(std::make_unique<Collapse>(*lmp_, *setup_.fall));
   if (!setup_.cleared.empty())
     features_.push_back(std::make_unique<ClearStart>(*lmp_, setup_.cleared));
+  if (!setup_.pauses.empty())
+    features_.push_back(std::make_unique<ContactPause>(*lmp_, setup_, walls_));
 }
 
 LiggghtsRock::~LiggghtsRock() = default;

@@ -21,7 +21,8 @@ class Holding;
 class WallMotion;
 
 /// Runs windows of LIGGGHTS's time loop, moves the walls, and calls the rock's features
-/// (rock_feature.hpp) in this order: weighing, holding, crust, collapse, clearing of the start.
+/// (rock_feature.hpp) in this order: weighing, holding, crust, collapse, clearing of the start,
+/// pauses of the bodies' contact.
 /// A window is: features before it, walls told where to go, steps, features after it, walls' loads
 /// and the features' channels. Every method is collective: each rank of the communicator makes the
 /// same call.

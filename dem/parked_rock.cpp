@@ -87,6 +87,7 @@ ParkedRock::ParkedRock(LAMMPS_NS::LAMMPS& lmp, const RockNumbers& numbers)
 
 void ParkedRock::change(const std::vector<Rest>& rest) {
   lmp_.atom->map_clear();  // while every sphere that is in it is still here
+  lmp_.atom->nghost = 0;   // what comes next would look for the ghosts' ids behind the spheres
   take_out(rest);
   put_back(rest);
   keep_history(rest);

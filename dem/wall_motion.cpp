@@ -97,6 +97,13 @@ BodyBox WallMotion::box() const {
   return box;
 }
 
+mesh::TriangleMesh WallMotion::in_world() const {
+  mesh::TriangleMesh out;
+  for (const auto& nodes : reference_)
+    out.add_loose({X_WB_ * nodes[0], X_WB_ * nodes[1], X_WB_ * nodes[2]});
+  return out;
+}
+
 core::BodyLoad WallMotion::end_window() {
   if (steps_ == 0) return {last_, last_, pose_from_nodes()};
   return {(1.0 / static_cast<double>(steps_)) * (sum_ + (-0.5) * last_), last_, pose_from_nodes()};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/frames.hpp"
+#include "common/mesh/triangle_mesh.hpp"
 #include "coupler/core/server.hpp"
 #include "dem/bytes.hpp"
 #include "dem/hold_policy.hpp"
@@ -45,6 +46,9 @@ class WallMotion : public LAMMPS_NS::Fix {
 
   /// The mesh's extent, in the body frame.
   BodyBox box() const;
+
+  /// The mesh where it is, in W.
+  mesh::TriangleMesh in_world() const;
 
   /// The window's mean and last wrench, and the pose read back from the mesh nodes.
   core::BodyLoad end_window();

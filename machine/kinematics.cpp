@@ -93,6 +93,27 @@ double ShovelKinematics::saddle_angle(double hoist, double crowd) const {
   }
 }
 
+Vector2d ShovelKinematics::end_to_teeth() const {
+  const MachineData::Dipper& d = machine_.dipper;
+  return in_plane(X_EB_ * Vector3d(d.inside.x() + d.tooth_reach, 0, -d.inside.z() / 2));
+}
+
+double ShovelKinematics::teeth_reach(double crowd) const {
+  return (Vector2d(machine_.handle.reach_at_zero_crowd + crowd, 0) + end_to_teeth()).norm();
+}
+
+Drives ShovelKinematics::teeth_at(const Vector2d& tip) const {
+  const Vector2d arm = tip - in_plane(machine_.saddle.position), tool = end_to_teeth();
+  const double along = arm.squaredNorm() - tool.y() * tool.y();
+  if (!(along > 0)) throw std::domain_error("it is at the saddle block");
+  const double handle = std::sqrt(along) - tool.x();
+  const double saddle = std::atan2(arm.y(), arm.x()) - std::atan2(tool.y(), handle + tool.x());
+  Drives drives;
+  drives.crowd = handle - machine_.handle.reach_at_zero_crowd;
+  drives.hoist = rope_path(saddle, drives.crowd) - machine_.rope.length_at_zero_hoist;
+  return drives;
+}
+
 ShovelPose ShovelKinematics::pose(const Drives& drives) const {
   return pose(drives, saddle_angle(drives.hoist, drives.crowd));
 }

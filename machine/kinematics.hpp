@@ -35,6 +35,14 @@ class ShovelKinematics {
   /// the reachable hoist range, if there is none between the saddle's limits.
   double saddle_angle(double hoist, double crowd) const;
 
+  /// Hoist and crowd that put the middle of the tooth tips at a point in the plane of the boom (x
+  /// out from the swing axis, z up from the crawlers' ground) with the ropes just taut; swing and
+  /// door are 0. Throws std::domain_error for a point nearer to the saddle than the dipper reaches.
+  Drives teeth_at(const Eigen::Vector2d& tip) const;
+
+  /// From the saddle to the tooth tips at a crowd [m].
+  double teeth_reach(double crowd) const;
+
   /// Throws as saddle_angle does.
   ShovelPose pose(const Drives& drives) const;
 
@@ -47,6 +55,9 @@ class ShovelKinematics {
   std::vector<std::string> check(const Motion& motion) const;
 
  private:
+  /// From the handle's dipper end to the tooth tips, along and across the handle (x, z of A).
+  Eigen::Vector2d end_to_teeth() const;
+
   MachineData machine_;
   Pose X_W0_;
   Pose X_EB_;  // E: at the handle's dipper end, axes of A

@@ -26,6 +26,8 @@ struct MachineCase {
   std::filesystem::path motion;  ///< drive curves (time_s, hoist_m, crowd_m, swing_deg, door_deg)
   Eigen::Vector3d base_position_m = Eigen::Vector3d::Zero();  ///< swing axis at ground level, in W
   double rake_angle_deg = 0;  ///< dipper against handle (paper, Fig. 4b)
+  /// "off": the dipper meets no rock from the truck back to the next dig (machine/return_legs.hpp).
+  std::string contact_on_return = "on";
 
   // How this machine differs from its data sheet; by default it does not.
   double crowd_friction_N = 0;   ///< Coulomb friction of the crowd's slide
@@ -71,21 +73,31 @@ struct RockCase {
 
 /// contact: Eqs. 3-8 of the paper; one number a kind of pair.
 struct ContactCase {
-  double normal_scale = 0;            ///< C_norm, Eq. 4
-  double tangential_scale = 0;        ///< C_tan: K_t = C_tan K_n
-  double normal_damping = 0;          ///< D_n, of critical, Eq. 6
-  double tangential_damping = 0;      ///< D_t
+  static constexpr double kAsAnother = -1;   ///< not given: `of_every_pair` has the number
+  double normal_scale = 0;                   ///< C_norm, Eq. 4
+  double tangential_scale = 0;               ///< C_tan: K_t = C_tan K_n
+  double normal_damping = 0;                 ///< D_n, of critical, Eq. 6; spheres with spheres
+  double tangential_damping = 0;             ///< D_t
+  double normal_damping_other = kAsAnother;  ///< of every other pair
+  double tangential_damping_other = kAsAnother;
   double friction_sphere_sphere = 0;  ///< Eq. 7
   double friction_sphere_rock = 0;
   double friction_rock_rock = 0;
   double friction_dipper = 0;
   double friction_ground = 0;
   double friction_truck = 0;
-  double rolling_friction_sphere = 0;  ///< Eq. 8; spheres with spheres, rocks and dipper
-  double rolling_friction_ground = 0;  ///< spheres on ground and truck
-  double cohesion_Pa = 0;              ///< tensile strength of the moist pile
-  double adhesion_Pa = 0;              ///< the same against bodies and truck
+  double friction_truck_sphere = kAsAnother;    ///< spheres on the truck; else friction_truck
+  double rolling_friction_sphere = 0;           ///< Eq. 8; spheres with spheres
+  double rolling_friction_rock = kAsAnother;    ///< spheres on rocks; else as with spheres
+  double rolling_friction_dipper = kAsAnother;  ///< spheres on bodies; else as with spheres
+  double rolling_friction_ground = 0;           ///< spheres on the ground
+  double rolling_friction_truck = kAsAnother;   ///< spheres on the truck; else as on the ground
+  double cohesion_Pa = 0;                       ///< tensile strength of the moist pile
+  double adhesion_Pa = 0;                       ///< the same against bodies and truck
 };
+
+/// The same with the numbers of the pairs that a case says nothing of.
+ContactCase of_every_pair(ContactCase contact);
 
 /// crust: rock that is frozen or compacted together until it breaks.
 struct CrustCase {
@@ -121,6 +133,8 @@ struct PileCase {
   double held_layer_m = 0;
   /// Rock that overlaps dipper, door or truck at the start is removed: "on" or "off".
   std::string clear_machine = "off";
+  /// Rock on the floor in front of this x is taken away when the dipper is back; 0: it stays.
+  double clean_floor_to_x_m = 0;
 };
 
 /// truck: a fixed wall. Its bed counts what lands in it.

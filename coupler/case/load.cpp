@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 namespace dipper::cases {
 namespace {
 
+constexpr const char* kInclude = "include";
+
 std::string join_key(const std::string& section, const std::string& name) {
   return section.empty() ? name : section + "." + name;
 }
@@ -163,7 +165,10 @@ class Loader {
     if (node.kind != YamlTree::Kind::scalar || node.scalar.empty()) {
       return wrong_type(node, key, spec);
     }
-    out = (case_.folder / node.scalar).lexically_normal();
+    // Relative to the file that says it; what --set says, to the case.
+    const bool by_hand = node.origin.line == 0;
+    const fs::path from = by_hand ? case_.folder : fs::absolute(node.origin.file).parent_path();
+    out = (from / node.scalar).lexically_normal();
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
@@ -204,6 +209,38 @@ class Loader {
   Case& case_;
   std::vector<Finding>& findings_;
 };
+
+// Adds to a section what it lacks of another: a list is had as it is or not at all.
+void complete(YamlTree& section, const YamlTree& other) {
+  for (const auto& [name, theirs] : other.children) {
+    YamlTree* mine = section.find(name);
+    if (mine == nullptr) {
+      section.children.emplace_back(name, theirs);
+    } else if (mine->kind == YamlTree::Kind::map && theirs.kind == YamlTree::Kind::map) {
+      complete(*mine, theirs);
+    }
+  }
+}
+
+// `include: FILE`: sections of cases that have something in common, in a file of their own. What
+// the case says itself goes before it.
+void take_in_include(YamlTree& root, const fs::path& folder, std::vector<Finding>& findings) {
+  const auto at = std::find_if(root.children.begin(), root.children.end(),
+                               [](const auto& child) { return child.first == kInclude; });
+  if (at == root.children.end()) return;
+  const YamlTree include = std::move(at->second);
+  root.children.erase(at);
+  const auto fault = [&](const std::string& message) {
+    findings.push_back({include.origin.file, include.origin.line, kInclude, message});
+  };
+  if (include.kind != YamlTree::Kind::scalar || include.scalar.empty())
+    return fault(fmt::format("is {}; write a path", shown(include)));
+  const fs::path file = (folder / include.scalar).lexically_normal();
+  if (!fs::is_regular_file(file)) return fault(file.string() + " is no file");
+  const YamlTree other = read_yaml(file, findings);
+  if (other.find(kInclude) != nullptr) return fault(file.string() + " has an include of its own");
+  complete(root, other);
+}
 
 // Puts an override into the tree; what is then wrong with it, the schema tells.
 void apply(YamlTree& root, const Override& set, std::vector<Finding>& findings) {
@@ -312,6 +349,19 @@ void check_between_keys(const Case& c, std::vector<Finding>& findings) {
 
 }  // namespace
 
+ContactCase of_every_pair(ContactCase k) {
+  const auto as = [](double& value, double another) {
+    if (value == ContactCase::kAsAnother) value = another;
+  };
+  as(k.normal_damping_other, k.normal_damping);
+  as(k.tangential_damping_other, k.tangential_damping);
+  as(k.friction_truck_sphere, k.friction_truck);
+  as(k.rolling_friction_rock, k.rolling_friction_sphere);
+  as(k.rolling_friction_dipper, k.rolling_friction_sphere);
+  as(k.rolling_friction_truck, k.rolling_friction_ground);
+  return k;
+}
+
 Finding finding_at(const Case& c, const std::string& key, const std::string& message) {
   std::string known = key;
   while (!c.origins.count(known)) {
@@ -358,6 +408,7 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
   const std::size_t before = findings.size();
   YamlTree root = parse_yaml(text, file, "", findings);
   const bool syntax_error = findings.size() > before && root.kind == YamlTree::Kind::empty;
+  take_in_include(root, c.folder, findings);
   for (const Override& set : overrides) apply(root, set, findings);
   if (syntax_error) return c;  // every key would seem to be missing
 
@@ -365,6 +416,7 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
   if (findings.size() == before) make_sieve_classes(c, findings);
   read_pile_profile(c, findings);
   if (findings.size() == before) apply_effects(c, findings);
+  c.contact = of_every_pair(c.contact);
   check_between_keys(c, findings);
   sort_by_line(findings, before);
   c.text = case_text(c);

@@ -7,7 +7,9 @@
 #include "coupler/cli/check_command.hpp"
 #include "coupler/cli/console.hpp"
 #include "coupler/cli/effects_command.hpp"
+#include "coupler/cli/face_command.hpp"
 #include "coupler/cli/gap_command.hpp"
+#include "coupler/cli/motion_command.hpp"
 #include "coupler/cli/observe_command.hpp"
 #include "coupler/cli/page_command.hpp"
 #include "coupler/cli/phases_command.hpp"
@@ -27,6 +29,7 @@ int command_line(int argc, char** argv, Reporter& reporter) {
       add_replay_command(app, reporter),  add_observe_command(app),
       add_report_command(app, reporter),  add_phases_command(app, reporter),
       add_effects_command(app, reporter), add_calibrate_command(app, reporter),
+      add_face_command(app, reporter),    add_motion_command(app, reporter),
       add_page_command(app, reporter)};
   auto* gap = app.add_subcommand("gap", "find and name the effect a case misses");
   gap->prefix_command()->set_help_flag();  // its words are read by the program it becomes

@@ -13,6 +13,7 @@
 #include "coupler/cli/set_option.hpp"
 #include "coupler/deck/liggghts_path.hpp"
 #include "coupler/launch/interrupt.hpp"
+#include "coupler/run/checkpoint.hpp"
 #include "coupler/run/paired_run.hpp"
 #include "coupler/run/same_run.hpp"
 
@@ -39,6 +40,11 @@ fs::path run_folder(const RunOptions& o, const std::string& name) {
   return folder;
 }
 
+double resumed_from_s(const run::RunFolder& folder, const cases::Case& c) {
+  const auto last = run::last_checkpoint(folder.checkpoints());
+  return last ? static_cast<double>(last->coupling.dem_step) * c.dem.timestep_s : 0;
+}
+
 int run(const RunOptions& o, Reporter& reporter) {
   std::vector<cases::Override> set = overrides_of(o.set, "coupling.scheme=serial");
   if (o.ranks > 0) set.push_back({"dem.ranks", std::to_string(o.ranks)});
@@ -57,8 +63,9 @@ int run(const RunOptions& o, Reporter& reporter) {
   try {
     const run::RunFolder folder =
         o.resume ? run::RunFolder::resume(out) : run::RunFolder::create(out);
-    const auto changed =
-        o.resume ? run::changed_since(folder.root(), *c) : std::vector<std::string>{};
+    const auto changed = o.resume
+                             ? run::changed_since(folder.root(), *c, resumed_from_s(folder, *c))
+                             : std::vector<std::string>{};
     for (const auto& line : changed)
       reporter.error(fmt::format("not as in {}: {}", out.string(), line));
     if (!changed.empty()) return 2;

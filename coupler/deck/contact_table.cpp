@@ -11,6 +11,7 @@ namespace {
 
 struct Pair {
   double kn, meff, friction, rolling;
+  bool spheres = false;  // both of them
 };
 
 double damping(double share_of_critical, double stiffness, double meff) {
@@ -54,7 +55,7 @@ AtomTypes atom_types(const cases::Case& c) { return {static_cast<int>(c.rock.cla
 ContactTable contact_table(const cases::Case& c) {
   const std::vector<RockClass> rocks = rock_classes(c);
   const AtomTypes types = atom_types(c);
-  const cases::ContactCase& k = c.contact;
+  const cases::ContactCase k = cases::of_every_pair(c.contact);
   const double bulk = c.rock.youngs_modulus_Pa / (3 * (1 - 2 * c.rock.poisson_ratio));
 
   ContactTable t;
@@ -65,8 +66,9 @@ ContactTable contact_table(const cases::Case& c) {
     for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
       t.kn(i, j) = p.kn;
       t.kt(i, j) = k.tangential_scale * p.kn;
-      t.gamman(i, j) = damping(k.normal_damping, p.kn, p.meff);
-      t.gammat(i, j) = damping(k.tangential_damping, k.tangential_scale * p.kn, p.meff);
+      t.gamman(i, j) = damping(p.spheres ? k.normal_damping : k.normal_damping_other, p.kn, p.meff);
+      t.gammat(i, j) = damping(p.spheres ? k.tangential_damping : k.tangential_damping_other,
+                               k.tangential_scale * p.kn, p.meff);
       t.friction(i, j) = p.friction;
       t.rolling(i, j) = p.rolling;
       t.meff_kg(i, j) = p.meff;
@@ -81,11 +83,12 @@ ContactTable contact_table(const cases::Case& c) {
       Pair p{k.normal_scale * bulk * r1 * r2 / (r1 + r2),
              a.mass_kg * b.mass_kg / (a.mass_kg + b.mass_kg), k.friction_rock_rock, 0};
       if (a.is_sphere && b.is_sphere) {
+        p.spheres = true;
         p.friction = k.friction_sphere_sphere;
         p.rolling = k.rolling_friction_sphere * (1 + std::min(r1, r2) / std::max(r1, r2));
       } else if (a.is_sphere || b.is_sphere) {
         p.friction = k.friction_sphere_rock;
-        p.rolling = k.rolling_friction_sphere * (a.is_sphere ? 1 + r1 / r2 : 1 + r2 / r1);
+        p.rolling = k.rolling_friction_rock * (a.is_sphere ? 1 + r1 / r2 : 1 + r2 / r1);
       }
       set(i, j, p);
     }
@@ -93,9 +96,10 @@ ContactTable contact_table(const cases::Case& c) {
     const auto wall = [&](int type, double friction, double rolling) {
       set(i, type - 1, {kn, a.mass_kg, friction, a.is_sphere ? rolling : 0});
     };
-    wall(types.dipper(), k.friction_dipper, k.rolling_friction_sphere);
+    wall(types.dipper(), k.friction_dipper, k.rolling_friction_dipper);
     wall(types.ground(), k.friction_ground, k.rolling_friction_ground);
-    wall(types.truck(), k.friction_truck, k.rolling_friction_ground);
+    wall(types.truck(), a.is_sphere ? k.friction_truck_sphere : k.friction_truck,
+         k.rolling_friction_truck);
     wall(types.sides(), 0, 0);
   }
 

@@ -31,7 +31,7 @@ std::string pile_hash(const cases::Case& c, const fs::path& deck) {
     // the deck's spheres, outline and surface are hashed below.
     const auto is = [&](const char* section) { return is_within(line.key, section); };
     if (is("dem.hold_below_m_s") || is("pile.clear_machine") || is("pile.held_layer_m") ||
-        is("rock.shape_folder") || is("pile.profile"))
+        is("pile.clean_floor_to_x_m") || is("rock.shape_folder") || is("pile.profile"))
       continue;
     if (is("rock") || is("contact") || is("pile") || is("domain") || is("dem") || is("seed"))
       all += line.key + '=' + line.value + '\n';

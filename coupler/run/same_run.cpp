@@ -1,6 +1,9 @@
 #include "coupler/run/same_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -10,6 +13,7 @@
 #include "common/case_lines.hpp"
 #include "common/sha256.hpp"
 #include "coupler/case/case_hash.hpp"
+#include "machine/motion.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -39,6 +43,24 @@ std::map<std::string, std::string> input_hashes(const cases::Case& c) {
   return hashes;
 }
 
+constexpr const char* kMotion = "motion.csv";  // in the run's folder
+
+/// Whether two motions are one, to the bit, up to a time.
+bool same_until(const fs::path& before, const fs::path& now, double until_s) {
+  if (!fs::is_regular_file(before)) return false;
+  const auto a = machine::Motion::load(before), b = machine::Motion::load(now);
+  if (a.start_ns() != b.start_ns()) return false;
+  constexpr int kPerSecond = 100;
+  for (int i = 0; i <= std::llround(until_s * kPerSecond); ++i) {
+    const double t_s = static_cast<double>(i) / kPerSecond;
+    const machine::DriveState x = a.at(t_s), y = b.at(t_s);
+    for (const auto& [p, q] : {std::pair{x.position, y.position}, {x.rate, y.rate}})
+      if (p.hoist != q.hoist || p.crowd != q.crowd || p.swing != q.swing || p.door != q.door)
+        return false;
+  }
+  return true;
+}
+
 /// inputs.sha256 of a run; empty when there is none.
 std::map<std::string, std::string> recorded_hashes(const fs::path& file) {
   std::map<std::string, std::string> hashes;
@@ -63,9 +85,11 @@ void write_identity(const fs::path& folder, const cases::Case& c) {
   for (const auto& [file, hash] : input_hashes(c)) inputs += hash + "  " + file + "\n";
   write(folder / "case.txt", c.text);
   write(folder / "inputs.sha256", inputs);
+  fs::copy_file(c.machine.motion, folder / kMotion, fs::copy_options::overwrite_existing);
 }
 
-std::vector<std::string> changed_since(const fs::path& folder, const cases::Case& c) {
+std::vector<std::string> changed_since(const fs::path& folder, const cases::Case& c,
+                                       double from_s) {
   const auto before = fixed_lines(CaseLines::read(folder / "case.txt"));
   const auto now = fixed_lines(CaseLines(c.text));
   std::vector<std::string> changed;
@@ -84,7 +108,13 @@ std::vector<std::string> changed_since(const fs::path& folder, const cases::Case
     const auto was = recorded.find(name);
     if (was == recorded.end()) {
       changed.push_back(path(name) + " was no part of it");
-    } else if (was->second != hash) {
+    } else if (was->second == hash) {
+      continue;
+    } else if (path(name) == c.machine.motion.lexically_normal().string()) {
+      if (!same_until(folder / kMotion, c.machine.motion, from_s))
+        changed.push_back(fmt::format(
+            "{} is another motion before t = {:.3f} s, where the run goes on", path(name), from_s));
+    } else {
       changed.push_back(path(name) + " has other contents");
     }
   }

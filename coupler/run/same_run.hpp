@@ -10,11 +10,14 @@
 namespace dipper::run {
 
 /// Writes what the run is into its folder: case.txt, and in inputs.sha256 the SHA-256 of every file
-/// the case names, as `sha256sum -c` reads it in the case's folder.
+/// the case names, as `sha256sum -c` reads it in the case's folder; and a copy of its motion.csv.
 void write_identity(const std::filesystem::path& folder, const cases::Case& c);
 
 /// What in `c` is not as in the run that `folder` holds, a line a key or file: a run that goes on
-/// may end later, write more often and wait longer, but must be the same run otherwise.
-std::vector<std::string> changed_since(const std::filesystem::path& folder, const cases::Case& c);
+/// may end later, write more often and wait longer, but must be the same run otherwise. Its motion
+/// may be another one after `from_s`, where the run goes on: the next pass can be planned from the
+/// face as it stands then.
+std::vector<std::string> changed_since(const std::filesystem::path& folder, const cases::Case& c,
+                                       double from_s);
 
 }  // namespace dipper::run

@@ -10,10 +10,14 @@
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "dem/rock_setup.hpp"
+#include "machine/return_legs.hpp"
 
 namespace dipper::sides {
 namespace fs = std::filesystem;
 namespace {
+
+// The floor that is cleaned: beside the pile as far as rock rolls, and as high as it lies on rock.
+constexpr double kFloorSide_m = 4, kFloorHeight_m = 3;
 
 /// Frames fall on ends of sync steps, where the record has a row.
 long dump_steps(const cases::Case& c) {
@@ -51,6 +55,17 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
                      {"door_z", "0"}};
   setup.bodies = {"dipper", "door"};
   if (c.pile.clear_machine == "on") setup.cleared = {"dipper", "door", "truck"};
+  if (c.machine.contact_on_return == "off") {
+    const auto step = [&](std::int64_t t_ns) {
+      return std::llround(1e-9 * static_cast<double>(t_ns) / c.dem.timestep_s);
+    };
+    for (const machine::ReturnLeg& leg :
+         machine::return_legs(machine::Motion::load(c.machine.motion)))
+      setup.pauses.push_back({step(leg.begin_ns), step(leg.end_ns)});
+    if (c.pile.clean_floor_to_x_m > 0)
+      setup.floor = dem::FloorStrip{c.pile.clean_floor_to_x_m, c.pile.width_m / 2 + kFloorSide_m,
+                                    kFloorHeight_m};
+  }
   if (c.dem.hold_below_m_s > 0) setup.hold.emplace().below_m_s = c.dem.hold_below_m_s;
   if (c.pile.held_layer_m > 0)
     setup.layer =

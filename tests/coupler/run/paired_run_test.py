@@ -146,15 +146,16 @@ class PairedRun(RunTest):
 
     @staticmethod
     def change_an_answer(log, channel):
-        """Flips the last bit of the last number of the log's hundredth packet on `channel`."""
+        """Flips the last bit of the last number in the log's hundredth packet on `channel`."""
         data = bytearray(log.read_bytes())
         at = count = 0
         while count < 100:
             name, size = struct.unpack_from(">II", data, at + 20)
             count += data[at + 28:at + 28 + name] == channel
             at += 28 + name + size
-        data[at - 1] ^= 1
-        log.write_bytes(data)
+        answer = bytes(data[at - size:at])
+        changed = answer[:-1] + bytes([answer[-1] ^ 1])
+        log.write_bytes(data.replace(answer, changed))  # it may have been sent again
 
     def test_checkpoints_change_nothing(self):
         for hold in ((), ("--set", "dem.hold_below_m_s=0.3")):

@@ -1,11 +1,13 @@
 // Who may write a run's folder, and whether what goes on there is the same run.
 #include "coupler/run/run_folder.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/input_error.hpp"
 #include "coupler/run/same_run.hpp"
+#include "machine/motion.hpp"
 #include "tests/coupler/case/checkout.hpp"
 
 namespace dipper::run {
@@ -50,20 +52,38 @@ TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {
     return c;
   };
   write_identity(out, load({}));
-  EXPECT_THAT(changed_since(out, load({})), IsEmpty());
-  EXPECT_THAT(changed_since(out, load({{"end_s", "3"}, {"output.dump_every_s", "1"}})), IsEmpty());
-  EXPECT_THAT(changed_since(out, load({{"seed", "12345"}})), testing::Contains("seed=12345"));
+  EXPECT_THAT(changed_since(out, load({}), 0), IsEmpty());
+  EXPECT_THAT(changed_since(out, load({{"end_s", "3"}, {"output.dump_every_s", "1"}}), 0),
+              IsEmpty());
+  EXPECT_THAT(changed_since(out, load({{"seed", "12345"}}), 0), testing::Contains("seed=12345"));
 
   for (const char* name : {"mbs/bucyrus495.yaml", "meshes/door.stl", "meshes/dipper.yaml"}) {
     const fs::path file = checkout.root / name;
     const std::string before = test::read_text(file);
     test::write_text(file, before + "\n");
-    EXPECT_THAT(changed_since(out, load({})),
+    EXPECT_THAT(changed_since(out, load({}), 0),
                 ElementsAre(EndsWith(std::string(name) + " has other contents")));
     test::write_text(file, before);
   }
+
+  // The motion may be another one from where the run goes on.
+  const fs::path motion = load({}).machine.motion;
+  std::string rows = test::read_text(motion);
+  const machine::Motion whole = machine::Motion::load(motion);
+  const double end_s = 1e-9 * static_cast<double>(whole.end_ns());
+  rows += fmt::format("{},-1,0,0,0\n", end_s + 5);
+  test::write_text(motion, rows);
+  EXPECT_THAT(changed_since(out, load({}), 0.5 * end_s), IsEmpty());
+  EXPECT_THAT(changed_since(out, load({}), end_s + 1),
+              ElementsAre(HasSubstr("is another motion before t = ")));
+  write_identity(out, load({}));
+  EXPECT_THAT(changed_since(out, load({}), end_s + 1), IsEmpty());
+  fs::remove(out / "motion.csv");
+  test::write_text(motion, rows + "\n");
+  EXPECT_THAT(changed_since(out, load({}), 0), ElementsAre(HasSubstr("is another motion")));
+
   fs::remove(out / "inputs.sha256");
-  EXPECT_THAT(changed_since(out, load({})), ElementsAre(HasSubstr("no inputs.sha256")));
+  EXPECT_THAT(changed_since(out, load({}), 0), ElementsAre(HasSubstr("no inputs.sha256")));
 }
 
 }  // namespace

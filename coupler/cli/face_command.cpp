@@ -1,0 +1,86 @@
+#include "coupler/cli/face_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "analysis/io/dump_folder.hpp"
+#include "analysis/rock/face_section.hpp"
+#include "common/angles.hpp"
+#include "common/case_lines.hpp"
+#include "common/input_error.hpp"
+
+namespace dipper::cli {
+namespace {
+
+using namespace analysis;
+namespace fs = std::filesystem;
+
+struct FaceOptions {
+  std::string run, out;
+  double at_s = 1e300, heading_deg = 0;
+};
+
+std::vector<Sphere> spheres(const io::DumpFrame& frame) {
+  std::vector<Sphere> all;
+  io::DumpReader::read(frame, {"x", "y", "z", "radius"}, [&](const io::ParticleChunk& c) {
+    for (std::size_t i = 0; i < c.rows; ++i)
+      all.push_back({{c.columns[0][i], c.columns[1][i], c.columns[2][i]}, c.columns[3][i]});
+  });
+  return all;
+}
+
+int face_command(const FaceOptions& o, Reporter& reporter) {
+  const io::DumpFolder dumps = io::open_dump_folder(o.run);
+  const std::size_t frame = dumps.nearest(std::min(o.at_s, dumps.time_s.back()));
+  const CaseLines text = CaseLines::read(fs::path(o.run) / "case.txt");
+  rock::BoomPlane plane;
+  if (const CaseLine* base = text.find("machine.base_position_m")) {
+    const auto p_WH = nlohmann::json::parse(base->value).get<std::vector<double>>();
+    plane.base_x_m = p_WH.at(0);
+    plane.base_y_m = p_WH.at(1);
+  }
+  plane.heading_rad = radians(o.heading_deg);
+  const rock::SurfaceProfile face = rock::face_section(spheres(dumps.frames[frame]), plane);
+  std::string csv = fmt::format(
+      "# {} at {:.2f} s: rock along the boom at {:g} deg, x from the swing axis, by dipper face\n"
+      "x_m,z_m\n",
+      fs::path(o.run).lexically_normal().filename().string(), dumps.time_s[frame], o.heading_deg);
+  for (std::size_t i = 0; i < face.x_m.size(); ++i)
+    csv += fmt::format("{:.2f},{:.2f}\n", face.x_m[i], face.z_m[i]);
+  if (o.out.empty()) {
+    reporter.line(csv);
+    return 0;
+  }
+  std::ofstream file(o.out);
+  file << csv;
+  if (!file.flush()) throw std::runtime_error("cannot write " + o.out);
+  return 0;
+}
+
+}  // namespace
+
+Command add_face_command(CLI::App& app, Reporter& reporter) {
+  const auto o = std::make_shared<FaceOptions>();
+  auto* sub = app.add_subcommand("face", "the face of a run as a CSV, to plan the next pass from");
+  sub->add_option("DIR", o->run, "a run's folder")->required();
+  sub->add_option("--at", o->at_s, "time in s; the last frame");
+  sub->add_option("--heading", o->heading_deg, "of the boom, deg; 0");
+  sub->add_option("--out", o->out, "the file; standard output");
+  return {sub, [o, &reporter] {
+            try {
+              return face_command(*o, reporter);
+            } catch (const InputError& e) {
+              reporter.error(e.what());
+            } catch (const std::invalid_argument& e) {
+              reporter.error(o->run + ": " + e.what());
+            }
+            return 2;
+          }};
+}
+
+}  // namespace dipper::cli

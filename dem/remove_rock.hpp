@@ -1,0 +1,33 @@
+// Rock taken out of the simulation for good.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "common/frames.hpp"
+#include "common/mesh/triangle_mesh.hpp"
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace dipper::dem {
+
+/// What was taken out; the same on every rank.
+struct Cleared {
+  double rocks = 0;  ///< multispheres and single spheres
+  double mass_kg = 0;
+};
+
+/// Of a sphere's centre [m, in W] and radius [m].
+using SphereTest = std::function<bool(const Vector3d& p_W, double radius_m)>;
+
+/// Takes out every rock of which a sphere passes the test, whole. Collective. Lists and forces are
+/// the caller's to set up: before the first run, by that; between steps, this is called between
+/// Modify::setup_pre_exchange, which stores contact history, and Integrate::setup_minimal.
+Cleared remove_rock(LAMMPS_NS::LAMMPS& lmp, const SphereTest& goes);
+
+/// Whether a sphere overlaps one of the closed walls, or lies inside its steel.
+SphereTest overlaps(const std::vector<mesh::TriangleMesh>& walls_W);
+
+}  // namespace dipper::dem

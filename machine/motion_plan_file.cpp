@@ -1,0 +1,142 @@
+#include "machine/motion_plan_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "common/angles.hpp"
+#include "common/input_error.hpp"
+#include "common/yaml_section.hpp"
+
+namespace dipper::machine {
+namespace {
+
+constexpr Range kPositive{0, 1e5, true};
+constexpr Range kNotNegative{0, 1e5};
+const std::string kMove = "[start, end, ramp] in s from the cycle's start";
+
+class PlanReader {
+ public:
+  PlanReader(const MachineData& machine, const ShovelKinematics& shovel, const FaceNamed& face,
+             std::vector<Finding>& findings)
+      : saddle_(machine.saddle.position.x(), machine.saddle.position.z()),
+        shovel_(shovel),
+        face_(face),
+        findings_(findings) {}
+
+  PlanFile read(const YamlTree& tree) {
+    YamlSection y(tree, "", findings_);
+    PlanFile file;
+    MotionPlan& p = file.plan;
+    file.source = y.text("source", "a text: what the curves rest on");
+    p.sample_s = y.number("sample_s", "a number in s", kPositive);
+    p.cycle_s = y.number("cycle_s", "a number in s", kPositive);
+    p.dig = move(y, "dig");
+    p.swing_out = move(y, "swing_out");
+    p.door_open = move(y, "door_open");
+    p.returns = y.find("back") != nullptr;
+    if (p.returns) {
+      p.back = move(y, "back");
+      p.swing_back = move(y, "swing_back");
+      p.door_close = move(y, "door_close");
+      for (const Vector2d& polar : points(y, "lower_deg_m", "[deg, m]")) {
+        const double a = radians(polar.x());
+        p.lower.push_back(saddle_ + polar.y() * Vector2d(std::cos(a), std::sin(a)));
+      }
+    }
+    p.lift = points(y, "lift_m", "[x, z] in m");
+    p.dump_rad = radians(y.number("dump_deg", "a number in deg"));
+    p.door_rad = radians(y.number("door_deg", "a number in deg"));
+    read_passes(y, p);
+    y.refuse_others();
+    return file;
+  }
+
+ private:
+  Move move(YamlSection& y, const std::string& key) {
+    const YamlTree* node = y.need(key, kMove);
+    if (node == nullptr) return {};
+    const std::vector<double> v = y.numbers_at(*node, key, 3, kMove);
+    if (!(v[0] >= 0 && v[1] > v[0] && v[2] >= 0 && 2 * v[2] <= v[1] - v[0]))
+      y.fault(*node, key, "must begin before it ends, with two ramps between; write " + kMove);
+    return {v[0], v[1], v[2]};
+  }
+
+  TeethPath points(YamlSection& y, const std::string& key, const std::string& what) {
+    const YamlTree* node = y.need(key, "a list of points " + what);
+    TeethPath out;
+    if (node == nullptr) return out;
+    if (node->kind != YamlTree::Kind::list || node->children.empty())
+      y.fault(*node, key, fmt::format("is {}; write a list of points {}", shown(*node), what));
+    for (const auto& [index, child] : node->children) {
+      const std::vector<double> v = y.numbers_at(child, key + "." + index, 2, what);
+      out.emplace_back(v[0], v[1]);
+    }
+    return out;
+  }
+
+  void read_passes(YamlSection& y, MotionPlan& plan) {
+    const YamlTree* node = y.need("passes", "a list of passes");
+    if (node == nullptr) return;
+    if (node->kind != YamlTree::Kind::list || node->children.empty())
+      return y.fault(*node, "passes", fmt::format("is {}; write a list of passes", shown(*node)));
+    for (const auto& [index, child] : node->children) {
+      YamlSection pass(child, "passes." + index, findings_, "heading_deg and path_m, or cut");
+      PlannedPass p;
+      p.heading_rad = radians(pass.number("heading_deg", "a number in deg"));
+      if (pass.find("path_m") != nullptr) {
+        p.dig = points(pass, "path_m", "[x, z] in m");
+      } else {
+        p.dig = cut(pass.section("cut", "path_m, a list of points [x, z], or cut"), p.heading_rad);
+      }
+      pass.refuse_others();
+      plan.passes.push_back(std::move(p));
+    }
+  }
+
+  TeethPath cut(YamlSection y, double heading_rad) {
+    Cut c;
+    const std::string face = y.text("face", "pile, or a CSV of x_m,z_m");
+    const std::vector<double> start = y.numbers("start_m", 2, "[x, z] in m");
+    c.start = {start[0], start[1]};
+    c.depth_m = y.number("depth_m", "a number in m", kPositive);
+    c.floor_rise = y.number("floor_rise", "a number, dz/dx", kNotNegative);
+    c.exit_z_m = y.number("exit_z_m", "a number in m", kPositive);
+    c.smooth_m = y.number("smooth_m", "a number in m", kNotNegative);
+    const double crowd = y.number("crowd_max_m", "a number in m");
+    y.refuse_others();
+    if (!findings_.empty() || !y.is_there()) return {};
+    try {
+      return cut_path(face_(face, heading_rad), c, saddle_, shovel_.teeth_reach(crowd));
+    } catch (const InputError& e) {
+      for (const Finding& f : e.findings()) y.fault(*y.find("face"), "face", to_string(f));
+    } catch (const std::invalid_argument& e) {
+      y.fault(y.node(), "", e.what());
+    }
+    return {};
+  }
+
+  Vector2d saddle_;
+  const ShovelKinematics& shovel_;
+  const FaceNamed& face_;
+  std::vector<Finding>& findings_;
+};
+
+}  // namespace
+
+PlanFile read_plan(const std::filesystem::path& file, const MachineData& machine,
+                   const ShovelKinematics& shovel, const FaceNamed& face) {
+  std::vector<Finding> findings;
+  const YamlTree tree = read_yaml(file, findings);
+  if (!findings.empty()) throw InputError(std::move(findings));
+  PlanFile plan = PlanReader(machine, shovel, face, findings).read(tree);
+  if (!findings.empty()) {
+    sort_by_line(findings);
+    throw InputError(std::move(findings));
+  }
+  return plan;
+}
+
+}  // namespace dipper::machine

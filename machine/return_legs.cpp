@@ -1,0 +1,46 @@
+#include "machine/return_legs.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace dipper::machine {
+namespace {
+
+constexpr std::int64_t kTick_ns = 10'000'000;
+constexpr double kNear_m = 1e-3;
+
+}  // namespace
+
+std::vector<ReturnLeg> return_legs(const Motion& motion) {
+  std::vector<Drives> x;
+  for (std::int64_t t = motion.start_ns(); t <= motion.end_ns(); t += kTick_ns)
+    x.push_back(motion.value(t));
+  const auto door = [](const Drives& a, const Drives& b) { return a.door < b.door; };
+  const auto crowd = [](const Drives& a, const Drives& b) { return a.crowd < b.crowd; };
+  const double shut = std::min_element(x.begin(), x.end(), door)->door;
+  const double open = 0.5 * (shut + std::max_element(x.begin(), x.end(), door)->door);
+  const auto is_open = [&](const Drives& d) { return d.door > open; };
+  const auto time = [&](auto at) { return motion.start_ns() + (at - x.begin()) * kTick_ns; };
+
+  std::vector<ReturnLeg> legs;
+  for (auto opened = std::find_if(x.begin(), x.end(), is_open); opened != x.end();) {
+    const auto closed = std::find_if_not(opened, x.end(), is_open);
+    if (closed == x.end()) break;
+    // The last of the widest: from there it closes.
+    const auto widest = std::max_element(std::make_reverse_iterator(closed),
+                                         std::make_reverse_iterator(opened), door);
+    opened = std::find_if(closed, x.end(), is_open);
+    std::int64_t end_ns = motion.end_ns();
+    if (opened != x.end()) {
+      const double in = std::min_element(closed, opened, crowd)->crowd + kNear_m;
+      const auto last =
+          std::find_if(std::make_reverse_iterator(opened), std::make_reverse_iterator(closed),
+                       [&](const Drives& d) { return d.crowd <= in; });
+      end_ns = time(last.base() - 1);
+    }
+    legs.push_back({time(widest.base() - 1), end_ns});
+  }
+  return legs;
+}
+
+}  // namespace dipper::machine

@@ -1,0 +1,21 @@
+// When a motion brings the dipper back from the truck to the face.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "machine/motion.hpp"
+
+namespace dipper::machine {
+
+struct ReturnLeg {
+  std::int64_t begin_ns;  ///< the door, having been open, begins to close
+  std::int64_t end_ns;    ///< the crowd is all in, the next dig begins; or the motion ends
+};
+
+/// One leg for every time the door opens and closes again, in order. The door counts as open beyond
+/// half of the furthest that the motion opens it. The end is the last time before the crowd goes
+/// out to the next opening at which it is within 1 mm of its least. None: the door stays as it is.
+std::vector<ReturnLeg> return_legs(const Motion& motion);
+
+}  // namespace dipper::machine

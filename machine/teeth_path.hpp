@@ -1,0 +1,39 @@
+// The way of the dipper's teeth in the plane of the boom.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace dipper::machine {
+
+using Eigen::Vector2d;
+
+/// Points in the plane of the boom: x out from the swing axis, z up from the ground, m.
+using TeethPath = std::vector<Vector2d>;
+
+/// The clamped uniform cubic B-spline of a control polygon, as points at equal steps of its length.
+TeethPath spline(const TeethPath& polygon);
+
+/// The point at a share 0 ... 1 of the way along points at equal steps.
+Vector2d at_share(const TeethPath& path, double share);
+
+/// One dig: how the teeth go through a face.
+struct Cut {
+  Vector2d start = Vector2d::Zero();  ///< in front of the toe, m
+  double depth_m = 0;                 ///< below the face's surface, square to it
+  double floor_rise = 0;              ///< dz/dx of the floor that the teeth keep to, from the start
+  double exit_z_m = 0;                ///< where they leave the face, at the latest
+  double smooth_m = 0;                ///< over which the surface is averaged
+};
+
+/// The control polygon of a dig: from the start out along the floor to where the surface less the
+/// depth is higher, up along that, and, where the crowd is all out, up on the circle about the
+/// saddle block, to the exit. It never goes down.
+///
+/// \param face  the surface, x rising; flat beyond its ends
+/// \param saddle  the saddle block's pivot
+/// \param reach_m  from there to the teeth with the crowd all out
+/// Throws std::invalid_argument when the face has no point within reach.
+TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle, double reach_m);
+
+}  // namespace dipper::machine
