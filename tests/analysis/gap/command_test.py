@@ -33,7 +33,7 @@ def words(tmp_path):
     slow.chmod(0o755)
     (tmp_path / "case").mkdir()
     (tmp_path / "case" / "case.yaml").write_text("seed: 1\nmachine: {motion: motion.csv}\n")
-    shutil.copy(synthetic.ROOT / "cases/aitik/motion.csv", tmp_path / "case")
+    shutil.copy(synthetic.MOTION, tmp_path / "case/motion.csv")
     write_measured(synthetic.with_noise(synthetic.run({}, seed=1), 1), tmp_path / "mine")
     return [sys.executable, "-B", "-m", "dipper_gap", str(tmp_path / "case"), "--measured", str(tmp_path / "mine"),
             "--out", str(tmp_path / "out")]

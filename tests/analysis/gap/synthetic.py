@@ -1,7 +1,7 @@
 """A shovel made of a few formulas: plausible cycles at logger rate, effects as signatures, seeds, noise.
 
 It stands in for the simulator (and, with noise, for the mine) where a test needs thousands of runs whose
-truth is known. Motion is that of cases/aitik; forces are of the size the paper reports. Nothing here is
+truth is known. Motion is three_cycles.csv; forces are of the size the paper reports. Nothing here is
 used outside tests.
 """
 import functools
@@ -13,7 +13,7 @@ import numpy as np
 from dipper_gap.measured import Channel, Measured, Pass
 from dipper_gap.phases import find_phases
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+MOTION = pathlib.Path(__file__).with_name("three_cycles.csv")
 CYCLE_S = 48.0
 G = 9.81e-3  # kN per kg
 
@@ -28,7 +28,7 @@ CHANNELS = {c.name: c for c in (
 
 @functools.lru_cache
 def motion(rate_hz=1.0):
-    rows = np.genfromtxt(ROOT / "cases/aitik/motion.csv", delimiter=",", comments="#", skip_header=3)
+    rows = np.genfromtxt(MOTION, delimiter=",", comments="#", skip_header=3)
     t = np.arange(0.0, rows[-1, 0] + 1e-9, 1.0 / rate_hz)
     hoist, crowd, swing = (np.interp(t, rows[:, 0], rows[:, k]) for k in (1, 2, 3))
     return t, hoist, crowd, np.radians(swing)
