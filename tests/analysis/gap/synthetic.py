@@ -13,6 +13,7 @@ import numpy as np
 from dipper_gap.measured import Channel, Measured, Pass
 from dipper_gap.phases import find_phases
 
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 MOTION = pathlib.Path(__file__).with_name("three_cycles.csv")
 CYCLE_S = 48.0
 G = 9.81e-3  # kN per kg
