@@ -112,6 +112,7 @@ json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes,
       row["fill_factor"] = p.payload_kg / (struck_m3 * bulk_density_kg_m3);
     row["dig_force_mean_N"] = p.dig_force_mean_N;
     if (f.dig_phases_force_mean_N) row["dig_phases_force_mean_N"] = *f.dig_phases_force_mean_N;
+    if (f.dig_slack_share) row["dig_slack_share"] = *f.dig_slack_share;
     row["dig_force_peak_N"] = p.dig_force_peak_N;
     row["dig_work_J"] = dig_work_J(run, f);
     row["lifted_kg"] = f.fate.lifted_kg;
@@ -134,17 +135,19 @@ json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes)
   for (const PassFacts& f : passes) {
     for (const signals::Phase& p : f.phases) {
       const Effort e = effort(run.signals, p.t_start_s, p.t_end_s);
-      out.push_back({{"pass", f.pass.pass},
-                     {"phase", p.name},
-                     {"t_start_s", p.t_start_s},
-                     {"t_end_s", p.t_end_s},
-                     {"dig_force_mean_N", e.dig_force_mean_N},
-                     {"dig_force_peak_N", e.dig_force_peak_N},
-                     {"hoist_work_J", e.hoist_work_J},
-                     {"crowd_work_J", e.crowd_work_J},
-                     {"swing_work_J", e.swing_work_J},
-                     {"rock_work_J", e.rock_work_J},
-                     {"mass_gain_kg", e.mass_gain_kg}});
+      out.push_back(
+          {{"pass", f.pass.pass},
+           {"phase", p.name},
+           {"t_start_s", p.t_start_s},
+           {"t_end_s", p.t_end_s},
+           {"dig_force_mean_N", e.dig_force_mean_N},
+           {"dig_force_peak_N", e.dig_force_peak_N},
+           {"hoist_work_J", e.hoist_work_J},
+           {"crowd_work_J", e.crowd_work_J},
+           {"swing_work_J", e.swing_work_J},
+           {"rock_work_J", e.rock_work_J},
+           {"mass_gain_kg", e.mass_gain_kg},
+           {"slack_share", signals::slack_share(run.signals.pass, p.t_start_s, p.t_end_s)}});
     }
   }
   return out;

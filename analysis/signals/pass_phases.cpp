@@ -10,21 +10,19 @@ bool is_dig(const Phase& p) {
   return p.name == "penetrate" || p.name == "fill" || p.name == "breakout";
 }
 
-std::optional<double> dig_force_mean_N(const PassSignals& s, const std::vector<Phase>& phases) {
-  const auto first = std::find_if(phases.begin(), phases.end(), is_dig);
-  const auto last = std::find_if(phases.rbegin(), phases.rend(), is_dig);
-  if (first == phases.end()) return std::nullopt;
-  double impulse = 0, time_s = 0;
+/// Time-weighted; a step counts with the part of it that is within the time. None: no step is.
+template <class Value>
+std::optional<double> mean(const PassSignals& s, double t_start_s, double t_end_s, Value value) {
+  double sum = 0, time_s = 0;
   for (std::size_t i = 0; i + 1 < s.time_s.size(); ++i) {
-    // A step counts with the part of it that is in the dig.
-    const double from = std::max(s.time_s[i], first->t_start_s);
-    const double to = std::min(s.time_s[i + 1], last->t_end_s);
+    const double from = std::max(s.time_s[i], t_start_s);
+    const double to = std::min(s.time_s[i + 1], t_end_s);
     if (to <= from) continue;
-    impulse += std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]) * (to - from);
+    sum += value(i) * (to - from);
     time_s += to - from;
   }
   if (time_s <= 0) return std::nullopt;
-  return impulse / time_s;
+  return sum / time_s;
 }
 
 }  // namespace
@@ -35,6 +33,19 @@ const Phase* PassPhases::phase(const std::string& name) const {
   return at == phases.end() ? nullptr : &*at;
 }
 
+std::optional<Phase> PassPhases::dig() const {
+  const auto first = std::find_if(phases.begin(), phases.end(), is_dig);
+  const auto last = std::find_if(phases.rbegin(), phases.rend(), is_dig);
+  if (first == phases.end()) return std::nullopt;
+  return Phase{"dig", first->t_start_s, last->t_end_s};
+}
+
+double slack_share(const PassSignals& s, double t_start_s, double t_end_s) {
+  return mean(s, t_start_s, t_end_s,
+              [&](std::size_t i) { return s.hoist_force_N[i] < kSlack_N ? 1.0 : 0.0; })
+      .value_or(0);
+}
+
 std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignals& drive) {
   const std::vector<Pass> passes = find_passes(s);
   std::vector<PassPhases> out;
@@ -43,7 +54,13 @@ std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignal
     p.pass = passes[k];
     p.t_end_s = k + 1 < passes.size() ? passes[k].t_end_s : s.time_s.back();
     p.phases = find_phases(drive, p.pass.t_start_s, p.t_end_s);
-    p.dig_phases_force_mean_N = dig_force_mean_N(s, p.phases);
+    if (const auto dig = p.dig()) {
+      p.dig_phases_force_mean_N = mean(s, dig->t_start_s, dig->t_end_s, [&](std::size_t i) {
+        return std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]);
+      });
+      if (p.dig_phases_force_mean_N)
+        p.dig_slack_share = slack_share(s, dig->t_start_s, dig->t_end_s);
+    }
     out.push_back(std::move(p));
   }
   return out;

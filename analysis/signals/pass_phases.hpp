@@ -16,10 +16,22 @@ struct PassPhases {
   /// sqrt(crowd² + hoist²) from the start of penetrate to the end of breakout, time-weighted. The
   /// pass's own mean (paper, Eq. 11) goes on over the swing. None: there is no such phase.
   std::optional<double> dig_phases_force_mean_N;
+  /// The part of that time in which the hoist ropes are slack: the dipper rides on rock.
+  std::optional<double> dig_slack_share;
 
   /// Null when the pass has no such phase.
   const Phase* phase(const std::string& name) const;
+
+  /// From the start of penetrate to the end of breakout; no such phase: none.
+  std::optional<Phase> dig() const;
 };
+
+/// Ropes that pull less than this are slack; the empty dipper on them pulls a hundred times as
+/// much.
+inline constexpr double kSlack_N = 10e3;
+
+/// The part of a time in which the hoist ropes are slack; 0 when there is no reading in it.
+double slack_share(const PassSignals& s, double t_start_s, double t_end_s);
 
 /// Both signals are of one run, a value a sync step. Throws std::invalid_argument when lengths
 /// differ.

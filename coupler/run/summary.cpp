@@ -12,12 +12,15 @@
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
 #include "coupler/run/pass_signals.hpp"
+#include "coupler/run/teeth_deviation.hpp"
 #include "coupler/sides/sides_setup.hpp"
 
 namespace dipper::run {
 namespace {
 
 using json = nlohmann::ordered_json;
+
+constexpr double kMuchSlack = 0.05;  // of a dig: below, a dipper that is let down onto rock
 
 json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::path& record) {
   const double full_kg = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3 *
@@ -42,6 +45,8 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
                 {"dig_force_peak_N", p.dig_force_peak_N}};
     if (found.dig_phases_force_mean_N)
       row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
+    if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
+    if (const auto dig = found.dig()) row["teeth_deviation_m"] = teeth_deviation(record, c, *dig);
     passes.push_back(row);
   }
   const double sim_s = signals.time_s.empty() ? 0.0 : signals.time_s.back();
@@ -108,6 +113,11 @@ void tell_passes(const json& passes, Reporter& reporter) {
         p.at("pass").get<int>(), p.at("payload_kg").get<double>() * 1e-3,
         p.at("truck_kg").get<double>() * 1e-3, p.at("dig_force_mean_N").get<double>() * 1e-3,
         p.at("dig_force_peak_N").get<double>() * 1e-3));
+    if (const double slack = p.value("dig_slack_share", 0.0); slack > kMuchSlack)
+      reporter.line(fmt::format(
+          "warning: pass {}: the hoist ropes are slack in {:.0f} % of the dig, the teeth up to "
+          "{:.1f} m off their way: the dipper rides on rock (docs/motion.md)",
+          p.at("pass").get<int>(), 100 * slack, p.at("teeth_deviation_m").get<double>()));
   }
 }
 
