@@ -91,6 +91,9 @@ void ParkedRock::change(const std::vector<Rest>& rest) {
   take_out(rest);
   put_back(rest);
   keep_history(rest);
+  // The map is as large as the largest id there was and the number of spheres ask for: after a
+  // resume that may be of rock that was parked.
+  lmp_.atom->map_init();
 }
 
 void ParkedRock::take_out(const std::vector<Rest>& rest) {

@@ -130,6 +130,12 @@ TEST_P(Checkpoint, ChangesNothing) {
         kind, hold ? " held" : "", first, force, later, kSoon, moved);
   EXPECT_LT(first, 1e-12);
   EXPECT_LT(moved, 1e-12);
+
+  // With all rock back, LIGGGHTS's map of ids reaches to the largest, as it did not when that one
+  // was parked in the restart file.
+  rock->state_hash();
+  LAMMPS_NS::Atom& atom = *rock->liggghts().atom;
+  EXPECT_GE(atom.map_tag_max, atom.tag_max());
 }
 
 INSTANTIATE_TEST_SUITE_P(
