@@ -8,6 +8,7 @@
 #include "common/numbers.hpp"
 #include "common/range.hpp"
 #include "coupler/calibrate/calibration.hpp"
+#include "coupler/cli/number_option.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/launch/interrupt.hpp"
 
@@ -26,17 +27,6 @@ struct CalibrateOptions {
 std::optional<double> number(const std::string& text) {
   double value = 0;
   return parse_number(text, value) ? std::optional(value) : std::nullopt;
-}
-
-/// CLI11's own checks take nan for a number in any range.
-CLI::Validator number_in(const Range& range) {
-  return {[range](std::string& text) {
-            double value = 0;
-            return parse_number(text, value) && range.holds(value)
-                       ? std::string()
-                       : fmt::format("is '{}'; write a number, {}", text, range.text());
-          },
-          "NUMBER"};
 }
 
 calibrate::SearchRange range_of(const std::string& text) {
@@ -95,10 +85,11 @@ Command add_calibrate_command(CLI::App& app, Reporter& reporter) {
     sub->add_option("--target", request.target, target)->check(number_in(targets));
     sub->add_option("--size", request.size_m, size)->check(number_in({0, 1000, true}));
     sub->add_option("--seeds", request.seeds, "runs that differ in the seed alone, each time")
-        ->check(CLI::Range(1, 1000));
-    sub->add_option("--seed", o->seed, "the first of them (default: the case's)");
+        ->check(whole_number_in({1, 1000}));
+    sub->add_option("--seed", o->seed, "the first of them (default: the case's)")
+        ->check(whole_number_in(kSeeds));
     sub->add_option("--jobs", request.jobs, "runs at once (default: one a core)")
-        ->check(CLI::Range(1, 1000));
+        ->check(whole_number_in({1, 1000}));
     sub->add_option("--out", o->out, "the result's folder (default: runs/calibrate-...)");
     sub->callback([o, name] { o->what = name; });
     return sub;

@@ -10,6 +10,7 @@
 #include "analysis/report/run_page.hpp"
 #include "analysis/run/run_folder.hpp"
 #include "common/input_error.hpp"
+#include "coupler/cli/number_option.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -17,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 analysis::run::RunData open_folder(const ReportOptions& options) {
-  if (fs::exists(fs::path(options.folder) / "record.h5")) {
+  const fs::path folder = options.folder;
+  if (fs::exists(folder / "record.h5") || fs::exists(folder / "case.txt")) {
     if (!options.mesh.empty())
       throw InputError({{options.folder, 0, "",
                          "has a record of its own; --mesh and --poses are for dumps of other "
@@ -89,7 +91,7 @@ Command add_report_command(CLI::App& app, Reporter& reporter) {
   sub->add_option("DIR", o->folder, "a run's folder, or one with dumps of LIGGGHTS")->required();
   sub->add_option("--out", o->out, "the report's folder (default: DIR/report)");
   sub->add_option("--timestep", o->timestep_s, "of the DEM [s], when no file tells it")
-      ->check(CLI::PositiveNumber);
+      ->check(number_in({0, 1, true}));
   sub->add_option("--mesh", o->mesh, "the dipper's STL, for dumps without a record");
   sub->add_option("--poses", o->poses, "its poses: time_s,x_m,y_m,z_m,qw,qx,qy,qz");
   return {sub, [o, &reporter] { return report_command(*o, reporter); }};
