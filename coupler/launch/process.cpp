@@ -71,23 +71,35 @@ std::optional<std::string> Process::ended() {
 
 namespace {
 
-double starved_s_of(pid_t pid) {
+/// On a core and waiting for one.
+struct SchedTime {
+  double run_s = 0, wait_s = 0;
+};
+
+/// The least `of` a process, or else of the last ones that it has started.
+double least(pid_t pid, double (*of)(const SchedTime&)) {
   const std::string at = fmt::format("/proc/{}/", pid);
   std::ifstream children(at + fmt::format("task/{}/children", pid));
-  std::optional<double> least;
+  std::optional<double> lowest;
   for (pid_t child = 0; children >> child;) {
-    const double s = starved_s_of(child);
-    if (!least || s < *least) least = s;
+    const double s = least(child, of);
+    if (!lowest || s < *lowest) lowest = s;
   }
-  if (least) return *least;
+  if (lowest) return *lowest;
   double run_ns = 0, wait_ns = 0;  // proc(5): schedstat
   std::ifstream(at + "schedstat") >> run_ns >> wait_ns;
-  return 1e-9 * wait_ns;
+  return of({1e-9 * run_ns, 1e-9 * wait_ns});
 }
 
 }  // namespace
 
-double Process::starved_s() const { return running_ ? starved_s_of(pid_) : 0; }
+double Process::starved_s() const {
+  return running_ ? least(pid_, [](const SchedTime& t) { return t.wait_s; }) : 0;
+}
+
+double Process::active_s() const {
+  return running_ ? least(pid_, [](const SchedTime& t) { return t.run_s + t.wait_s; }) : 0;
+}
 
 bool Process::succeeded() { return ended() && WIFEXITED(status_) && WEXITSTATUS(status_) == 0; }
 

@@ -38,6 +38,10 @@ class Process {
   /// did least of them, since one that is hung does not wait.
   double starved_s() const;
 
+  /// How long it has run or waited for a core [s], or of the programs it started the one that did
+  /// least: it stands still while one of them is stopped or waits for what never comes.
+  double active_s() const;
+
   /// CPU time [s] of the program and what it has started, so far.
   double cpu_s() const;
 

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
+#include "common/input_error.hpp"
 #include "common/json_values.hpp"
 #include "common/manifest.hpp"
 #include "common/warn.hpp"
@@ -15,15 +17,37 @@ using nlohmann::json;
 
 namespace {
 
-/// Whole checkpoints, sound or not, oldest first.
-std::vector<fs::path> list(const fs::path& checkpoints) {
+/// Folders of checkpoints with that extension, oldest first; without one: whole, sound or not.
+std::vector<fs::path> list(const fs::path& checkpoints, const std::string& extension = "") {
   std::vector<fs::path> found;
   if (!fs::exists(checkpoints)) return found;
   for (const auto& entry : fs::directory_iterator(checkpoints)) {
-    if (entry.is_directory() && !entry.path().has_extension()) found.push_back(entry.path());
+    if (entry.is_directory() && entry.path().extension() == extension)
+      found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+/// Throws when there are checkpoints, all of them damaged: those found now, with what is wrong with
+/// each, and those that were set aside before.
+void require_none_lost(const fs::path& checkpoints,
+                       const std::vector<std::pair<fs::path, std::string>>& damaged) {
+  std::vector<Finding> findings;
+  for (const auto& [folder, damage] : damaged)
+    findings.push_back({folder, 0, "", "no sound checkpoint: " + damage});
+  for (const fs::path& aside : list(checkpoints, ".damaged")) {
+    const std::string damage = damage_of(aside);
+    findings.push_back({aside, 0, "",
+                        damage.empty() ? "set aside, but sound: rename it to " +
+                                             aside.stem().string() + " to go on from it"
+                                       : "set aside as damaged: " + damage});
+  }
+  if (findings.empty()) return;
+  findings.push_back({checkpoints, 0, "",
+                      "no sound checkpoint is left to go on from; put whole ones back from a "
+                      "copy, or run the case anew into another --out"});
+  throw InputError(std::move(findings));
 }
 
 }  // namespace
@@ -75,16 +99,21 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
 
 std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   auto all = list(checkpoints);
-  while (!all.empty()) {
+  std::vector<std::pair<fs::path, std::string>> damaged;  // newest first
+  for (; !all.empty(); all.pop_back()) {
     const std::string damage = damage_of(all.back());
     if (damage.empty()) break;
-    const fs::path aside = set_aside(all.back());
-    all.pop_back();
-    warn(fmt::format("{}; that checkpoint is now {}, {}", damage, aside.string(),
-                     all.empty() ? "and there is none before it"
-                                 : "the one before it is taken: " + all.back().string()));
+    damaged.emplace_back(all.back(), damage);
   }
-  if (all.empty()) return std::nullopt;
+  if (all.empty()) {
+    require_none_lost(checkpoints, damaged);
+    return std::nullopt;
+  }
+  for (const auto& [folder, damage] : damaged) {
+    const fs::path aside = set_aside(folder);
+    warn(fmt::format("{}; that checkpoint is now {}, the one before it is taken: {}", damage,
+                     aside.string(), all.back().string()));
+  }
   std::ifstream in(all.back() / "coupling.json");
   const json j = json::parse(in);
   Checkpoint c;

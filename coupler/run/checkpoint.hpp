@@ -26,8 +26,10 @@ struct Checkpoint {
 Checkpoint save_checkpoint(const std::filesystem::path& checkpoints, Checkpoint c, core::Rock& rock,
                            core::Machine& machine);
 
-/// The newest checkpoint whose files are what was written, if any. Newer ones are set aside, each
-/// with a warning that names the file.
+/// The newest checkpoint whose files are what was written; none when there never was one. Newer
+/// ones are set aside, each with a warning that names the file. Throws InputError, and leaves all
+/// where it is, when there are checkpoints and none of them is sound: what the run got to would be
+/// lost.
 std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& checkpoints);
 
 }  // namespace dipper::run

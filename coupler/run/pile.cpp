@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "coupler/deck/bench_cut.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/launch/failure_message.hpp"
+#include "coupler/launch/hang_watch.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/process.hpp"
 
@@ -40,6 +42,16 @@ std::string pile_hash(const cases::Case& c, const fs::path& deck) {
   for (const char* name : {"settle.in", "contact.in", "check_pour.in", "check_lost.in"})
     scripts.push_back(data_folder() / "dem_in" / name);
   return deck_hash(all, scripts, deck);
+}
+
+/// For the message about a settling that has stopped.
+std::string how_far(const fs::path& screen) {
+  std::ifstream in(screen);
+  std::string last;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty()) last = line;
+  return last.empty() ? screen.string() + " holds nothing"
+                      : fmt::format("the last line of {} is '{}'", screen.string(), last);
 }
 
 /// What the script names, linked into the folder that LIGGGHTS is started in: neither a script nor
@@ -82,7 +94,17 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
                                       "out", ".", "-var", "bench_cut", "./bench-cut"}))
       command.push_back(std::move(word));
     launch::Process liggghts(command, logs / "settle.log");
+    launch::HangWatch watch(c.coupling.timeout_s);
     while (!liggghts.wait(std::chrono::milliseconds(100))) {
+      std::error_code none_yet;
+      const auto written = fs::file_size(screen, none_yet);
+      const std::chrono::duration<double> now = std::chrono::steady_clock::now() - began;
+      const std::string hung = watch.look(now.count(), liggghts.active_s(), none_yet ? 0 : written);
+      if (!hung.empty()) {
+        liggghts.end();
+        throw std::runtime_error(
+            fmt::format("settling the pile failed: LIGGGHTS hangs: {}; {}", hung, how_far(screen)));
+      }
       if (launch::interrupts() > 0) {
         liggghts.end();
         throw launch::Interrupted();

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "common/input_error.hpp"
+
 namespace dipper::run {
 namespace {
 
@@ -97,10 +99,44 @@ TEST_F(Checkpoints, AFlippedBitMakesItTheOneBefore) {
 TEST_F(Checkpoints, AFileCutShortOrGoneMakesItTheOneBefore) {
   fs::resize_file(newest_ / "rock.restart", 5);
   EXPECT_EQ(last().first, 10);
-  fs::remove(folder_ / "000000010" / "coupling.json");
-  const auto [step, said] = last();
-  EXPECT_EQ(step, -1);
-  EXPECT_THAT(said, AllOf(HasSubstr("coupling.json is missing"), HasSubstr("none before it")));
+}
+
+/// What last_checkpoint throws.
+std::string refusal(const fs::path& checkpoints) {
+  try {
+    last_checkpoint(checkpoints);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "nothing";
+}
+
+TEST_F(Checkpoints, NoneLeftIsAnErrorThatNamesThemAll) {
+  const fs::path older = folder_ / "000000010";
+  fs::resize_file(newest_ / "rock.restart", 5);
+  fs::remove(older / "coupling.json");
+  const auto both =
+      AllOf(HasSubstr((newest_ / "rock.restart").string() + " is not what was written"),
+            HasSubstr((older / "coupling.json").string() + " is missing"),
+            HasSubstr("no sound checkpoint is left"), HasSubstr("another --out"));
+  EXPECT_THAT(refusal(folder_), both);
+  EXPECT_TRUE(fs::exists(newest_) && fs::exists(older));  // all is left where it is
+  EXPECT_THAT(refusal(folder_), both);
+}
+
+TEST_F(Checkpoints, NoneLeftIsAnErrorWhenTheyWereSetAsideBefore) {
+  fs::resize_file(newest_ / "rock.restart", 5);
+  EXPECT_EQ(last().first, 10);
+  fs::remove_all(folder_ / "000000010");
+  EXPECT_THAT(refusal(folder_), AllOf(HasSubstr("000000020.damaged: set aside as damaged: "),
+                                      HasSubstr("rock.restart is not what was written")));
+}
+
+TEST_F(Checkpoints, ThatThereNeverWasOneIsNoError) {
+  fs::remove_all(folder_);
+  EXPECT_EQ(last().first, -1);
+  fs::create_directories(folder_ / "000000010.part");  // killed while it saved its first
+  EXPECT_EQ(last().first, -1);
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 import hashlib
 import os
 import re
+import shutil
 import signal
 import time
 import unittest
 
 import h5py
 
-from runs import RunTest, processes
+from runs import PATIENCE_S, RunTest, processes
 
 
 # Long enough that on any machine there is something left to kill; a record is flushed each second.
@@ -175,6 +176,58 @@ class Faults(RunTest):
         self.assertIn(f"{state} is not what was written", err)
         self.assertIn(f"the one before it is taken: {before}", err)
         self.assertEqual(self.summary(out)["status"], "complete")
+
+    def test_with_no_sound_checkpoint_left_nothing_is_started(self):
+        process, out = self.digging("lost", time_s=1.3)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        for state in (out / "checkpoints").glob("*/machine.state"):
+            state.write_bytes(b"")
+        before = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.rglob("*") if p.is_file()}
+        _, err = self.run_case(out, *LONGER, "--resume", status=2)
+        for state in (out / "checkpoints").glob("*/machine.state"):
+            self.assertIn(f"{state} is not what was written", err)
+        self.assertIn("no sound checkpoint is left to go on from", err)
+        self.assertIn("another --out", err)
+        after = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.rglob("*") if p.is_file()}
+        self.assertEqual({p for p in after if p.name != "run.lock" and after[p] != before.get(p)}, set())
+
+    def settling(self, name, *arguments, instead=None):
+        """A run that settles its pile anew, by a script in place of LIGGGHTS if one is given."""
+        programs = self.folder / "programs"
+        programs.mkdir()
+        if instead:
+            (programs / "liggghts").write_text(f"#!/bin/sh\nscreen=$6\n{instead}\n")
+            (programs / "liggghts").chmod(0o755)
+        for key, value in (("XDG_CACHE_HOME", str(self.folder / "cache")),
+                           ("PATH", f"{programs}:{os.environ['PATH']}")):
+            before = os.environ.get(key)
+            os.environ[key] = value
+            self.addCleanup(os.environ.__setitem__, key, before)
+        out = self.folder / name
+        return self.start(out, "--set", "end_s=0.03", "--set", "coupling.timeout_s=4", *arguments), out
+
+    def test_a_settling_that_stops_is_found(self):
+        process, out = self.settling("asleep", instead='echo Step 100 > "$screen"; sleep 100')
+        self.assert_ended(process, out, 3, "settling the pile failed: LIGGGHTS hangs: it neither ran",
+                          "for 4 s", "settle.screen is 'Step 100'", within=20)
+
+    def test_a_settling_of_which_one_rank_stops_is_found(self):
+        process, out = self.settling("stopped", "--set", "pile.settle_s=60", "--ranks", "2")
+        deadline = time.time() + 60
+        while len(self.pids(out, "liggghts")) < 2 and time.time() < deadline:
+            time.sleep(0.05)
+        time.sleep(2)
+        os.kill(self.pids(out, "liggghts")[-1], signal.SIGSTOP)
+        self.assert_ended(process, out, 3, "settling the pile failed: LIGGGHTS hangs", within=20)
+
+    def test_a_settling_that_is_slow_but_gets_on_lives(self):
+        process, out = self.settling(
+            "slow", "--ranks", "1",
+            instead='for k in 1 2 3 4; do echo "Step $k" >> "$screen"; sleep 2.5; done; '
+                    f'exec {shutil.which("liggghts")} "$@"')
+        _, err = process.communicate(timeout=PATIENCE_S)
+        self.assertEqual(process.returncode, 0, err)
 
     def test_a_full_disk(self):
         # A file system of a few MiB, in a mount namespace of its own.
