@@ -1,6 +1,8 @@
 #include "coupler/core/protocol.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace dipper::core {
 
@@ -12,9 +14,27 @@ void require_ours(const Envelope& ours, const Envelope& theirs) {
   }
 }
 
+namespace {
+
+constexpr int kRequestsInCopies = 64;  // after each sign of loss
+
+}  // namespace
+
+double Patience::s() const { return std::clamp(factor_ * (mean_s_ + 4 * deviation_s_), 0.01, 1.0); }
+
+void Patience::answered(double after_s, bool asked_again) {
+  if (asked_again) return;
+  deviation_s_ += (std::abs(after_s - mean_s_) - deviation_s_) / 4;
+  mean_s_ += (after_s - mean_s_) / 8;
+  factor_ = 1;
+}
+
 Envelope Requester::begin(std::int64_t step_index, std::int64_t t_ns) {
   assert(!waiting_);
   waiting_ = true;
+  before_ = now_;
+  now_ = {in_copies_ > 0 ? kCopies : 1};
+  in_copies_ = std::max(0, in_copies_ - 1);
   ++identity_.sequence;
   identity_.step_index = step_index;
   identity_.t_ns = t_ns;
@@ -27,12 +47,22 @@ bool Requester::accept(const Envelope& reply) {
     throw ProtocolError("reply " + std::to_string(reply.sequence) + " to a request never made; " +
                         "the last was " + std::to_string(identity_.sequence));
   }
-  if (!waiting_ || reply.sequence < identity_.sequence) {
+  const bool of_now = reply.sequence == identity_.sequence;
+  if (of_now) ++now_.replies;
+  if (reply.sequence == identity_.sequence - 1) ++before_.replies;
+  if (!waiting_ || !of_now) {
     ++counts_.repeated;
     return false;
   }
   waiting_ = false;
+  // All replies to the request before have come by now, or are lost. One that came late is no loss.
+  if (before_.shows_loss()) in_copies_ = kRequestsInCopies;
   return true;
+}
+
+void Requester::count_resend() {
+  ++counts_.resends;
+  now_.again = true;
 }
 
 Responder::Verdict Responder::judge(const Envelope& request) {
@@ -43,10 +73,13 @@ Responder::Verdict Responder::judge(const Envelope& request) {
   }
   if (request.sequence == last_ + 1) {
     last_ = request.sequence;
+    in_copies_ = std::max(0, in_copies_ - 1);
     return Verdict::execute;
   }
   ++counts_.repeated;
-  return request.sequence == last_ ? Verdict::repeat : Verdict::ignore;
+  if (request.sequence < last_) return Verdict::ignore;
+  heard_copies();
+  return Verdict::repeat;
 }
 
 }  // namespace dipper::core

@@ -34,12 +34,14 @@ core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t
     if (Clock::now() > enough) break;
   }
   const std::string bytes = encode({requester_.begin(step_index, t_ns), std::move(request)});
-  transport_.publish(to_, bytes);
+  const auto send = [&] {
+    for (int k = 0; k < requester_.copies(); ++k) transport_.publish(to_, bytes);
+  };
+  send();
   const auto start = Clock::now();
   const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
   // Until the other side has answered once it may still be starting: ask often, and count nothing.
-  std::chrono::duration<double> patience = 100ms;
-  if (established_) patience = std::min<decltype(patience)>(1s, 500us + 1.5 * answer_time_);
+  std::chrono::duration<double> patience{established_ ? patience_.s() : 0.1};
   std::chrono::milliseconds deadline = limit;
   std::optional<std::chrono::duration<double>> starved_before;
   bool resent = false;
@@ -52,13 +54,8 @@ core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t
     auto reply = packet ? reply_in(*packet) : std::nullopt;
     const auto now = Clock::now();
     if (reply) {
-      // Which request of several was answered nobody knows. So such a time is not counted (with
-      // losses the estimate would run away), but many of them in a row say that it is too short.
-      if (resent) {
-        answer_time_ = std::min<decltype(answer_time_)>(500ms, 1.02 * answer_time_);
-      } else if (established_) {
-        answer_time_ += (now - start - answer_time_) / 8;
-      }
+      if (established_)
+        patience_.answered(std::chrono::duration<double>(now - start).count(), resent);
       established_ = true;
       return std::move(*reply);
     }
@@ -74,12 +71,13 @@ core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t
                       fmt::format("no answer for {} s", static_cast<double>(limit.count()) * 1e-3));
     }
     if (now - sent < patience) continue;
-    transport_.publish(to_, bytes);
+    send();
     sent = now;
     if (!established_) continue;
     resent = true;
     requester_.count_resend();
-    patience = std::min<decltype(patience)>(1s, 1.25 * patience);
+    patience_.in_vain();
+    patience = std::chrono::duration<double>(patience_.s());
   }
 }
 

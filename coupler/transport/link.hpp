@@ -34,9 +34,9 @@ struct LinkOptions {
   std::function<void()> watch = [] {};
 };
 
-/// The asking end: sends a request until its reply comes. It sends again when the reply takes more
-/// than half as long again as replies have taken lately, at first 50 ms, at most 1 s, then a
-/// quarter more slowly each time: a packet lost costs little time, a long window few packets.
+/// The asking end: sends a request until its reply comes. It sends again when the reply takes
+/// longer than replies do (core::Patience), and in copies once packets are seen to be lost
+/// (core::Requester): a lost packet costs little time, a slow answer few packets.
 class Link {
  public:
   /// `transport` hears nothing but `from`: what is left over on it is counted here.
@@ -65,7 +65,7 @@ class Link {
   core::Requester requester_;
   LinkOptions options_;
   bool established_ = false;
-  std::chrono::duration<double> answer_time_{0.033};  ///< smoothed
+  core::Patience patience_;
   std::string told_;
 };
 

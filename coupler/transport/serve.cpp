@@ -1,7 +1,6 @@
 #include "coupler/transport/serve.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/info_json.hpp"
@@ -74,18 +73,16 @@ void require_in_checkpoints(const core::Message& request, const std::filesystem:
                             root.string());
 }
 
-/// The last of the messages that have gathered. The other side has one request under way, so all
-/// before it are copies of what has been dealt with; and a queue that is full loses what comes
-/// next.
-std::optional<Packet> last_waiting(Transport& transport) {
+/// Drops what has gathered; whether that was anything. The other side has one request under way, so
+/// all of it is copies of what has been dealt with; and a queue that is full loses what comes next.
+bool drop_waiting(Transport& transport) {
   const auto enough = std::chrono::steady_clock::now() + std::chrono::milliseconds(10);
-  std::optional<Packet> last;
-  while (std::chrono::steady_clock::now() < enough) {
-    auto packet = transport.receive(std::chrono::microseconds(0));
-    if (!packet) break;
-    last = std::move(packet);
+  bool any = false;
+  while (transport.receive(std::chrono::microseconds(0))) {
+    any = true;
+    if (std::chrono::steady_clock::now() > enough) break;
   }
-  return last;
+  return any;
 }
 
 }  // namespace
@@ -94,10 +91,8 @@ void serve(Transport& transport, const std::string& in, const std::string& out,
            const PeerConfig& config, const std::function<core::Body(const core::Message&)>& handle,
            const std::function<bool()>& alive) {
   core::Responder responder(config.identity);
-  std::optional<Packet> waiting;
   while (alive()) {
-    const auto packet = waiting ? std::exchange(waiting, std::nullopt)
-                                : transport.receive(std::chrono::milliseconds(50));
+    const auto packet = transport.receive(std::chrono::milliseconds(50));
     if (!packet || packet->channel != in) continue;
     core::Message request;
     try {
@@ -122,8 +117,8 @@ void serve(Transport& transport, const std::string& in, const std::string& out,
       transport.publish(out, encode({request.envelope, core::Status{false, e.what()}}));
       throw;
     }
-    waiting = last_waiting(transport);
-    transport.publish(out, responder.reply());
+    if (drop_waiting(transport)) responder.heard_copies();
+    for (int k = 0; k < responder.copies(); ++k) transport.publish(out, responder.reply());
     const auto* c = std::get_if<core::Command>(&request.body);
     if (c != nullptr && c->action == core::Action::stop) return;
   }

@@ -6,6 +6,7 @@ import pathlib
 import pwd
 import shutil
 import stat
+import statistics
 import subprocess
 import sys
 import time
@@ -84,12 +85,15 @@ class Network(RunTest):
         print(f"{name}: {took:.1f} s, undisturbed {self.quiet_s:.1f} s, resends {counts['resends']}")
         return took, counts
 
-    def test_a_third_of_all_packets_lost(self):
-        carried, _ = self.through("carried")  # what the relay itself takes, on this machine, now
-        took, counts = self.through("loss", drop=0.3)
-        self.assertGreater(counts["resends"], 500)
-        # 4.7 times on a quiet machine (docs/reliability.md); what else runs here stretches it.
-        self.assertLess(took, 12 * carried)
+    def test_a_third_of_all_packets_lost_costs_less_than_twice_the_time_again(self):
+        """In turn with what the relay itself takes, as other work comes and goes; the medians count."""
+        carried, lost = [], []
+        for seed in (1, 2, 3):
+            carried.append(self.through(f"carried{seed}")[0])
+            took, counts = self.through(f"loss{seed}", drop=0.3, seed=seed)
+            lost.append(took)
+            self.assertGreater(counts["resends"], 20)
+        self.assertLess(statistics.median(lost), 3 * statistics.median(carried))
 
     def test_lost_doubled_swapped_and_late(self):
         self.through("all", drop=0.3, double=0.2, swap=0.2, late=0.1, late_s=0.1)
