@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "common/input_error.hpp"
 #include "common/sha256.hpp"
 
 namespace dipper {
@@ -31,10 +32,21 @@ void sync(const fs::path& path) {
 }  // namespace
 
 void seal(const fs::path& folder) {
+  std::vector<fs::path> parts;
+  for (const auto& f : fs::directory_iterator(folder)) parts.push_back(f.path().filename());
+  seal(folder, parts);
+}
+
+void seal(const fs::path& folder, const std::vector<fs::path>& parts) {
   std::set<fs::path> files, folders{folder};
-  for (const auto& f : fs::recursive_directory_iterator(folder)) {
-    if (f.is_directory()) folders.insert(f.path());
-    if (f.is_regular_file() && f.path().filename() != kManifest) files.insert(f.path());
+  const auto add = [&](const fs::path& path) {
+    if (fs::is_directory(path)) folders.insert(path);
+    if (fs::is_regular_file(path) && path.filename() != kManifest) files.insert(path);
+  };
+  for (const fs::path& part : parts) {
+    add(folder / part);
+    if (!fs::is_directory(folder / part)) continue;
+    for (const auto& f : fs::recursive_directory_iterator(folder / part)) add(f.path());
   }
   const fs::path manifest = folder / kManifest;
   std::ofstream out(manifest, std::ios::binary);
@@ -64,6 +76,17 @@ std::string damage_of(const fs::path& folder) {
       return file.string() + " is not what was written: its SHA-256 is another";
   }
   return cut;
+}
+
+void require_undamaged(const fs::path& folder) {
+  if (!fs::exists(folder / kManifest)) return;
+  const std::string damage = damage_of(folder);
+  if (damage.empty()) return;
+  throw InputError(
+      {{{},
+        0,
+        "",
+        damage + "; put it back, or take it as it is: remove " + (folder / kManifest).string()}});
 }
 
 void rename_sealed(const fs::path& from, const fs::path& to) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace dipper {
 
@@ -15,10 +16,17 @@ inline constexpr const char* kManifest = "manifest.sha256";
 /// fails. Throws std::runtime_error or std::system_error when that cannot be done.
 void seal(const std::filesystem::path& folder);
 
+/// The same of some of them: files, and folders with all in them, relative to `folder`.
+void seal(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& parts);
+
 /// What is wrong with a sealed folder, "" when nothing is: the first file, by its path, that is
 /// missing or is not what was written, or that there is no manifest. Files that the manifest does
 /// not name are not looked at.
 std::string damage_of(const std::filesystem::path& folder);
+
+/// Throws InputError naming the file when a folder that has a manifest is damaged. One without is
+/// taken as it is: nobody knows what it should hold.
+void require_undamaged(const std::filesystem::path& folder);
 
 /// Renames a sealed folder and writes that to the disk. Throws std::filesystem::filesystem_error.
 void rename_sealed(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -10,6 +10,7 @@
 #include "analysis/io/vtk_file.hpp"
 #include "common/csv_table.hpp"
 #include "common/json_values.hpp"
+#include "common/manifest.hpp"
 #include "common/mesh/mesh_check.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
@@ -35,11 +36,11 @@ json json_of(const fs::path& file) {
   return j;
 }
 
-/// The regions the rock side has weighed in, as it was told. dem.json has them too, but beside the
-/// run's secret: its owner alone reads it.
-void read_scales(const fs::path& logs, rock::LoadRegions& regions) {
-  const bool apart = fs::exists(logs / "scales.json");
-  const fs::path file = logs / (apart ? "scales.json" : "dem.json");
+/// The regions the rock side has weighed in. Runs made before there was scales.json have them in
+/// what it was told, which its owner alone may read.
+void read_scales(const fs::path& folder, rock::LoadRegions& regions) {
+  const bool apart = fs::exists(folder / "scales.json");
+  const fs::path file = apart ? folder / "scales.json" : folder / "logs" / "dem.json";
   const json told = json_of(file);
   try {
     for (const json& s : apart ? told.at("scales") : told.at("settings").at("scales")) {
@@ -154,6 +155,7 @@ RunData read_run_folder(const fs::path& folder) {
   RunData run;
   run.folder = folder;
   run.is_run = true;
+  require_undamaged(folder);
   run.case_text = bytes_of(folder / "case.txt");
   run.case_lines = CaseLines(run.case_text);
   if (fs::exists(folder / "summary.json")) run.summary = read_summary(folder / "summary.json");
@@ -169,7 +171,7 @@ RunData read_run_folder(const fs::path& folder) {
   }
   run.dipper = run.signals.walls.at("dipper");
   run.bulk_density_kg_m3 = run.number("rock.bulk_density_kg_m3");
-  read_scales(folder / "logs", run.regions);
+  read_scales(folder, run.regions);
   run.clumps = rock::read_clump_masses(folder / "deck" / "rocks.in");
   read_meshes(run, folder / "deck" / "case.in");
   if (run.meshes.count("dipper") != 0) run.vessel = vessel_of(run);
@@ -198,6 +200,12 @@ RunData read_foreign_folder(const fs::path& folder, const std::optional<ForeignD
   return run;
 }
 
+namespace {
+
+constexpr double kFarthest = 1e6;  // m, s
+
+}  // namespace
+
 rock::PoseTrack read_poses(const fs::path& file) {
   std::vector<Finding> faults;
   std::vector<double> time_s;
@@ -207,6 +215,9 @@ rock::PoseTrack read_poses(const fs::path& file) {
     const auto& v = row.values;
     if (!time_s.empty() && v[0] <= time_s.back())
       faults.push_back({file, row.line, "", "time_s does not rise"});
+    if (std::abs(v[0]) > kFarthest || Vector3d(v[1], v[2], v[3]).cwiseAbs().maxCoeff() > kFarthest)
+      faults.push_back({file, row.line, "",
+                        fmt::format("times and places lie between -{0:g} and {0:g}", kFarthest)});
     const Quaterniond R(v[4], v[5], v[6], v[7]);
     if (std::abs(R.norm() - 1) > 1e-3)
       faults.push_back(

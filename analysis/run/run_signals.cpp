@@ -1,10 +1,9 @@
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/run/run_folder.hpp"
-#include "common/record/record.hpp"
+#include "common/record/columns.hpp"
 
 namespace dipper::analysis::run {
 namespace {
@@ -14,31 +13,8 @@ using Column = std::vector<double>;
 
 constexpr std::array<const char*, 2> kBodies = {"dipper", "door"};
 
-/// Columns of a record, all of one length: a run that is writing it may be in the middle of a row.
-class Columns {
- public:
-  explicit Columns(fs::path record) : record_(std::move(record)) {}
-
-  void read(const std::string& channel, std::size_t column = 0) {
-    Column values = record::read_channel(record_, channel, column);
-    rows_ = std::min(rows_, values.size());
-    values_[{channel, column}] = std::move(values);
-  }
-
-  Column get(const std::string& channel, std::size_t column = 0) const {
-    Column values = values_.at({channel, column});
-    values.resize(rows_);
-    return values;
-  }
-
- private:
-  fs::path record_;
-  std::map<std::pair<std::string, std::size_t>, Column> values_;
-  std::size_t rows_ = std::numeric_limits<std::size_t>::max();
-};
-
-Columns read_columns(const fs::path& record) {
-  Columns c(record);
+record::Columns read_columns(const fs::path& record) {
+  record::Columns c(record);
   for (const char* channel :
        {"time_s", "machine/door", "machine/crowd", "machine/swing", "machine/hoist_force",
         "machine/crowd_force", "machine/hoist_power", "machine/crowd_power", "machine/swing_power",
@@ -52,7 +28,7 @@ Columns read_columns(const fs::path& record) {
   return c;
 }
 
-rock::PoseTrack track_of(const Columns& c, const std::string& body) {
+rock::PoseTrack track_of(const record::Columns& c, const std::string& body) {
   std::array<Column, 7> pose;
   std::array<Column, 6> twist;
   for (std::size_t k = 0; k < pose.size(); ++k) pose[k] = c.get("bodies/" + body + "/wall_pose", k);
@@ -69,7 +45,7 @@ rock::PoseTrack track_of(const Columns& c, const std::string& body) {
   return {time_s, X_WB, V_WB_W};
 }
 
-RunSignals signals_of(const Columns& c) {
+RunSignals signals_of(const record::Columns& c) {
   RunSignals s;
   signals::PassSignals& p = s.pass;
   p.time_s = c.get("time_s");

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
+#include "common/input_error.hpp"
 #include "common/version.hpp"
 #include "coupler/cli/calibrate_command.hpp"
 #include "coupler/cli/check_command.hpp"
@@ -51,6 +52,9 @@ int main(int argc, char** argv) {
   dipper::cli::Console console;
   try {
     return dipper::cli::command_line(argc, argv, console);
+  } catch (const dipper::InputError& e) {
+    console.error(e.what());
+    return 2;
   } catch (const std::exception& e) {
     console.error(e.what());
     return 3;

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "common/manifest.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/run/observed.hpp"
 
@@ -15,6 +16,7 @@ struct ObserveOptions {
 
 int observe(const ObserveOptions& o) {
   namespace fs = std::filesystem;
+  require_undamaged(o.folder);
   cases::ObservationCase observation = run::read_observation(fs::path(o.folder) / "case.txt");
   try {
     for (const cases::Override& set : overrides_of(o.set, "observation.lag_s=0.2"))

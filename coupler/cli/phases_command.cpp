@@ -8,6 +8,7 @@
 #include "analysis/run/run_folder.hpp"
 #include "analysis/signals/pass_phases.hpp"
 #include "common/input_error.hpp"
+#include "common/manifest.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -23,6 +24,7 @@ json list(const std::vector<signals::Phase>& phases) {
 }
 
 json of_run(const std::string& folder) {
+  require_undamaged(folder);
   const auto run = analysis::run::read_signals(std::filesystem::path(folder) / "record.h5");
   json passes = json::array();
   for (const signals::PassPhases& p : signals::find_pass_phases(run.pass, run.drive)) {

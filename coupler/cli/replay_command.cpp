@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "common/manifest.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
@@ -35,6 +36,7 @@ int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
 }
 
 int replay(const ReplayOptions& o, Reporter& reporter) {
+  require_undamaged(o.folder);
   if (!o.set.empty()) return observe_another_machine(o, reporter);
   if (!o.case_folder.empty()) throw CLI::ValidationError("--case", "goes with --set");
   enter_own_network(reporter);

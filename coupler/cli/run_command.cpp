@@ -8,7 +8,9 @@
 
 #include "common/cache_folder.hpp"
 #include "common/input_error.hpp"
+#include "common/manifest.hpp"
 #include "coupler/check/checked_case.hpp"
+#include "coupler/cli/number_option.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/deck/liggghts_path.hpp"
@@ -63,6 +65,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   try {
     const run::RunFolder folder =
         o.resume ? run::RunFolder::resume(out) : run::RunFolder::create(out);
+    if (o.resume) require_undamaged(folder.root());
     const auto changed = o.resume
                              ? run::changed_since(folder.root(), *c, resumed_from_s(folder, *c))
                              : std::vector<std::string>{};
@@ -86,8 +89,9 @@ Command add_run_command(CLI::App& app, Reporter& reporter) {
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
   sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
   sub->add_option("--out", o->out, "the run's folder (default: runs/NAME)");
-  sub->add_option("--ranks", o->ranks, "MPI ranks of the rock side")->check(CLI::PositiveNumber);
-  sub->add_option("--seed", o->seed, "seed of the pile");
+  sub->add_option("--ranks", o->ranks, "MPI ranks of the rock side")
+      ->check(whole_number_in({1, 4096}));
+  sub->add_option("--seed", o->seed, "seed of the pile")->check(whole_number_in(kSeeds));
   sub->add_flag("--resume", o->resume, "continue from the last checkpoint");
   return {sub, [o, &reporter] { return run(*o, reporter); }};
 }

@@ -8,6 +8,7 @@
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/installation.hpp"
+#include "common/record/columns.hpp"
 #include "common/record/record.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/process.hpp"
@@ -26,10 +27,11 @@ namespace {
 /// The rock's mean wrench on a body, a row a sync step.
 class RecordedWrench {
  public:
-  RecordedWrench(const fs::path& record, const std::string& body) {
-    for (std::size_t k = 0; k < 6; ++k) {
-      columns_[k] = record::read_channel(record, "bodies/" + body + "/wrench_mean", k);
-    }
+  RecordedWrench(const record::Columns& record, const std::string& body) {
+    for (std::size_t k = 0; k < 6; ++k) columns_[k] = record.get(channel(body), k);
+  }
+  static void read(record::Columns& record, const std::string& body) {
+    for (std::size_t k = 0; k < 6; ++k) record.read(channel(body), k);
   }
   Wrench at(std::size_t row) const {
     const auto& c = columns_;
@@ -37,6 +39,7 @@ class RecordedWrench {
   }
 
  private:
+  static std::string channel(const std::string& body) { return "bodies/" + body + "/wrench_mean"; }
   std::array<std::vector<double>, 6> columns_;
 };
 
@@ -107,8 +110,12 @@ cases::Case case_of_run(const fs::path& run, const std::string& case_folder,
 
 void observe_changed_machine(const fs::path& run, const cases::Case& changed, const fs::path& out) {
   const fs::path record = run / "record.h5";
-  const auto time_s = record::read_channel(record, "time_s");
-  const RecordedWrench dipper(record, "dipper"), door(record, "door");
+  record::Columns columns(record);
+  columns.read("time_s");
+  for (const char* body : {"dipper", "door"}) RecordedWrench::read(columns, body);
+  const auto time_s = columns.get("time_s");
+  if (time_s.empty()) throw InputError({{record, 0, "", "holds no rows"}});
+  const RecordedWrench dipper(columns, "dipper"), door(columns, "door");
 
   transport::PeerConfig config = transport::read_peer_config(run / "logs" / "mbs.json");
   config.settings = sides::mbs_settings(

@@ -9,7 +9,7 @@
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/numbers.hpp"
-#include "common/record/record.hpp"
+#include "common/record/columns.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/run/pass_signals.hpp"
 
@@ -35,13 +35,13 @@ void write(const fs::path& file, const std::string& text) {
 }  // namespace
 
 void write_observed(const fs::path& record, const cases::ObservationCase& o, const fs::path& out) {
-  analysis::signals::DriveSignals s;
-  s.time_s = record::read_channel(record, "time_s");
-  s.hoist_m = record::read_channel(record, "machine/hoist");
-  s.crowd_m = record::read_channel(record, "machine/crowd");
-  s.swing_rad = record::read_channel(record, "machine/swing");
-  s.hoist_force_N = record::read_channel(record, "machine/hoist_force");
-  s.crowd_force_N = record::read_channel(record, "machine/crowd_force");
+  record::Columns c(record);
+  for (const char* channel : {"time_s", "machine/hoist", "machine/crowd", "machine/swing",
+                              "machine/hoist_force", "machine/crowd_force"})
+    c.read(channel);
+  const analysis::signals::DriveSignals s{
+      c.get("time_s"),        c.get("machine/hoist"),       c.get("machine/crowd"),
+      c.get("machine/swing"), c.get("machine/hoist_force"), c.get("machine/crowd_force")};
   write_observed(s, read_pass_signals(record), o, out);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "common/input_error.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/run/observed.hpp"
 #include "coupler/run/preparation.hpp"
@@ -32,7 +33,12 @@ double time_s(const core::CouplingState& at, const cases::Case& c) {
 
 /// How a run can go on, for the message that says why it has to.
 std::string way_on(const cases::Case& c, const RunFolder& folder) {
-  const auto last = last_checkpoint(folder.checkpoints());
+  std::optional<Checkpoint> last;
+  try {
+    last = last_checkpoint(folder.checkpoints());
+  } catch (const InputError& e) {
+    return e.what();
+  }
   if (!last) return "no checkpoint yet";
   return fmt::format("last checkpoint: {} (t = {:.3f} s); `dipper run {} --out {} --resume`",
                      last->folder.string(), time_s(last->coupling, c), c.folder.string(),
@@ -48,6 +54,7 @@ void conclude(const cases::Case& c, const RunFolder& folder, std::unique_ptr<Ses
   facts.failure = failure;
   write_summary(c, folder, facts, reporter);
   write_observed(folder.record(), c.observation, folder.observed());
+  folder.seal();
 }
 
 }  // namespace
@@ -55,10 +62,15 @@ void conclude(const cases::Case& c, const RunFolder& folder, std::unique_ptr<Ses
 RunStatus paired_run(const cases::Case& c, const RunFolder& folder, bool resume,
                      Reporter& reporter) {
   const auto from = resume ? last_checkpoint(folder.checkpoints()) : std::nullopt;
-  if (from && from->coupling.dem_step >= end_step(c) &&
-      summary_status(folder.summary()) == "complete") {
-    reporter.line("complete already: " + folder.summary().string());
-    return RunStatus::complete;
+  if (resume && summary_status(folder.summary()) == "complete") {
+    if (!from)
+      throw InputError({{folder.checkpoints(), 0, "",
+                         "holds no checkpoint of this complete run to go on from; run the case "
+                         "anew into another --out"}});
+    if (from->coupling.dem_step >= end_step(c)) {
+      reporter.line("complete already: " + folder.summary().string());
+      return RunStatus::complete;
+    }
   }
   RunStatus status = RunStatus::failed;
   std::string failure;

@@ -27,6 +27,12 @@ void write_decks(const cases::Case& c, const sides::DipperLayers& layers, const 
   deck::write_deck(as_built, c.rock.shape_folder, deck);
 }
 
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
 fs::path find_pile(const cases::Case& c, const RunFolder& folder, Reporter& reporter) {
   reporter.line("pile: looking in the cache, else settling");
   const Pile pile = settled_pile(c, folder.deck(), folder.logs());
@@ -51,6 +57,7 @@ std::int64_t end_step(const cases::Case& c) {
 
 sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
                           const std::optional<Checkpoint>& from, Reporter& reporter) {
+  folder.unseal();
   const sides::MeshFacts shovel = sides::read_mesh_facts(c);
   const sides::DipperLayers layers = sides::dipper_layers(c, shovel.dipper.cavity);
   write_decks(c, layers, folder.deck());
@@ -79,6 +86,8 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   setup.message_log = folder.root() / ("events" + setup.leg + ".lcmlog");
   setup.dem = sides::dem_settings(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
                                   from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
+  // For those who may not read the run's secret, which is beside the settings.
+  write(folder.scales(), nlohmann::json{{"scales", setup.dem.at("scales")}}.dump() + "\n");
   setup.mbs = sides::mbs_settings(c, layers);
   return setup;
 }

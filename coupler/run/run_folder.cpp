@@ -1,6 +1,7 @@
 #include "coupler/run/run_folder.hpp"
 
 #include "common/input_error.hpp"
+#include "common/manifest.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -22,5 +23,12 @@ RunFolder::RunFolder(const fs::path& folder, bool resume)
   for (const auto& sub : {deck(), dumps(), checkpoints(), logs()}) fs::create_directories(sub);
   fs::permissions(logs(), fs::perms::owner_all);  // they hold the secret of the run's messages
 }
+
+void RunFolder::seal() const {
+  dipper::seal(root_, {"case.txt", "inputs.sha256", "motion.csv", "deck", record().filename(),
+                       scales().filename(), summary().filename()});
+}
+
+void RunFolder::unseal() const { fs::remove(root_ / kManifest); }
 
 }  // namespace dipper::run

@@ -26,6 +26,13 @@ class RunFolder {
   std::filesystem::path record() const { return root_ / "record.h5"; }
   std::filesystem::path summary() const { return root_ / "summary.json"; }
   std::filesystem::path observed() const { return root_ / "observed"; }
+  /// The regions the rock side weighs in: what a report needs of what it was told.
+  std::filesystem::path scales() const { return root_ / "scales.json"; }
+
+  /// From the end of a run to where it goes on: a manifest of what its readers go by, in which a
+  /// bit that flips later is found (common/manifest.hpp). Dumps are not in it.
+  void seal() const;
+  void unseal() const;
 
  private:
   RunFolder(const std::filesystem::path& folder, bool resume);

@@ -49,8 +49,6 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   dem["ranks"] = setup.ranks;  // for a replay
   transport::write_peer_config(dem_config, {url, secret, identity, setup.checkpoints, dem});
   transport::write_peer_config(mbs_config, {url, secret, identity, setup.checkpoints, setup.mbs});
-  // What a report needs of it, for those who may not read the run's secret.
-  std::ofstream(setup.logs / "scales.json") << nlohmann::json{{"scales", dem["scales"]}} << '\n';
   dem_ = std::make_unique<launch::Process>(
       launch::mpirun(setup.ranks, {installed_program("dipper-dem"), dem_config.string()}),
       setup.logs / "dem.log");
