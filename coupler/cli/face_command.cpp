@@ -13,6 +13,7 @@
 #include "common/angles.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
+#include "coupler/cli/number_option.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -68,8 +69,9 @@ Command add_face_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<FaceOptions>();
   auto* sub = app.add_subcommand("face", "the face of a run as a CSV, to plan the next pass from");
   sub->add_option("DIR", o->run, "a run's folder")->required();
-  sub->add_option("--at", o->at_s, "time in s; the last frame");
-  sub->add_option("--heading", o->heading_deg, "of the boom, deg; 0");
+  sub->add_option("--at", o->at_s, "time in s; the last frame")->check(number_in({0, 1e5}));
+  sub->add_option("--heading", o->heading_deg, "of the boom, deg; 0")
+      ->check(number_in({-360, 360}));
   sub->add_option("--out", o->out, "the file; standard output");
   return {sub, [o, &reporter] {
             try {

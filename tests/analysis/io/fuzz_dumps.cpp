@@ -38,8 +38,7 @@ int main(int argc, char** argv) {
     }
     ++rounds;
   }
-  for (std::size_t k = 0; k < all.size(); ++k)
-    std::cout << all[k].name << ": " << tried[k] << '\n';
+  for (std::size_t k = 0; k < all.size(); ++k) std::cout << all[k].name << ": " << tried[k] << '\n';
   std::cout << "all: " << sum << " files, none read wrongly or crashed\n";
   fs::remove_all(folder);
   return 0;
