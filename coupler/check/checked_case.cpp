@@ -84,9 +84,13 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
 }
 
 bool check_as_json(const std::filesystem::path& folder,
-                   const std::vector<cases::Override>& overrides, Reporter& reporter) {
+                   const std::vector<cases::Override>& overrides, const std::string& source_hash,
+                   Reporter& reporter) {
   const auto [c, findings] = checked(folder, overrides);
-  json said = {{"case", c.name}, {"sound", findings.empty()}, {"findings", json::array()}};
+  json said = {{"case", c.name},
+               {"sound", findings.empty()},
+               {"findings", json::array()},
+               {"source_hash", source_hash}};
   for (const Finding& f : findings)
     said["findings"].push_back({{"file", f.file.string()},
                                 {"line", f.line},

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "common/source_hash.hpp"
 #include "coupler/check/checked_case.hpp"
 #include "coupler/cli/set_option.hpp"
 
@@ -24,8 +25,9 @@ Command add_check_command(CLI::App& app, Reporter& reporter) {
   sub->add_flag("--json", o->json, "findings, hash, size and values, for programs");
   return {sub, [o, &reporter] {
             const auto set = overrides_of(o->set, "coupling.scheme=serial");
-            const bool sound = o->json ? check::check_as_json(o->folder, set, reporter)
-                                       : check::checked_case(o->folder, set, reporter).has_value();
+            const bool sound = o->json
+                                   ? check::check_as_json(o->folder, set, source_hash(), reporter)
+                                   : check::checked_case(o->folder, set, reporter).has_value();
             return sound ? 0 : 2;
           }};
 }

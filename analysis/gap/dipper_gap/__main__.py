@@ -102,10 +102,10 @@ def main(words=None):
         return 2
     for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
         signal.signal(number, signal.default_int_handler)
-    simulator = DipperSimulator(args.case, catalogue, program(), cache_folder())
-    catalogue, left_out = usable(catalogue, simulator)
     out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
     try:
+        simulator = DipperSimulator(args.case, catalogue, program(), cache_folder())
+        catalogue, left_out = usable(catalogue, simulator)
         out = analyse(measured, simulator, catalogue, int(data.get("seed", 1)), say)
         out = replace(out, warnings=(*left_out, *out.warnings))
     except KeyboardInterrupt:
@@ -118,7 +118,7 @@ def main(words=None):
         print(f"gap: {e}", file=sys.stderr)
         return 2
     out_folder.mkdir(parents=True, exist_ok=True)
-    answer = as_json(out, catalogue, {"case": simulator.identity(), "measured": measured_hash(args.measured)})
+    answer = as_json(out, catalogue, {"case": simulator.case_hash(), "measured": measured_hash(args.measured)})
     write_json(answer, out_folder / "gap.json")
     if out.effects:
         write_patched_case(args.case, out.effects, out_folder / "case")

@@ -37,12 +37,6 @@ def write_patched_case(case, effects, out):
     return out
 
 
-def referenced_files(case):
-    """Files and folders a case names, for its hash."""
-    text = (Path(case) / "case.yaml").read_text()
-    return sorted({(Path(case) / value).resolve() for _, _, value in _paths(text, Path(case))})
-
-
 def _paths(text, case):
     """(start, end, value) of every plain scalar that is a path seen from the case folder."""
     found = []

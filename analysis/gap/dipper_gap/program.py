@@ -18,18 +18,19 @@ def program():
     return os.environ.get("DIPPER") or (str(built) if built.exists() else shutil.which("dipper") or "dipper")
 
 
-def ask(*words, given=None):
-    """The JSON that `dipper WORDS` writes, to whom `given` is written as JSON."""
-    return json.loads(tell(*words, given=given))
+def ask(*words, given=None, of=None):
+    """The JSON that `dipper WORDS` writes, to whom `given` is written as JSON. `of`: another program than `program()`."""
+    return json.loads(tell(*words, given=given, of=of))
 
 
-def tell(*words, given=None):
+def tell(*words, given=None, of=None):
     """What `dipper WORDS` prints, to whom `given` is written as JSON."""
+    of = of or program()
     try:
-        made = subprocess.run([program(), *map(str, words)], input=None if given is None else json.dumps(given),
+        made = subprocess.run([of, *map(str, words)], input=None if given is None else json.dumps(given),
                               capture_output=True, text=True)
     except OSError as e:
-        raise ProgramFailed(f"{program()}: {e.strerror}; build it, or set DIPPER to it") from e
+        raise ProgramFailed(f"{of}: {e.strerror}; build it, or set DIPPER to it") from e
     if made.returncode != 0:
         raise ProgramFailed(made.stderr.strip())
     return made.stdout

@@ -1,7 +1,6 @@
 """Runs of a case, as the workflow asks for them: by `dipper run`, two at a time, each kept and found again."""
 import hashlib
 import os
-import re
 import shutil
 import signal
 import subprocess
@@ -14,7 +13,7 @@ from pathlib import Path
 
 from . import run_cache
 from .measured import read_measured
-from .patch import referenced_files
+from .program import ask
 
 KEEPER = Path(__file__).with_name("keeper.py")
 JOBS = 2
@@ -73,8 +72,8 @@ class Simulator:
         """(runs to make, runs kept from before, seconds a run takes or None)."""
         raise NotImplementedError
 
-    def identity(self):
-        """Text that changes when the case or the program does."""
+    def case_hash(self):
+        """Text that changes when the case or a file it names does."""
         raise NotImplementedError
 
 
@@ -88,22 +87,22 @@ class DipperSimulator(Simulator):
     def __init__(self, case, catalogue, program, cache):
         self.case, self.catalogue, self.program = Path(case), catalogue, str(program)
         self.cache = Path(cache)
-        self._identity = _digest(self.case, self.program)
+        self._told = ask("check", "--json", self.case, of=self.program)
         self._sound = {}  # {folder: what was said of it}
         self._children, self._lock, self._stopped = {}, threading.Lock(), False
         self._alive, self._held = os.pipe()  # ends when this process does, however it ends
 
-    def identity(self):
-        return self._identity
+    def case_hash(self):
+        return self._told["case_hash"]
 
     def _guess(self):
-        """Seconds a run may take, from the size `dipper check` tells; None without it."""
-        told = subprocess.run([self.program, "check", str(self.case)], capture_output=True, text=True).stdout
-        size = re.search(r"about (\d+) rocks,.* in (\d+) steps.*after (\d+) steps", told)
-        return int(size[1]) * (int(size[2]) + int(size[3])) / ROCK_STEPS_PER_S if size else None
+        """Seconds a run may take, from its size."""
+        size = self._told["size"]
+        return size["rocks"] * (size["steps"] + size["settle_steps"]) / ROCK_STEPS_PER_S
 
     def folder(self, r):
-        text = f"{self._identity}\n{r}\n" + "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
+        """Where a run is kept: by all that decides it, which a commit that leaves the sources as they are is not."""
+        text = f"{self.case_hash()}\n{self._told['source_hash']}\n{r}\n" + "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
         return self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
 
     def plan(self, requests):
@@ -237,15 +236,3 @@ def _settings(effects):
 
 def _minutes(seconds):
     return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
-
-
-def _digest(case, program):
-    """Hash of the case's text, the files it names (two levels: a mesh beside a model), and the program."""
-    digest = hashlib.sha256()
-    for path in [case / "case.yaml"] + referenced_files(case):
-        for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
-            if file.is_file():
-                digest.update(hashlib.sha256(file.read_bytes()).digest())
-    said = subprocess.run([program, "--version"], capture_output=True, text=True)
-    digest.update(said.stdout.encode())
-    return digest.hexdigest()

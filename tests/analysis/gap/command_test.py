@@ -16,7 +16,9 @@ from dipper_gap.program import program
 ANALYSIS = Path(__file__).resolve().parents[3] / "analysis/gap"
 SLOW = """#!/usr/bin/python3
 import os, pathlib, sys, time
-if sys.argv[1] == "effects": os.execv("REAL", sys.argv)
+if sys.argv[1] in ("effects", "phases"): os.execv("REAL", sys.argv)
+if "--json" in sys.argv:
+    print('{"case_hash": "c", "source_hash": "s", "size": {"rocks": 1000, "steps": 9000, "settle_steps": 1000}}')
 if sys.argv[1] == "run":
     folder = pathlib.Path(__file__).parent / "started"
     folder.mkdir(exist_ok=True)

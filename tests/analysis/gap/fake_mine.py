@@ -63,7 +63,7 @@ class FakeSimulator(Simulator):
     def plan(self, requests):
         return len({r if r.how == "run" else r.plain for r in requests}), 0, None
 
-    def identity(self):
+    def case_hash(self):
         return "synthetic"
 
 

@@ -55,7 +55,7 @@ def test_a_hidden_effect_is_named_added_and_the_gap_shrinks(mine):
     catalogue = {n: e for n, e in read_catalogue(model).items() if n in NAMES}
     simulator = DipperSimulator(model, catalogue, program(), work / "cache")
     out = analyse(measured, simulator, catalogue, 1, lambda text: print(text, flush=True))
-    answer = as_json(out, catalogue, {"case": simulator.identity()})
+    answer = as_json(out, catalogue, {"case": simulator.case_hash()})
     write_json(answer, work / "gap.json")
     a = json.loads((work / "gap.json").read_text())
     assert a["verdict"] == "named" and a["effect"] == "crowd_friction"

@@ -16,13 +16,18 @@ from dipper_gap.simulator import DipperSimulator, RunFailed, request
 
 # Writes an observed folder whose truck masses tell what was asked; fails for a seed of 13.
 PROGRAM = '''#!/usr/bin/python3
-import pathlib, sys
+import hashlib, json, pathlib, sys
 words = sys.argv[1:]
-if words == ["--version"]: print("1"); sys.exit(0)
+here = pathlib.Path(__file__).parent
 if words[0] == "check":
-    print("one is sound: about 1000 rocks, 28 s simulated in 9000 steps and 10 windows of 1 ms, after 1000 steps")
-    sys.exit(2 if "effects.fines=0.15" in words else 0)
-log = pathlib.Path(__file__).parent / "calls"
+    if words[1] == "--json":
+        case = pathlib.Path(words[2])
+        said = (case / "case.yaml").read_bytes() + (case.parent / "rock.stl").read_bytes()
+        print(json.dumps({"case_hash": hashlib.sha256(said).hexdigest(), "source_hash": (here / "sources").read_text(),
+                          "size": {"rocks": 1000, "steps": 9000, "settle_steps": 1000}}))
+    if "effects.fines=0.15" in words: print("too many fines"); sys.exit(2)
+    sys.exit(0)
+log = here / "calls"
 with open(log, "a") as f: f.write(" ".join(words) + "\\n")
 out = pathlib.Path(words[words.index("--out") + 1])
 seed = int(words[words.index("--seed") + 1]) if "--seed" in words else 0
@@ -53,6 +58,7 @@ FRICTION = FINES.replace("rock\n", "machine\n").replace("rock.fines_fraction", "
 def world(tmp_path):
     program = tmp_path / "dipper"
     program.write_text(PROGRAM)
+    (tmp_path / "sources").write_text("as they are")
     program.chmod(program.stat().st_mode | stat.S_IXUSR)
     case = tmp_path / "cases" / "one"
     case.mkdir(parents=True)
@@ -134,6 +140,14 @@ def test_a_changed_mesh_is_another_case(world):
     simulator, catalogue, _, folder = world
     simulator().run([request({}, 1, catalogue)], str)
     (folder / "cases" / "rock.stl").write_text("another")
+    assert simulator().plan([request({}, 1, catalogue)])[:2] == (1, 0)
+
+
+def test_a_program_of_other_sources_makes_its_own_runs(world):
+    simulator, catalogue, _, folder = world
+    simulator().run([request({}, 1, catalogue)], str)
+    assert simulator().plan([request({}, 1, catalogue)])[:2] == (0, 1)
+    (folder / "sources").write_text("edited")
     assert simulator().plan([request({}, 1, catalogue)])[:2] == (1, 0)
 
 

@@ -59,9 +59,10 @@ TEST(CheckCase, QuickAsCalibratedIsSound) {
 TEST(CheckCase, JsonTellsWhatAProgramAsks) {
   Checkout checkout;
   test::MemoryReporter sound;
-  EXPECT_TRUE(check::check_as_json(checkout.folder(), {{"title", "'a \"b\"'"}}, sound));
+  EXPECT_TRUE(check::check_as_json(checkout.folder(), {{"title", "'a \"b\"'"}}, "5eed", sound));
   const auto said = nlohmann::json::parse(sound.lines);
   EXPECT_EQ(said.at("case"), "quick");
+  EXPECT_EQ(said.at("source_hash"), "5eed");
   EXPECT_TRUE(said.at("sound"));
   EXPECT_TRUE(said.at("findings").empty());
   EXPECT_EQ(said.at("values").at("rock.density_kg_m3"), 3215);
@@ -75,7 +76,7 @@ TEST(CheckCase, JsonTellsWhatAProgramAsks) {
 
   const int line = checkout.replace("density_kg_m3", "density_kg_m3: heavy");
   test::MemoryReporter wrong;
-  EXPECT_FALSE(check::check_as_json(checkout.folder(), {}, wrong));
+  EXPECT_FALSE(check::check_as_json(checkout.folder(), {}, "5eed", wrong));
   const auto faults = nlohmann::json::parse(wrong.lines);
   EXPECT_FALSE(faults.at("sound"));
   ASSERT_EQ(faults.at("findings").size(), 1U);

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace dipper {
+
+/// SHA-256 over the names and texts of all C++ and of the decks this program was built from: two
+/// builds with the same one compute the same from a case, whatever else a commit has changed.
+std::string source_hash();
+
+}  // namespace dipper
