@@ -4,10 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "machine/door.hpp"
+
 namespace dipper::analysis::signals {
 namespace {
 
-constexpr double kDoorOpen_rad = 0.02;    // about 1 degree: more than a drive's ripple
 constexpr double kFirstContact_N = 20e3;  // the weight of a 2 t rock: more than a stray stone
 constexpr double kPayloadWindow_s = 1.0;
 constexpr double kStray_kg = 2000;  // of that rock: less than it is no load
@@ -47,7 +48,7 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     if (v->size() != n) throw std::invalid_argument("pass signals of different lengths");
   }
   std::vector<Pass> passes;
-  const auto open = [&](std::size_t i) { return std::abs(s.door_rad[i]) > kDoorOpen_rad; };
+  const auto open = [&](std::size_t i) { return machine::door_is_open(s.door_rad[i]); };
   std::size_t begin = 0;
   while (begin + 1 < n) {
     std::size_t dump = begin;
@@ -70,6 +71,22 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     }
     begin = end;
   }
+  return passes;
+}
+
+std::vector<PlannedPass> find_planned_passes(const std::vector<double>& time_s,
+                                             const std::vector<double>& door_rad) {
+  if (time_s.size() != door_rad.size())
+    throw std::invalid_argument("times and the door's angles of different lengths");
+  std::vector<PlannedPass> passes;
+  std::size_t begin = 0;
+  for (std::size_t k = 1; k < time_s.size(); ++k) {
+    if (machine::door_is_open(door_rad[k]) || !machine::door_is_open(door_rad[k - 1])) continue;
+    passes.push_back({time_s[begin], time_s[k]});
+    begin = k;
+  }
+  if (!door_rad.empty() && machine::door_is_open(door_rad.back()))
+    passes.push_back({time_s[begin], time_s.back()});
   return passes;
 }
 

@@ -34,4 +34,14 @@ struct Pass {
 /// std::invalid_argument when lengths differ.
 std::vector<Pass> find_passes(const PassSignals& s);
 
+struct PlannedPass {
+  double t_start_s = 0;  ///< the last pass's end, or the motion's start
+  double t_end_s = 0;    ///< the door has closed again, or the motion ends
+};
+
+/// Every pass of a motion that ends with a dump, from the door's angle alone. Throws
+/// std::invalid_argument when lengths differ.
+std::vector<PlannedPass> find_planned_passes(const std::vector<double>& time_s,
+                                             const std::vector<double>& door_rad);
+
 }  // namespace dipper::analysis::signals

@@ -7,6 +7,7 @@
 
 #include "analysis/run/run_folder.hpp"
 #include "analysis/signals/pass_phases.hpp"
+#include "analysis/signals/passes.hpp"
 #include "common/input_error.hpp"
 #include "common/manifest.hpp"
 
@@ -38,10 +39,18 @@ json of_run(const std::string& folder) {
   return {{"passes", passes}};
 }
 
+json planned_passes(const std::vector<double>& time_s, const std::vector<double>& door_rad) {
+  json passes = json::array();
+  for (const signals::PlannedPass& p : signals::find_planned_passes(time_s, door_rad))
+    passes.push_back({{"t_start_s", p.t_start_s}, {"t_end_s", p.t_end_s}});
+  return {{"passes", passes}};
+}
+
 json of_readings(std::istream& in) {
   const json readings = json::parse(in);
   signals::DriveSignals drive;
   drive.time_s = readings.at("time_s").get<std::vector<double>>();
+  if (readings.contains("door_rad")) return planned_passes(drive.time_s, readings["door_rad"]);
   drive.crowd_m = readings.at("crowd_m").get<std::vector<double>>();
   drive.swing_rad = readings.at("swing_rad").get<std::vector<double>>();
   json passes = json::array();

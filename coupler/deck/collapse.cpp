@@ -8,13 +8,13 @@
 #include "common/seconds.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/pile_shape.hpp"
+#include "machine/door.hpp"
 
 namespace dipper::deck {
 namespace {
 
 // Solid by volume as it comes loose: below kPouredFraction, as a thin slab is harder to fill.
 constexpr double kLooseFraction = 0.25;
-constexpr double kDoorOpen_rad = 0.02;  // as analysis/signals/passes.cpp has it
 constexpr std::int64_t kSample_ns = 10'000'000;
 constexpr double kSteepest =
     0.1;  // run by rise: a slab has a side to lie on before an upright face
@@ -64,7 +64,7 @@ CollapseSlab collapse_slab(const cases::Case& c) {
 std::optional<double> collapse_time_s(const cases::Case& c, const machine::Motion& motion) {
   if (c.collapse.at_s > 0) return c.collapse.at_s;
   for (std::int64_t t = motion.start_ns(); t <= motion.end_ns(); t += kSample_ns) {
-    if (std::abs(motion.value(t).door) > kDoorOpen_rad) return seconds(t);
+    if (machine::door_is_open(motion.value(t).door)) return seconds(t);
   }
   return std::nullopt;
 }

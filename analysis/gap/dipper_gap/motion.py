@@ -7,9 +7,9 @@ import numpy as np
 from .findings import BadInput, Findings
 from .measured import MOTION, read_table
 from .model import NEED_PASSES
+from .phases import planned_passes
 
 COLUMNS = ("time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg")
-DOOR_OPEN_RAD = 0.02    # as analysis/signals/passes.cpp, which cuts the runs into passes
 DURATION = 0.25         # of a pass's: from so much on its duration is another
 LAGS_S = np.arange(-10.0, 10.01, 0.25)  # a mine's passes may begin at another moment of the cycle
 # Assumed: from so much on the drives do not do the same. Twice what a slow logger and an operator's hand leave.
@@ -32,18 +32,9 @@ def read_motion(case, data):
     end = float(data.get("end_s") or np.inf)
     time, door = table["time_s"], np.radians(table["door_deg"])
     drives = {"hoist_m": table["hoist_m"], "crowd_m": table["crowd_m"], "swing_rad": np.radians(table["swing_deg"])}
-    return PlannedMotion(time, drives, _passes(time, np.abs(door) > DOOR_OPEN_RAD, min(end, time[-1])))
-
-
-def _passes(time, is_open, end):
-    """A pass ends when the door has closed again, or with the run."""
-    passes, start = [], time[0]
-    opened = np.flatnonzero(np.diff(is_open.astype(int)) == 1) + 1
-    for k in opened[time[opened] <= end]:
-        closed = k + int(np.argmin(is_open[k:])) if not is_open[k:].all() else len(time) - 1
-        passes.append((float(start), float(min(time[closed], end))))
-        start = time[closed]
-    return tuple(passes)
+    end = min(end, time[-1])
+    run = np.append(time[time < end], end)
+    return PlannedMotion(time, drives, planned_passes(run, np.interp(run, time, door)))
 
 
 def compare_motion(measured, plan):

@@ -1,4 +1,4 @@
-"""The phases of passes, as `dipper phases` finds them in the driven signals (docs/metrics.md has the rules)."""
+"""Passes and their phases, as `dipper phases` finds them in the driven signals (docs/metrics.md has the rules)."""
 import functools
 
 import numpy as np
@@ -16,6 +16,12 @@ def find_phases(time_s, crowd_m, swing_rad, spans):
     """
     signals = (np.ascontiguousarray(x, float).tobytes() for x in (time_s, crowd_m, swing_rad))
     return [dict(found) for found in _asked(*signals, tuple((float(a), float(b)) for a, b in spans))]
+
+
+def planned_passes(time_s, door_rad):
+    """((start, end), ...) in s of the passes of a motion that end with a dump."""
+    told = ask("phases", "-", given={"time_s": time_s.tolist(), "door_rad": door_rad.tolist()})
+    return tuple((p["t_start_s"], p["t_end_s"]) for p in told["passes"])
 
 
 @functools.lru_cache(maxsize=64)  # many runs of a case have the same motion

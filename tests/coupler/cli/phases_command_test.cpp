@@ -59,6 +59,22 @@ TEST(PhasesCommand, OfReadingsAreThoseOfTheLibraryToTheBit) {
   }
 }
 
+TEST(PhasesCommand, OfAMotionAreThePassesThatItsDoorEnds) {
+  json answer;
+  ASSERT_EQ(
+      ask("-",
+          R"({"time_s": [0, 1, 2, 3, 4, 5, 6, 7], "door_rad": [0, 1, 0.02, 0, 0, 0.03, 0, 0]})",
+          answer),
+      0);
+  EXPECT_EQ(answer, json::parse(R"({"passes": [{"t_start_s": 0, "t_end_s": 2},
+                                               {"t_start_s": 2, "t_end_s": 6}]})"));
+  ASSERT_EQ(ask("-", R"({"time_s": [0, 1, 2], "door_rad": [0, 0, 1]})", answer), 0);
+  EXPECT_EQ(answer["passes"][0]["t_end_s"], 2) << "the door is open at the end";
+  ASSERT_EQ(ask("-", R"({"time_s": [0, 1], "door_rad": [0, 0]})", answer), 0);
+  EXPECT_TRUE(answer["passes"].empty()) << "never opened";
+  EXPECT_EQ(ask("-", R"({"time_s": [0, 1], "door_rad": [0]})", answer), 2);
+}
+
 TEST(PhasesCommand, RefusesWhatIsNoReadings) {
   json answer;
   json short_crowd = readings(), empty_pass = readings();
