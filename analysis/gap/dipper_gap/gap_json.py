@@ -11,7 +11,7 @@ SHOWN_P = 0.05  # cells whose adjusted p is larger are left out of `disagreement
 
 def as_json(out, catalogue, hashes):
     """The contract of docs/gap.md as a dict; numbers that do not exist are null."""
-    v = out.verdict
+    v = out.look.verdict
     lead = next(iter(out.effects), "")
     return {
         "verdict": v.verdict,
@@ -28,7 +28,7 @@ def as_json(out, catalogue, hashes):
         "runs": out.runs,
         "seeds": out.seeds,
         "hashes": hashes,
-        "omnibus_p": out.disagreement.omnibus_p,
+        "omnibus_p": out.look.disagreement.omnibus_p,
         "reasons": list(v.reasons),
         "intervals": {n: list(i) for n, i in out.intervals.items()},
         "second": out.second,
@@ -44,7 +44,7 @@ def _parameter(out, catalogue, name):
 
 
 def _disagreement(out):
-    d, cells = out.disagreement, out.training.baseline.cells
+    d, cells = out.look.disagreement, out.look.training.baseline.cells
     order = np.argsort(d.p_adjusted, kind="stable")
     return [{"pass": cells[i].pass_number, "phase": cells[i].phase, "channel": cells[i].channel,
              "feature": cells[i].feature, "z": float(d.z[i]), "p_adjusted": float(d.p_adjusted[i])}
@@ -53,7 +53,7 @@ def _disagreement(out):
 
 def _confusable(out, name):
     """What could be taken for the leading effect, the nearest first."""
-    t = out.table
+    t = out.look.table
     if not name:
         return []
     i = t.names.index(name)
@@ -63,7 +63,7 @@ def _confusable(out, name):
 
 
 def _gap(out):
-    z = out.disagreement.z
+    z = out.look.disagreement.z
     train, held = out.confirmed.get("training"), out.confirmed.get("holdout")
     return {"before": float(np.mean(z**2)), "after": train.after if train else None,
             "floor": train.floor if train else 1.0, "closure": train.closure if train else None,

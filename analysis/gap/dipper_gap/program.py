@@ -19,7 +19,7 @@ def program():
 
 
 def ask(*words, given=None, of=None):
-    """The JSON that `dipper WORDS` writes, to whom `given` is written as JSON. `of`: another program than `program()`."""
+    """The JSON that `dipper WORDS` writes, to whom `given` is written as JSON. `of`: another than `program()`."""
     return json.loads(tell(*words, given=given, of=of))
 
 

@@ -24,18 +24,19 @@ def page(out, answer, catalogue, case_name):
     shown = _plain({
         "effects": {n: {"title": e.title, "parameter": e.parameter, "unit": e.unit, "signature": e.signature,
                         "low": e.low, "high": e.high} for n, e in catalogue.items()},
-        "passes": {"training": out.training.passes, "holdout": out.holdout.passes},
+        "passes": {"training": out.look.training.passes, "holdout": out.look.holdout.passes},
         "stability": out.stability,
         "inflation": out.inflation,
         "phases": PHASES,
-        "rows": _rows(out.training.baseline.cells),
+        "rows": _rows(out.look.training.baseline.cells),
         "cell_p": CELL_P,
         "cells": _cells(out),
         "ranking": _ranking(out, catalogue),
-        "nothing": out.matched.probability["none"],
-        "unknown": out.matched.probability["unknown"],
-        "apart": {"names": out.table.names, "strengths": out.table.strengths, "d": out.table.d,
-                  "found_from": out.table.limits, "d_prime": out.table.d_prime, "confusable_below": CONFUSABLE},
+        "nothing": out.look.matched.probability["none"],
+        "unknown": out.look.matched.probability["unknown"],
+        "apart": {"names": out.look.table.names, "strengths": out.look.table.strengths, "d": out.look.table.d,
+                  "found_from": out.look.table.limits, "d_prime": out.look.table.d_prime,
+                  "confusable_below": CONFUSABLE},
         "closures": {name: {"before": c.before, "after": c.after, "floor": c.floor, "t2": c.t2, "rivals": c.rivals}
                      for name, c in out.confirmed.items()},
         "curves": [_of_pass(c) for c in sorted(out.curves, key=lambda c: (c.held_out, c.pass_number))],
@@ -54,11 +55,11 @@ def _rows(cells):
 def _cells(out):
     """Before and, once fresh runs have been made, after; the hold-out's have no p: they are not searched."""
     rows = [{**_cell(c), "z": z, "p_adjusted": p} for c, z, p in
-            zip(out.training.baseline.cells, out.disagreement.z, out.disagreement.p_adjusted)]
+            zip(out.look.training.baseline.cells, out.look.disagreement.z, out.look.disagreement.p_adjusted)]
     if not out.confirmed:
         return rows
     rows += [{**_cell(c), "z": z} for c, (z, _) in
-             zip(out.holdout.baseline.cells, out.confirmed["holdout"].z)]
+             zip(out.look.holdout.baseline.cells, out.confirmed["holdout"].z)]
     after = [z for name in ("training", "holdout") for _, z in out.confirmed[name].z]
     return [{**row, "z_after": z} for row, z in zip(rows, after)]
 
@@ -74,9 +75,9 @@ def _of_pass(c):
 
 def _ranking(out, catalogue):
     """Every effect that may be named, the likeliest first; its strength if it is there."""
-    m, rows = out.matched, []
-    for s in sorted(out.training.signatures, key=lambda s: -m.presence(s.name)):
-        low, middle, high = strength(m, s.name, out.training.signatures)
+    m, rows = out.look.matched, []
+    for s in sorted(out.look.training.signatures, key=lambda s: -m.presence(s.name)):
+        low, middle, high = strength(m, s.name, out.look.training.signatures)
         low, high = out.intervals.get(s.name, (low, high))
         rows.append({"effect": s.name, "probability": m.presence(s.name), "low": low, "high": high,
                      "estimate": out.effects.get(s.name, middle)})

@@ -101,8 +101,9 @@ class DipperSimulator(Simulator):
         return size["rocks"] * (size["steps"] + size["settle_steps"]) / ROCK_STEPS_PER_S
 
     def folder(self, r):
-        """Where a run is kept: by all that decides it, which a commit that leaves the sources as they are is not."""
-        text = f"{self.case_hash()}\n{self._told['source_hash']}\n{r}\n" + "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
+        """Where a run is kept: by all that decides it. Of the program that is its sources, not its commit."""
+        text = f"{self.case_hash()}\n{self._told['source_hash']}\n{r}\n"
+        text += "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
         return self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
 
     def plan(self, requests):

@@ -71,12 +71,7 @@ class Named:
 class Outcome:
     """Everything the report and gap.json are made of."""
 
-    training: Part
-    holdout: Part
-    disagreement: Disagreement
-    table: Isolability
-    matched: Match
-    verdict: Verdict
+    look: Look             # its verdict is the one after the confirmation
     effects: dict = field(default_factory=dict)     # {name: strength} of what is named, the first leads
     intervals: dict = field(default_factory=dict)
     stability: float = 0.0
@@ -109,16 +104,16 @@ def conclude(model, prediction, measured, runner):
     runner.say(f"gap: omnibus p {seen.disagreement.omnibus_p:.3g}; verdict {verdict.verdict}"
                + (f": {', '.join(verdict.members)}" if verdict.members else ""))
     runs = sum(r.how == "run" for r in model.plan.requests())
-    out = Outcome(**vars(seen), warnings=warnings(model, prediction, measured), inflation=model.inflation,
+    out = Outcome(seen, warnings=warnings(model, prediction, measured), inflation=model.inflation,
                   trucks=len(measured.trucks()), runs=runs,
                   seeds={"baseline": [r.seed for r in model.plan.baseline]})
     after = ()
     if verdict.verdict == "named":
         named = add_and_confirm(model, prediction, seen, runner)
         fresh, after = named.confirmation, named.confirmation.folders
-        out = replace(out, verdict=named.verdict, effects=named.effects, intervals=named.intervals,
-                      stability=named.stability, second=named.second, runs=runs + FRESH_SEEDS,
-                      confirmed={"training": fresh.training, "holdout": fresh.holdout},
+        out = replace(out, look=replace(seen, verdict=named.verdict), effects=named.effects,
+                      intervals=named.intervals, stability=named.stability, second=named.second,
+                      runs=runs + FRESH_SEEDS, confirmed={"training": fresh.training, "holdout": fresh.holdout},
                       seeds={**out.seeds, "fresh": fresh.seeds})
     elif verdict.verdict == "class":
         out = replace(out, intervals={n: interval(seen.matched, n, seen.training.signatures)
@@ -252,11 +247,11 @@ def _with_second(named, m, name, strength, interval90, catalogue):
 
 def experiments(out):
     """Experiments for whatever is still open: the class, or every effect that is not ruled out."""
-    if out.verdict.verdict in ("named", "no-gap"):
+    if out.look.verdict.verdict in ("named", "no-gap"):
         return []
-    names = out.verdict.members or [s.name for s in out.training.signatures]
-    weights = {n: out.matched.presence(n) for n in names}
-    if out.verdict.verdict != "class":  # hardly anything is known: the catalogue as it stands
+    names = out.look.verdict.members or [s.name for s in out.look.training.signatures]
+    weights = {n: out.look.matched.presence(n) for n in names}
+    if out.look.verdict.verdict != "class":  # hardly anything is known: the catalogue as it stands
         weights = {n: w + 1.0 / len(names) for n, w in weights.items()}
     return propose(weights)
 

@@ -144,7 +144,7 @@ def test_masses_alone_cannot_tell(tmp_path):
                                                         zip(runs.passes, (85.0 - 3.6, 80.0 + 2.4, 68.0 + 6.4))))
     write_measured(mine, tmp_path / "m")
     out = analyse(mine, MassOnly(), SMALL, 1, lambda _: None)
-    assert out.verdict.verdict != "named"
+    assert out.look.verdict.verdict != "named"
 
 
 def test_several_trucks_show_what_one_does_not():
@@ -168,6 +168,6 @@ def test_a_mine_may_log_less_than_the_model():
     mine = synthetic.with_noise(synthetic.run({"crowd_friction": 300}, seed=905), 5)
     only = {n: c for n, c in mine.channels.items() if n == "truck_mass_t"}
     out = analyse(mine.seen_by(only), fake_mine.FakeSimulator(), SMALL, 1, lambda text: None)
-    assert {c.channel for c in out.training.baseline.cells} == {"truck_mass_t"}
-    assert out.verdict.verdict == "no-gap"
+    assert {c.channel for c in out.look.training.baseline.cells} == {"truck_mass_t"}
+    assert out.look.verdict.verdict == "no-gap"
     page(out, answer(out), SMALL, "synthetic")
