@@ -1,4 +1,4 @@
-// Runs the plain LIGGGHTS binary for a test.
+// Runs LIGGGHTS for a test.
 #pragma once
 
 #include <unistd.h>
@@ -27,16 +27,22 @@ inline std::string read_text(const std::filesystem::path& file) {
   return out.str();
 }
 
+/// DIPPER_LIGGGHTS of the environment, or the plain binary.
+inline std::string liggghts_program() {
+  const char* own = std::getenv("DIPPER_LIGGGHTS");
+  return own != nullptr ? own : LIGGGHTS_BINARY;
+}
+
 /// Starts LIGGGHTS in the repository with the arguments, on `ranks` ranks. The screen goes to
 /// out/screen.txt, never to none: a mesh prints to it. Returns the exit status.
 inline int run_liggghts(const std::string& deck, const std::string& arguments, int ranks,
                         const std::filesystem::path& out) {
   const std::string mpi =
       ranks == 1 ? "" : "mpirun --allow-run-as-root --oversubscribe -np " + std::to_string(ranks);
-  const std::string command = "cd '" DIPPER_SOURCE "' && " + mpi + " '" LIGGGHTS_BINARY "' -in " +
-                              deck + " -var bench_cut '" BENCH_CUT "' -var out '" + out.string() +
-                              "' -log '" + (out / "log.txt").string() + "' " + arguments + " > '" +
-                              (out / "screen.txt").string() + "' 2>&1";
+  const std::string command = "cd '" DIPPER_SOURCE "' && " + mpi + " '" + liggghts_program() +
+                              "' -in " + deck + " -var bench_cut '" BENCH_CUT "' -var out '" +
+                              out.string() + "' -log '" + (out / "log.txt").string() + "' " +
+                              arguments + " > '" + (out / "screen.txt").string() + "' 2>&1";
   return std::system(command.c_str());
 }
 

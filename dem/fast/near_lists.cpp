@@ -1,0 +1,188 @@
+#include "dem/fast/near_lists.hpp"
+
+#include <atom.h>
+#include <error.h>
+#include <fix_contact_history.h>
+#include <mpi.h>
+#include <neigh_list.h>
+#include <neigh_request.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipper::dem {
+
+void NearLists::choose_build(int list, LAMMPS_NS::NeighRequest* request) {
+  Neighbor::choose_build(list, request);
+  const bool known = request->gran == 1 && request->omp == 0 && request->copy == 0 &&
+                     request->skip == 0 && request->ghost == 0 && style == 1 && newton_pair == 0 &&
+                     includegroup == 0;
+  if (known) pair_build[list] = static_cast<PairPtr>(&NearLists::build_near);
+}
+
+void NearLists::build(int topology) {
+  Neighbor::build(topology);
+  moved_ = 0;
+  known_ = false;
+}
+
+int NearLists::check_distance() {
+  // LIGGGHTS looks at every sphere in every step. No sphere can have gone half the skin before the
+  // fastest could have.
+  if (boxcheck != 0) return Neighbor::check_distance();
+  int far = 0;
+  if (!known_ || moved_ > 0.5 * skin) {
+    moved_ = farthest();
+    far = moved_ > 0.5 * skin ? 1 : 0;
+  }
+  known_ = false;
+  int any = 0;
+  MPI_Allreduce(&far, &any, 1, MPI_INT, MPI_MAX, world);
+  return any;
+}
+
+double NearLists::farthest() const {
+  double most = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double *x = atom->x[i], *was = xhold[i];
+    const double d[3] = {x[0] - was[0], x[1] - was[1], x[2] - was[2]};
+    most = std::max(most, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  }
+  return std::sqrt(most);
+}
+
+int NearLists::Level::bin(int axis, double x) const {
+  return std::clamp(static_cast<int>((x - lo[axis]) * per_m), 0, n[axis] - 1);
+}
+
+void NearLists::fill_levels() {
+  const int all = atom->nlocal + atom->nghost;
+  double smallest = kFar, largest = 0;
+  for (int i = 0; i < all; ++i) {
+    smallest = std::min(smallest, atom->radius[i]);
+    largest = std::max(largest, atom->radius[i]);
+  }
+  levels_.clear();
+  for (double r = smallest; all > 0; r *= kStep) {
+    levels_.emplace_back();
+    if (r * kStep > largest) break;
+  }
+  std::vector<int> level(static_cast<std::size_t>(all));
+  std::vector<std::vector<int>> of(levels_.size());
+  for (int i = 0; i < all; ++i) {
+    const auto l = static_cast<std::size_t>(std::log(atom->radius[i] / smallest) / std::log(kStep));
+    of[std::min(l, of.size() - 1)].push_back(i);
+  }
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    Level& to = levels_[l];
+    double hi[3] = {-kFar, -kFar, -kFar};
+    std::fill_n(to.lo, 3, kFar);
+    for (const int i : of[l]) {
+      to.largest_m = std::max(to.largest_m, atom->radius[i]);
+      for (int k = 0; k < 3; ++k) {
+        to.lo[k] = std::min(to.lo[k], atom->x[i][k]);
+        hi[k] = std::max(hi[k], atom->x[i][k]);
+      }
+    }
+    if (of[l].empty()) continue;
+    double wide = 2 * to.largest_m * contactDistanceFactor + skin;
+    const double most = 4.0 * all + 1000;  // bins: a rock far off must not ask for many
+    for (double count = kFar; count > most; wide *= 1.25) {
+      count = 1;
+      to.per_m = 1 / wide;
+      for (int k = 0; k < 3; ++k) {
+        const double n = std::floor((hi[k] - to.lo[k]) * to.per_m) + 1;
+        count *= n;
+        to.n[k] = static_cast<int>(std::min(n, most));
+      }
+    }
+    to.first.assign(static_cast<std::size_t>(to.n[0]) * to.n[1] * to.n[2] + 1, 0);
+    std::vector<int> bin_of(of[l].size());
+    for (std::size_t s = 0; s < of[l].size(); ++s) {
+      const double* x = atom->x[of[l][s]];
+      bin_of[s] = (to.bin(2, x[2]) * to.n[1] + to.bin(1, x[1])) * to.n[0] + to.bin(0, x[0]);
+      ++to.first[static_cast<std::size_t>(bin_of[s]) + 1];
+    }
+    for (std::size_t b = 1; b < to.first.size(); ++b) to.first[b] += to.first[b - 1];
+    to.spheres.resize(of[l].size());
+    std::vector<int> next(to.first.begin(), to.first.end() - 1);
+    for (std::size_t s = 0; s < of[l].size(); ++s) {
+      const int i = of[l][s];
+      const double* x = atom->x[i];
+      to.spheres[next[bin_of[s]]++] = {x[0], x[1], x[2], atom->radius[i], i};
+    }
+  }
+}
+
+void NearLists::build_near(LAMMPS_NS::NeighList* list) {
+  bin_atoms();  // the lists of the walls look there
+  fill_levels();
+  LAMMPS_NS::FixContactHistory* history = list->fix_history;
+  LAMMPS_NS::NeighList* contacts = list->listgranhistory;
+  const int width = history != nullptr ? contacts->dnum : 0;
+  list->ipage->reset();
+  if (history != nullptr) {
+    contacts->ipage->reset();
+    contacts->dpage->reset();
+  }
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const double *x = atom->x[i], r = atom->radius[i];
+    int* const near = list->ipage->vget();
+    int count = 0;
+    for (const Level& level : levels_) {
+      if (level.spheres.empty()) continue;
+      const double reach = (r + level.largest_m) * contactDistanceFactor + skin;
+      int lo[3], hi[3];
+      for (int k = 0; k < 3; ++k) {
+        lo[k] = level.bin(k, x[k] - reach);
+        hi[k] = level.bin(k, x[k] + reach);
+      }
+      for (int z = lo[2]; z <= hi[2]; ++z) {
+        for (int y = lo[1]; y <= hi[1]; ++y) {
+          const int row = (z * level.n[1] + y) * level.n[0];
+          const Near* const end = &level.spheres[0] + level.first[row + hi[0] + 1];
+          for (const Near* s = &level.spheres[0] + level.first[row + lo[0]]; s < end; ++s) {
+            const double dx = x[0] - s->x, dy = x[1] - s->y, dz = x[2] - s->z;
+            const double cut = (r + s->radius) * contactDistanceFactor + skin;
+            if (dx * dx + dy * dy + dz * dz > cut * cut || s->index <= i) continue;
+            if (exclude && exclusion(i, s->index, atom->type[i], atom->type[s->index], atom->mask,
+                                     atom->molecule))
+              continue;
+            near[count++] = s->index;
+            if (count == oneatom)
+              error->one(FLERR, "Neighbor list overflow, boost neigh_modify one");
+          }
+        }
+      }
+    }
+    std::sort(near, near + count);
+    list->ilist[i] = i;
+    list->firstneigh[i] = near;
+    list->numneigh[i] = count;
+    list->ipage->vgot(count);
+    if (history == nullptr) continue;
+    int* const touches = contacts->ipage->get(count);
+    double* const values = contacts->dpage->get(width * count);
+    std::fill_n(touches, count, 0);
+    std::fill_n(values, width * count, 0.0);
+    contacts->firstneigh[i] = touches;
+    contacts->firstdouble[i] = values;
+    for (int m = 0; m < history->n_partner(i); ++m) {
+      const int tag = history->partner(i, m);
+      for (int n = 0; n < count; ++n) {
+        const int j = near[n];
+        if (atom->tag[j] != tag) continue;
+        const double* y = atom->x[j];
+        const double d[3] = {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+        const double touch = (r + atom->radius[j]) * contactDistanceFactor;
+        if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] >= touch * touch) break;
+        touches[n] = 1;
+        std::copy_n(history->contacthistory(i, m), width, values + width * n);
+        break;
+      }
+    }
+  }
+  list->inum = atom->nlocal;
+}
+
+}  // namespace dipper::dem

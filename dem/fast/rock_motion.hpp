@@ -1,0 +1,76 @@
+// Moves spheres and multispheres through a step, in place of LIGGGHTS's three fixes for it.
+#pragma once
+
+#include <vector>
+
+namespace LAMMPS_NS {
+class Fix;
+class FixGravity;
+class FixMultisphere;
+class LAMMPS;
+}  // namespace LAMMPS_NS
+
+namespace dipper::dem {
+
+/// Does what `fix nve/sphere`, `fix multisphere` and `fix gravity` do between two force
+/// computations, sum for sum, so that every number is the same to the bit. What it leaves out is
+/// searching: LIGGGHTS looks up the body, the periodic image and the group of every sphere in each
+/// of seven passes over all of them. Here a body knows its spheres, held rock is not moved, and the
+/// spheres of bodies get the velocity of the step's end only when someone looks.
+class RockMotion {
+ public:
+  explicit RockMotion(LAMMPS_NS::LAMMPS& lmp) : lmp_(lmp) {}
+
+  /// At a run's begin, before LIGGGHTS lists which fixes to call. False when the deck has what this
+  /// does not know (another integrator, a periodic box, a rock stream): LIGGGHTS's fixes do it
+  /// then.
+  bool take_over();
+
+  /// Once lists are built: which spheres belong to which body, and who moves.
+  void gather();
+
+  LAMMPS_NS::FixMultisphere& bodies() { return *fix_bodies_; }
+
+  /// The first half of a step. Returns the largest speed of a sphere's centre, on this rank [m/s].
+  double initial_integrate();
+
+  /// The second half, from forces without gravity. `velocities`: spheres of bodies get theirs.
+  void final_integrate(bool velocities);
+
+  /// The same in LIGGGHTS's own way, for a step that wants its virial.
+  void library_initial_integrate(int vflag);
+  void library_final_integrate(int vflag);
+
+ private:
+  struct Sphere {
+    int index;
+    double dtf_m, dtf_I;  ///< half a step, over mass and over moment of inertia
+  };
+  /// Of the bodies on this rank, one entry a body.
+  struct Bodies {
+    int n = 0;
+    double **x = nullptr, **v = nullptr, **force = nullptr, **torque = nullptr;
+    double **angmom = nullptr, **omega = nullptr, **quat = nullptr, **inertia = nullptr;
+    double **ex = nullptr, **ey = nullptr, **ez = nullptr, *mass = nullptr;
+    bool **moves = nullptr, **turns = nullptr;
+  };
+
+  bool held(int body) const;
+  double move_spheres();
+  double move_bodies();
+  void kick_spheres();
+  void kick_bodies(bool velocities);
+
+  LAMMPS_NS::LAMMPS& lmp_;
+  LAMMPS_NS::FixMultisphere* fix_bodies_ = nullptr;
+  LAMMPS_NS::Fix* fix_spheres_ = nullptr;
+  LAMMPS_NS::FixGravity* fix_gravity_ = nullptr;
+  double g_[3] = {0, 0, 0};
+  std::vector<Sphere> free_;
+  std::vector<int> held_;  ///< single spheres that are not integrated but weigh
+  Bodies bodies_;
+  std::vector<int> first_, of_body_;  ///< spheres of body b: of_body_[first_[b] ... first_[b + 1]]
+  std::vector<double> place_;         ///< where they are in the body's axes, three numbers each [m]
+};
+
+}  // namespace dipper::dem
