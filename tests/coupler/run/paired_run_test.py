@@ -127,7 +127,7 @@ class PairedRun(RunTest):
             np.testing.assert_array_equal(a["time_s"][:], b["time_s"][:])
             np.testing.assert_array_equal(a["step_index"][:], b["step_index"][:])
             # To the bit up to the checkpoint. Then the lists are built at other steps: sums come in another
-            # order, and a new touch may be found a step earlier or later (docs/coupling.md).
+            # order, and a pair that touches again may remember more (docs/reliability.md).
             before = slice(0, np.searchsorted(b["time_s"][:], 1.8 + 1e-9))
             for name in ("bodies/dipper/pose", "bodies/dipper/wrench_mean", "machine/crowd_force"):
                 np.testing.assert_array_equal(a[name][before], b[name][before], name)
