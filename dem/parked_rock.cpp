@@ -50,6 +50,14 @@ void add_body(Multisphere& bodies, std::vector<double> packed) {
   ++number_of_bodies(bodies);
 }
 
+void renew_maps(LAMMPS_NS::LAMMPS& lmp) {
+  lmp.atom->map_init();
+  if (FixMultisphere* fix = multisphere_of(lmp)) {
+    fix->data().calc_nbody_all();
+    fix->data().generate_map();
+  }
+}
+
 RockNumbers::RockNumbers(ByteReader& in)
     : spheres_(in.get<std::size_t>()),
       size_(in.get<std::size_t>()),
@@ -91,9 +99,7 @@ void ParkedRock::change(const std::vector<Rest>& rest) {
   take_out(rest);
   put_back(rest);
   keep_history(rest);
-  // The map is as large as the largest id there was and the number of spheres ask for: after a
-  // resume that may be of rock that was parked.
-  lmp_.atom->map_init();
+  renew_maps(lmp_);
 }
 
 void ParkedRock::take_out(const std::vector<Rest>& rest) {

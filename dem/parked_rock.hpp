@@ -23,6 +23,11 @@ LAMMPS_NS::FixMultisphere* multisphere_of(LAMMPS_NS::LAMMPS& lmp);
 std::vector<double> packed_body(LAMMPS_NS::Multisphere& bodies, int body);
 void add_body(LAMMPS_NS::Multisphere& bodies, std::vector<double> packed);
 
+/// Makes LIGGGHTS's maps of ids anew for the spheres and multispheres that are in it. Theirs reach
+/// to the largest id there has been, which after a resume may be less than that of rock which comes
+/// back. Collective.
+void renew_maps(LAMMPS_NS::LAMMPS& lmp);
+
 /// Numbers of the rocks: a single sphere's is its id, a multisphere's follows on the largest id.
 /// The same on every rank, and for as long as no rock is inserted.
 class RockNumbers {

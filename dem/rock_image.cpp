@@ -115,7 +115,7 @@ void get_rock(LAMMPS_NS::LAMMPS& lmp, ByteReader& in) {
   for (std::size_t b = 0; b < bodies; ++b) add_body(fix->data(), in.get_all<double>());
   const LAMMPS_NS::bigint mine = atom->nlocal;
   MPI_Allreduce(&mine, &atom->natoms, 1, MPI_LMP_BIGINT, MPI_SUM, lmp.world);
-  atom->map_init();
+  renew_maps(lmp);
   lmp.update->integrate->setup_minimal(1);
 
   const auto sphere_loads = gathered(in.get_all<Load>(), lmp);

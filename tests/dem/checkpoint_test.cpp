@@ -1,13 +1,17 @@
 // A checkpoint changes nothing: a run that saves is the run that does not, to the bit; and a run
 // that goes on from one meets the same forces.
+#include <atom.h>
+#include <fix_multisphere.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <lammps.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "dem/liggghts_rock.hpp"
+#include "dem/parked_rock.hpp"
 #include "tests/dem/scene.hpp"
 #include "tests/dem/spheres.hpp"
 
@@ -131,11 +135,15 @@ TEST_P(Checkpoint, ChangesNothing) {
   EXPECT_LT(first, 1e-12);
   EXPECT_LT(moved, 1e-12);
 
-  // With all rock back, LIGGGHTS's map of ids reaches to the largest, as it did not when that one
-  // was parked in the restart file.
+  // With all rock back, LIGGGHTS's maps of ids reach to the largest, as they did not when that one
+  // was parked at the checkpoint.
   rock->state_hash();
   LAMMPS_NS::Atom& atom = *rock->liggghts().atom;
   EXPECT_GE(atom.map_tag_max, atom.tag_max());
+  if (LAMMPS_NS::FixMultisphere* fix = multisphere_of(rock->liggghts())) {
+    for (int b = 0; b < fix->data().n_body(); ++b)
+      EXPECT_EQ(fix->data().map(fix->data().tag(b)), b);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
