@@ -102,6 +102,12 @@ double ShovelKinematics::teeth_reach(double crowd) const {
   return (Vector2d(machine_.handle.reach_at_zero_crowd + crowd, 0) + end_to_teeth()).norm();
 }
 
+Vector2d ShovelKinematics::teeth(const Drives& drives) const {
+  const double saddle = saddle_angle(drives.hoist, drives.crowd);
+  const Vector2d out(machine_.handle.reach_at_zero_crowd + drives.crowd, 0);
+  return in_plane(machine_.saddle.position) + Eigen::Rotation2Dd(saddle) * (out + end_to_teeth());
+}
+
 Drives ShovelKinematics::teeth_at(const Vector2d& tip) const {
   const Vector2d arm = tip - in_plane(machine_.saddle.position), tool = end_to_teeth();
   const double along = arm.squaredNorm() - tool.y() * tool.y();

@@ -40,6 +40,10 @@ class ShovelKinematics {
   /// door are 0. Throws std::domain_error for a point nearer to the saddle than the dipper reaches.
   Drives teeth_at(const Eigen::Vector2d& tip) const;
 
+  /// Where the tooth tips are then, the same point the other way round; swing and door do not
+  /// count. Throws as saddle_angle does.
+  Eigen::Vector2d teeth(const Drives& drives) const;
+
   /// From the saddle to the tooth tips at a crowd [m].
   double teeth_reach(double crowd) const;
 

@@ -32,9 +32,10 @@ std::vector<ReturnLeg> return_legs(const Motion& motion) {
     opened = std::find_if(closed, x.end(), is_open);
     std::int64_t end_ns = motion.end_ns();
     if (opened != x.end()) {
-      const double in = std::min_element(closed, opened, crowd)->crowd + kNear_m;
+      const auto out = std::max_element(closed, opened, crowd);  // in the dig, or at its end
+      const double in = std::min_element(closed, out + 1, crowd)->crowd + kNear_m;
       const auto last =
-          std::find_if(std::make_reverse_iterator(opened), std::make_reverse_iterator(closed),
+          std::find_if(std::make_reverse_iterator(out + 1), std::make_reverse_iterator(closed),
                        [&](const Drives& d) { return d.crowd <= in; });
       end_ns = time(last.base() - 1);
     }

@@ -14,8 +14,9 @@ struct ReturnLeg {
 };
 
 /// One leg for every time the door opens and closes again, in order. The door counts as open beyond
-/// half of the furthest that the motion opens it. The end is the last time before the crowd goes
-/// out to the next opening at which it is within 1 mm of its least. None: the door stays as it is.
+/// half of the furthest that the motion opens it. The end is the last time at which the crowd is
+/// within 1 mm of its least before it is furthest out, in the next dig. None: the door stays as it
+/// is.
 std::vector<ReturnLeg> return_legs(const Motion& motion);
 
 }  // namespace dipper::machine

@@ -5,18 +5,24 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "common/angles.hpp"
 #include "common/case_lines.hpp"
 #include "common/seconds.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/stable_timestep.hpp"
 #include "machine/motion.hpp"
+#include "machine/swept_face.hpp"
 
 namespace dipper::check {
 namespace {
 
 using nlohmann::json;
+
+constexpr double kLeanPass =
+    0.5;  // of the dipper's struck volume: rock also comes in from the sides
 
 /// How much there is to compute.
 struct CaseSize {
@@ -45,6 +51,30 @@ std::string summary(const cases::Case& c) {
       "{:.0f} steps that settle the pile; the step is {:.0f} % of the largest stable one, {:.3g} s",
       s.rocks, s.simulated_s, s.steps, s.windows, c.coupling.sync_steps * c.dem.timestep_s * 1e3,
       s.settle_steps, 100 * c.dem.timestep_s / deck::stable_timestep(c), deck::stable_timestep(c));
+}
+
+/// What the teeth sweep under the bench as it is made, pass by pass, and whether that fills the
+/// dipper.
+void tell_digs(const cases::Case& c, Reporter& reporter) {
+  const machine::MachineData data = machine::load_machine(c.machine.model);
+  const machine::ShovelKinematics shovel(data, Pose{}, radians(c.machine.rake_angle_deg));
+  const auto face = [&](double heading_rad) {
+    const cases::BenchOutline section = deck::bench_along_boom(c, heading_rad);
+    return machine::TeethPath(section.begin(), section.end());
+  };
+  int number = 0;
+  for (const machine::SweptPass& pass :
+       swept_passes(machine::Motion::load(c.machine.motion), shovel, face)) {
+    const double volume_m3 = pass.area_m2 * data.dipper.inside.y();
+    reporter.line(fmt::format(
+        "pass {}: the teeth sweep {:.0f} m3{}, up to {:.1f} m deep; the dipper takes {:.0f} m3",
+        ++number, volume_m3, pass.first ? "" : " of what is left, if no rock comes down",
+        pass.deepest_m, data.dipper.struck_volume));
+    if (pass.first && volume_m3 < kLeanPass * data.dipper.struck_volume)
+      reporter.line(fmt::format(
+          "warning: pass {} cannot fill the dipper; plan it deeper or further out (docs/motion.md)",
+          number));
+  }
 }
 
 /// The case that was read, and what is wrong with it.
@@ -80,6 +110,7 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
     return std::nullopt;
   }
   reporter.line(c.name + " is sound: " + summary(c));
+  tell_digs(c, reporter);
   return std::move(c);
 }
 

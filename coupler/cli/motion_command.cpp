@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -29,15 +27,6 @@ machine::TeethPath points(const cases::BenchOutline& outline) {
   return {outline.begin(), outline.end()};
 }
 
-/// The bench's section along the boom: further out and flatter where the boom meets it aslant.
-machine::TeethPath pile_face(const cases::Case& c, double heading_rad) {
-  machine::TeethPath face = points(deck::bench_outline(c));
-  for (machine::Vector2d& p : face)
-    p.x() = (p.x() - c.machine.base_position_m.x()) / std::cos(heading_rad);
-  face.insert(face.begin(), {0, 0});
-  return face;
-}
-
 cases::Case load(const MotionOptions& o) {
   std::vector<Finding> findings;
   cases::Case c = cases::load_case(o.folder, overrides_of(o.set, "pile.height_m=9"), findings);
@@ -55,8 +44,8 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   const machine::ShovelKinematics shovel(data, X_W0, radians(c.machine.rake_angle_deg));
   const machine::PlanFile plan =
       machine::read_plan(plan_file, data, shovel, [&](const std::string& name, double heading_rad) {
-        return name == "pile" ? pile_face(c, heading_rad)
-                              : points(cases::read_outline(plan_file.parent_path() / name));
+        return points(name == "pile" ? deck::bench_along_boom(c, heading_rad)
+                                     : cases::read_outline(plan_file.parent_path() / name));
       });
   std::string text = fmt::format("# {}\n# Made of {} by dipper motion.\n", plan.source,
                                  plan_file.filename().string());

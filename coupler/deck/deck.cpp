@@ -245,6 +245,13 @@ cases::BenchOutline bench_outline(const cases::Case& c) {
   return {{s.toe_x_m, 0}, {s.toe_x_m + s.pour_run_m, s.height_m}, {s.rear_x_m, s.height_m}};
 }
 
+cases::BenchOutline bench_along_boom(const cases::Case& c, double heading_rad) {
+  cases::BenchOutline section = {{0, 0}};
+  for (const Eigen::Vector2d& p : bench_outline(c))
+    section.emplace_back((p.x() - c.machine.base_position_m.x()) / std::cos(heading_rad), p.y());
+  return section;
+}
+
 std::vector<ClassCount> rock_counts(const cases::Case& c) {
   const std::vector<RockClass> classes = rock_classes(c);
   const double mass = pile_shape(c).mass_kg;

@@ -33,4 +33,8 @@ PileShape pile_shape(const cases::Case& c);
 /// surface.
 cases::BenchOutline bench_outline(const cases::Case& c);
 
+/// Its section along the boom at a heading [rad], x from the swing axis: further out and flatter
+/// where the boom meets it aslant.
+cases::BenchOutline bench_along_boom(const cases::Case& c, double heading_rad);
+
 }  // namespace dipper::deck
