@@ -15,6 +15,7 @@
 #include "dem/fast/near_lists.hpp"
 #include "dem/fast/pair_forces.hpp"
 #include "dem/fast/rock_order.hpp"
+#include "dem/fast/wall_history.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -30,6 +31,7 @@ void speed_up(LAMMPS_NS::LAMMPS& lmp) {
   delete lmp.update->integrate;
   lmp.update->integrate = new RockLoop(&lmp, *lists);
   register_pair_forces();
+  use_wall_history();
 }
 
 RockLoop::RockLoop(LAMMPS_NS::LAMMPS* l, NearLists& lists)
