@@ -48,6 +48,7 @@ double resumed_from_s(const run::RunFolder& folder, const cases::Case& c) {
 }
 
 int run(const RunOptions& o, Reporter& reporter) {
+  launch::catch_interrupts();  // from the first word on: who reads them may be gone
   std::vector<cases::Override> set = overrides_of(o.set, "coupling.scheme=serial");
   if (o.ranks > 0) set.push_back({"dem.ranks", std::to_string(o.ranks)});
   if (o.seed) set.push_back({"seed", std::to_string(*o.seed)});
@@ -72,7 +73,6 @@ int run(const RunOptions& o, Reporter& reporter) {
     for (const auto& line : changed)
       reporter.error(fmt::format("not as in {}: {}", out.string(), line));
     if (!changed.empty()) return 2;
-    launch::catch_interrupts();
     enter_own_network(reporter);
     return static_cast<int>(run::paired_run(*c, folder, o.resume, reporter));
   } catch (const InputError& e) {

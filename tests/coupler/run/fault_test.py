@@ -7,6 +7,7 @@ import shutil
 import signal
 import time
 import unittest
+import unittest.mock
 
 import h5py
 
@@ -199,11 +200,10 @@ class Faults(RunTest):
         if instead:
             (programs / "liggghts").write_text(f"#!/bin/sh\nscreen=$6\n{instead}\n")
             (programs / "liggghts").chmod(0o755)
-        for key, value in (("XDG_CACHE_HOME", str(self.folder / "cache")),
-                           ("PATH", f"{programs}:{os.environ['PATH']}")):
-            before = os.environ.get(key)
-            os.environ[key] = value
-            self.addCleanup(os.environ.__setitem__, key, before)
+        changed = unittest.mock.patch.dict(os.environ, XDG_CACHE_HOME=str(self.folder / "cache"),
+                                           PATH=f"{programs}:{os.environ['PATH']}")
+        changed.start()
+        self.addCleanup(changed.stop)
         out = self.folder / name
         return self.start(out, "--set", "end_s=0.03", "--set", "coupling.timeout_s=4", *arguments), out
 
