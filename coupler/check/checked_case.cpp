@@ -21,8 +21,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kLeanPass =
-    0.5;  // of the dipper's struck volume: rock also comes in from the sides
+// Of the dipper's struck volume: rock also comes in from the sides.
+constexpr double kLeanPass = 0.5;
 
 /// How much there is to compute.
 struct CaseSize {
@@ -58,10 +58,7 @@ std::string summary(const cases::Case& c) {
 void tell_digs(const cases::Case& c, Reporter& reporter) {
   const machine::MachineData data = machine::load_machine(c.machine.model);
   const machine::ShovelKinematics shovel(data, Pose{}, radians(c.machine.rake_angle_deg));
-  const auto face = [&](double heading_rad) {
-    const cases::BenchOutline section = deck::bench_along_boom(c, heading_rad);
-    return machine::TeethPath(section.begin(), section.end());
-  };
+  const auto face = [&](double heading_rad) { return deck::bench_along_boom(c, heading_rad); };
   int number = 0;
   for (const machine::SweptPass& pass :
        swept_passes(machine::Motion::load(c.machine.motion), shovel, face)) {

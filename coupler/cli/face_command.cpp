@@ -9,10 +9,11 @@
 #include <stdexcept>
 
 #include "analysis/io/dump_folder.hpp"
-#include "analysis/rock/face_section.hpp"
+#include "analysis/metrics/pile_surface.hpp"
 #include "common/angles.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
+#include "common/json_values.hpp"
 #include "coupler/cli/number_option.hpp"
 
 namespace dipper::cli {
@@ -26,27 +27,28 @@ struct FaceOptions {
   double at_s = 1e300, heading_deg = 0;
 };
 
-std::vector<Sphere> spheres(const io::DumpFrame& frame) {
-  std::vector<Sphere> all;
-  io::DumpReader::read(frame, {"x", "y", "z", "radius"}, [&](const io::ParticleChunk& c) {
-    for (std::size_t i = 0; i < c.rows; ++i)
-      all.push_back({{c.columns[0][i], c.columns[1][i], c.columns[2][i]}, c.columns[3][i]});
-  });
-  return all;
+/// In steps of 0.1 m, of the rock as wide as the dipper along the boom: x out from the swing axis,
+/// z over the ground. Throws std::invalid_argument when there is no rock there.
+rock::SurfaceProfile face_along(const io::DumpFrame& frame, const Pose& X_WBoom) {
+  constexpr double kFar_m = 1e6, kHalfWidth_m = 2;
+  const rock::Region near{{0, -kHalfWidth_m, -kFar_m}, {kFar_m, kHalfWidth_m, kFar_m}};
+  rock::SurfaceOptions options;
+  options.step_m = 0.1;
+  options.cell_m = 0.05;
+  return rock::surface_profile(metrics::balls_in(frame, near, X_WBoom), options);
 }
 
 int face_command(const FaceOptions& o, Reporter& reporter) {
   const io::DumpFolder dumps = io::open_dump_folder(o.run);
   const std::size_t frame = dumps.nearest(std::min(o.at_s, dumps.time_s.back()));
   const CaseLines text = CaseLines::read(fs::path(o.run) / "case.txt");
-  rock::BoomPlane plane;
+  Pose X_WBoom;
+  X_WBoom.R = from_rotation_vector({0, 0, radians(o.heading_deg)});
   if (const CaseLine* base = text.find("machine.base_position_m")) {
-    const auto p_WH = nlohmann::json::parse(base->value).get<std::vector<double>>();
-    plane.base_x_m = p_WH.at(0);
-    plane.base_y_m = p_WH.at(1);
+    const Vector3d p_WH = vector_from(nlohmann::json::parse(base->value));
+    X_WBoom.p = {p_WH.x(), p_WH.y(), 0};
   }
-  plane.heading_rad = radians(o.heading_deg);
-  const rock::SurfaceProfile face = rock::face_section(spheres(dumps.frames[frame]), plane);
+  const rock::SurfaceProfile face = face_along(dumps.frames[frame], X_WBoom);
   std::string csv = fmt::format(
       "# {} at {:.2f} s: rock along the boom at {:g} deg, x from the swing axis, by dipper face\n"
       "x_m,z_m\n",

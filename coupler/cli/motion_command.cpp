@@ -23,10 +23,6 @@ struct MotionOptions {
   std::vector<std::string> set;
 };
 
-machine::TeethPath points(const cases::BenchOutline& outline) {
-  return {outline.begin(), outline.end()};
-}
-
 cases::Case load(const MotionOptions& o) {
   std::vector<Finding> findings;
   cases::Case c = cases::load_case(o.folder, overrides_of(o.set, "pile.height_m=9"), findings);
@@ -44,8 +40,8 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   const machine::ShovelKinematics shovel(data, X_W0, radians(c.machine.rake_angle_deg));
   const machine::PlanFile plan =
       machine::read_plan(plan_file, data, shovel, [&](const std::string& name, double heading_rad) {
-        return points(name == "pile" ? deck::bench_along_boom(c, heading_rad)
-                                     : cases::read_outline(plan_file.parent_path() / name));
+        return name == "pile" ? deck::bench_along_boom(c, heading_rad)
+                              : cases::read_outline(plan_file.parent_path() / name);
       });
   std::string text = fmt::format("# {}\n# Made of {} by dipper motion.\n", plan.source,
                                  plan_file.filename().string());

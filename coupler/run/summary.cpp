@@ -31,6 +31,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
   drive.time_s = signals.time_s;
   drive.crowd_m = record::read_channel(record, "machine/crowd");
   drive.swing_rad = record::read_channel(record, "machine/swing");
+  const TeethDeviation teeth(record, c);
   for (const auto& found : analysis::signals::find_pass_phases(signals, drive)) {
     const auto& p = found.pass;
     json row = {{"pass", p.pass},
@@ -46,7 +47,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
     if (found.dig_phases_force_mean_N)
       row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
     if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
-    if (const auto dig = found.dig()) row["teeth_deviation_m"] = teeth_deviation(record, c, *dig);
+    if (const auto dig = found.dig()) row["teeth_deviation_m"] = teeth.most(*dig);
     passes.push_back(row);
   }
   const double sim_s = signals.time_s.empty() ? 0.0 : signals.time_s.back();

@@ -4,24 +4,24 @@
 #include <cmath>
 
 #include "common/angles.hpp"
-#include "common/record/record.hpp"
-#include "machine/kinematics.hpp"
 
 namespace dipper::run {
 
-double teeth_deviation(const std::filesystem::path& record, const cases::Case& c,
-                       const analysis::signals::Phase& phase) {
-  const machine::ShovelKinematics taut(machine::load_machine(c.machine.model), Pose{},
-                                       radians(c.machine.rake_angle_deg));
-  const auto time_s = record::read_channel(record, "time_s");
-  const auto hoist = record::read_channel(record, "machine/hoist");
-  const auto crowd = record::read_channel(record, "machine/crowd");
-  const auto saddle = record::read_channel(record, "machine/saddle_pitch");
+TeethDeviation::TeethDeviation(const std::filesystem::path& record, const cases::Case& c)
+    : taut_(machine::load_machine(c.machine.model), Pose{}, radians(c.machine.rake_angle_deg)),
+      columns_(record) {
+  for (const char* channel : {"time_s", "machine/hoist", "machine/crowd", "machine/saddle_pitch"})
+    columns_.read(channel);
+}
+
+double TeethDeviation::most(const analysis::signals::Phase& phase) const {
+  const auto time_s = columns_.get("time_s"), hoist = columns_.get("machine/hoist"),
+             crowd = columns_.get("machine/crowd"), saddle = columns_.get("machine/saddle_pitch");
   double most = 0;
-  for (std::size_t i = 0; i < saddle.size(); ++i) {
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
     if (time_s[i] < phase.t_start_s || time_s[i] > phase.t_end_s) continue;
-    const double turn = saddle[i] - taut.saddle_angle(hoist[i], crowd[i]);
-    most = std::max(most, std::abs(turn) * taut.teeth_reach(crowd[i]));
+    const double turn = saddle[i] - taut_.saddle_angle(hoist[i], crowd[i]);
+    most = std::max(most, std::abs(turn) * taut_.teeth_reach(crowd[i]));
   }
   return most;
 }
