@@ -15,11 +15,14 @@
 #include <update.h>
 #include <vector_liggghts.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iostream>
 #include <string>
 #include <vector>
+
+#include "dem/fast/close_pairs.hpp"
 
 // These count on what the headers above bring in.
 #include <contact_models.h>
@@ -39,10 +42,16 @@ struct Law {
   double kn, kt, gamma_n, gamma_t, friction, rolling;
 };
 
+/// What the contacts of a sphere read of it, together in memory.
+struct alignas(32) Sphere {
+  double x[3], radius, v[3], mass, omega[3];
+  int type;
+};
+
 /// What a step's loop works on.
 struct Pass {
   const LAMMPS_NS::Atom& atom;
-  const LAMMPS_NS::NeighList& list;
+  const Sphere* spheres;
   const LAMMPS_NS::NeighList& contacts;  ///< history: shear [m], rolling torque [N m], ...
   const std::vector<Law>& laws;          ///< by type and type
   int types, width;                      ///< numbers a contact in the history
@@ -52,6 +61,7 @@ struct Pass {
 
 constexpr int kTouching = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL | CONTACT_ROLLING_MODEL;
 constexpr int kBatch = 64;
+constexpr double kCloseness = 0.125;  ///< of the skin
 
 /// Contacts of spheres i and j, a number of each after the other, as the processor likes them. Of
 /// vectors, x, y and z. Most of the time goes into waiting for memory: so loads are made together,
@@ -76,24 +86,23 @@ struct Batch {
 
 void Batch::load(const Pass& p) {
   for (int c = 0; c < n; ++c) {
-    const int a = i[c], b = j[c];
-    const Law& law = p.laws[static_cast<std::size_t>(p.atom.type[a] * p.types + p.atom.type[b])];
-    mi[c] = p.atom.rmass[a];
-    mj[c] = p.atom.rmass[b];
-    ri[c] = p.atom.radius[a];
-    rj[c] = p.atom.radius[b];
+    const Sphere &a = p.spheres[i[c]], &b = p.spheres[j[c]];
+    const Law& law = p.laws[static_cast<std::size_t>(a.type * p.types + b.type)];
+    mi[c] = a.mass;
+    mj[c] = b.mass;
+    ri[c] = a.radius;
+    rj[c] = b.radius;
     kn[c] = law.kn;
     kt[c] = law.kt;
     gamma_n[c] = law.gamma_n;
     gamma_t[c] = law.gamma_t;
     friction[c] = law.friction;
     rolling[c] = law.rolling;
-    const double *va = p.atom.v[0] + 3 * a, *vb = p.atom.v[0] + 3 * b;
-    const double *wa = p.atom.omega[0] + 3 * a, *wb = p.atom.omega[0] + 3 * b;
     for (int k = 0; k < 3; ++k) {
-      v[k][c] = va[k] - vb[k];
-      wi[k][c] = wa[k];
-      wj[k][c] = wb[k];
+      d[k][c] = a.x[k] - b.x[k];
+      v[k][c] = a.v[k] - b.v[k];
+      wi[k][c] = a.omega[k];
+      wj[k][c] = b.omega[k];
       shear[k][c] = history[c][k];
       roll[k][c] = history[c][3 + k];
     }
@@ -200,34 +209,49 @@ void Batch::store(const Pass& p) {
   n = 0;
 }
 
-void add_forces(const Pass& p) {
+void gather(const LAMMPS_NS::Atom& atom, std::vector<Sphere>& to) {
+  to.resize(static_cast<std::size_t>(atom.nlocal + atom.nghost));
+  const double *x = atom.x[0], *v = atom.v[0], *omega = atom.omega[0];
+  for (Sphere& s : to) {
+    const std::ptrdiff_t i = &s - to.data();
+    for (int k = 0; k < 3; ++k) {
+      s.x[k] = x[3 * i + k];
+      s.v[k] = v[3 * i + k];
+      s.omega[k] = omega[3 * i + k];
+    }
+    s.radius = atom.radius[i];
+    s.mass = atom.rmass[i];
+    s.type = atom.type[i];
+  }
+}
+
+void add_forces(const Pass& p, const std::vector<ClosePair>& pairs) {
   static Batch batch;  // what is left of earlier contacts fills a last batch
   const auto flush = [&] {
     batch.load(p);
     batch.compute(p.dt, p.limit, p.remember);
     batch.store(p);
   };
-  const double *x = p.atom.x[0], *radius = p.atom.radius;
-  for (int k = 0; k < p.list.inum; ++k) {
-    const int i = p.list.ilist[k], count = p.list.numneigh[i];
-    const int* const near = p.list.firstneigh[i];
-    const double xi[3] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]}, ri = radius[i];
-    for (int n = 0; n < count; ++n) {
-      const int j = near[n];
-      const double dx = xi[0] - x[3 * j], dy = xi[1] - x[3 * j + 1], dz = xi[2] - x[3 * j + 2];
-      const double sum = ri + radius[j];
-      if (dx * dx + dy * dy + dz * dz >= sum * sum) continue;
-      const int c = batch.n++;
-      batch.i[c] = i;
-      batch.j[c] = j;
-      batch.d[0][c] = dx;
-      batch.d[1][c] = dy;
-      batch.d[2][c] = dz;
-      batch.history[c] = p.contacts.firstdouble[i] + static_cast<std::ptrdiff_t>(p.width) * n;
-      __builtin_prefetch(batch.history[c], 1);
-      p.contacts.firstneigh[i][n] |= kTouching;
-      if (batch.n == kBatch) flush();
+  for (const auto [i, j, n] : pairs) {
+    const Sphere &a = p.spheres[i], &b = p.spheres[j];
+    const double dx = a.x[0] - b.x[0], dy = a.x[1] - b.x[1], dz = a.x[2] - b.x[2];
+    const double sum = a.radius + b.radius;
+    int& touched = p.contacts.firstneigh[i][n];
+    double* const history = p.contacts.firstdouble[i] + static_cast<std::ptrdiff_t>(p.width) * n;
+    if (dx * dx + dy * dy + dz * dz >= sum * sum) {
+      // A pair that has parted starts anew when it touches again. LIGGGHTS lets it take up what it
+      // had unless the lists were built between (docs/reliability.md, "Going on").
+      if (touched != 0) std::fill_n(history, p.width, 0.0);
+      touched = 0;
+      continue;
     }
+    const int c = batch.n++;
+    batch.i[c] = i;
+    batch.j[c] = j;
+    batch.history[c] = history;
+    __builtin_prefetch(history, 1);
+    touched |= kTouching;
+    if (batch.n == kBatch) flush();
   }
   if (batch.n > 0) flush();
 }
@@ -257,16 +281,20 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
 
   void compute_force(LAMMPS_NS::PairGran* pair, int energy, int virial, int add) override {
     const bool known = plain_ && energy == 0 && virial == 0 && add == 0 &&
-                       pair->computeflag() != 0 && lmp_.neighbor->contactDistanceFactor == 1 &&
-                       pair->freeze_group_bit() == 0 && !pair->storeContactForces() &&
-                       !pair->storeContactForcesStress() && !pair->storeSumDelta() &&
-                       !pair->store_sum_normal_force() && pair->fr_pair() == nullptr &&
+                       pair->computeflag() != 0 && pair->freeze_group_bit() == 0 &&
+                       !pair->storeContactForces() && !pair->storeContactForcesStress() &&
+                       !pair->storeSumDelta() && !pair->store_sum_normal_force() &&
+                       pair->fr_pair() == nullptr &&
                        lmp_.modify->n_fixes_style("insert/stream/predefined") == 0 &&
                        lmp_.modify->n_fixes_style("relax") == 0;
     if (!known) return Granular::compute_force(pair, energy, virial, add);
     pair->evflag = pair->vflag_fdotr = 0;
-    add_forces({*lmp_.atom, *pair->list, *pair->listgranhistory, laws_, types_, pair->dnum(),
-                lmp_.update->dt, limit_, pair->shearupdate() != 0});
+    const LAMMPS_NS::Neighbor& lists = *lmp_.neighbor;
+    gather(*lmp_.atom, spheres_);
+    add_forces({*lmp_.atom, spheres_.data(), *pair->listgranhistory, laws_, types_, pair->dnum(),
+                lmp_.update->dt, limit_, pair->shearupdate() != 0},
+               close_.now(*lmp_.atom, *pair->list, *pair->listgranhistory, lists.skin * kCloseness,
+                          lists.ago == 0));
   }
 
  private:
@@ -292,6 +320,8 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
   int types_ = 0;
   double** tables_[6] = {};  ///< LIGGGHTS's
   std::vector<Law> laws_;
+  std::vector<Sphere> spheres_;
+  ClosePairs close_;
 };
 
 LIGGGHTS::PairStyles::IGranularPairStyle* make_pair(LAMMPS_NS::LAMMPS* lmp,

@@ -35,7 +35,7 @@ std::vector<std::vector<double>> end_of(const std::string& program, int ranks,
       ranks == 1 ? "" : fmt::format("mpirun --allow-run-as-root --oversubscribe -np {}", ranks);
   const std::string command = fmt::format(
       "cd '{0}' && {1} '{2}' -in '{3}/fast.in' -var folder '{3}' -var rock {4} -var out . -var "
-      "run_steps 0 -log log.txt > screen.txt 2>&1",
+      "run_steps 0 -var near 1.02 -log log.txt > screen.txt 2>&1",
       out.string(), mpi, program, DIPPER_DEM_TESTS, rock);
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   std::ifstream in(out / "rock_2500.dump");
