@@ -50,21 +50,8 @@ class Scenario {
 
  private:
   RockSetup setup() const {
-    RockSetup s = scene_.setup("bed.in");
-    s.bodies = {"paddle"};
-    s.variables.push_back({"rock", kind_});
-    s.variables.push_back({"floor", scene_.stl("floor", test::box(Vector3d(-1.5, -1.5, -0.3),
-                                                                  Vector3d(1.5, 1.5, 0)))});
-    s.variables.push_back({"paddle", scene_.stl("paddle", test::box(Vector3d(-0.3, -0.3, -0.3),
-                                                                    Vector3d(0.3, 0.3, 0.3)))});
-    if (hold_) {  // much rests soon, and is woken by the paddle
-      HoldSettings& hold = s.hold.emplace();
-      hold.below_m_s = 1;
-      hold.rest_s = 0.05;
-      hold.margin_m = 0.2;
-      hold.layer_m = 0.1;
-      hold.gather_s = 0.02;
-    }
+    RockSetup s = scene_.bed(kind_);
+    if (hold_) s.hold = test::lively_hold();
     return s;
   }
 

@@ -73,14 +73,7 @@ TEST_P(ClearStart, TakesOutTheRockInTheWallsAndNoOther) {
   std::map<int, Sphere> before;
   test::Momentum all;
   {
-    RockSetup bed = scene.setup("bed.in");
-    bed.bodies = {"paddle"};
-    bed.variables.push_back({"rock", kind});
-    bed.variables.push_back(
-        {"floor", scene.stl("floor", test::box({-1.5, -1.5, -0.3}, {1.5, 1.5, 0}))});
-    bed.variables.push_back(
-        {"paddle", scene.stl("paddle", test::box({-0.3, -0.3, -0.3}, {0.3, 0.3, 0.3}))});
-    LiggghtsRock rock(bed, MPI_COMM_WORLD);
+    LiggghtsRock rock(scene.bed(kind), MPI_COMM_WORLD);
     const Pose far{Quaterniond::Identity(), {0, 0, 7}};
     rock.place({far});
     for (int k = 0; k < 30; ++k) rock.step(100, {far});  // 0.3 s: rock lies upon rock

@@ -21,13 +21,7 @@ class ContactPause : public testing::TestWithParam<const char*> {
   const std::filesystem::path bed_ = scene_.folder() / "bed.restart";
 
   void SetUp() override {
-    RockSetup bed = scene_.setup("bed.in");
-    bed.bodies = {"paddle"};
-    bed.variables.push_back({"rock", kind_});
-    bed.variables.push_back(
-        {"floor", scene_.stl("floor", test::box({-1.5, -1.5, -0.3}, {1.5, 1.5, 0}))});
-    bed.variables.push_back({"paddle", block()});
-    LiggghtsRock rock(bed, MPI_COMM_WORLD);
+    LiggghtsRock rock(scene_.bed(kind_), MPI_COMM_WORLD);
     rock.place({kFar});
     for (int k = 0; k < 30; ++k) rock.step(100, {kFar});
     rock.save(bed_);

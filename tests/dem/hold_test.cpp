@@ -59,13 +59,7 @@ class Bed {
 
  private:
   RockSetup setup(const std::string& kind, double rest_s) const {
-    RockSetup s = scene_.setup("bed.in");
-    s.bodies = {"paddle"};
-    s.variables.push_back({"rock", kind});
-    s.variables.push_back({"floor", scene_.stl("floor", test::box(Vector3d(-1.5, -1.5, -0.3),
-                                                                  Vector3d(1.5, 1.5, 0)))});
-    s.variables.push_back({"paddle", scene_.stl("paddle", test::box(Vector3d(-0.3, -0.3, -0.3),
-                                                                    Vector3d(0.3, 0.3, 0.3)))});
+    RockSetup s = scene_.bed(kind);
     HoldSettings& hold = s.hold.emplace();
     // Nothing is ever too fast, so all of it is held at the same time, and by then it is at rest.
     hold.below_m_s = 20;

@@ -58,10 +58,31 @@ class Scene {
     return s;
   }
 
+  /// bed.in: rock of a kind poured onto a floor, and a paddle, a cube of 0.6 m.
+  dem::RockSetup bed(const std::string& kind) const {
+    dem::RockSetup s = setup("bed.in");
+    s.bodies = {"paddle"};
+    s.variables.push_back({"rock", kind});
+    s.variables.push_back({"floor", stl("floor", box({-1.5, -1.5, -0.3}, {1.5, 1.5, 0}))});
+    s.variables.push_back({"paddle", stl("paddle", box({-0.3, -0.3, -0.3}, {0.3, 0.3, 0.3}))});
+    return s;
+  }
+
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
   std::filesystem::path folder_;
 };
+
+/// Much of a bed rests soon, and is woken by the paddle.
+inline dem::HoldSettings lively_hold() {
+  dem::HoldSettings hold;
+  hold.below_m_s = 1;
+  hold.rest_s = 0.05;
+  hold.margin_m = 0.2;
+  hold.layer_m = 0.1;
+  hold.gather_s = 0.02;
+  return hold;
+}
 
 }  // namespace dipper::test
