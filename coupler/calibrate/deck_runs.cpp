@@ -15,7 +15,6 @@
 #include "common/cache_entry.hpp"
 #include "common/cache_folder.hpp"
 #include "common/installation.hpp"
-#include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/interrupt.hpp"
@@ -64,8 +63,8 @@ class WrittenDeck {
 
 /// Of case.in only what the calibration decks read: the rest is the bench and the machine.
 std::string run_hash(const DeckRun& run, const fs::path& deck) {
-  std::string all =
-      fmt::format("LIGGGHTS 3.8.0\nseed {}\ntimestep {:.17g}\n", run.c.seed, run.c.dem.timestep_s);
+  std::string all = fmt::format("{}\nseed {}\ntimestep {:.17g}\n", deck::kSettler, run.c.seed,
+                                run.c.dem.timestep_s);
   for (const auto& [name, value] : run.variables) all += name + ' ' + value + '\n';
   return deck_hash(all, scripts(run), deck);
 }
@@ -89,12 +88,14 @@ struct Active {
 
 std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
   // Started in its own folder: on an error LIGGGHTS leaves a restart file where it stands.
-  const std::string binary =
-      deck::sticks(run.c) ? installed_program("dipper-liggghts") : "liggghts";
-  std::vector<std::string> words = {
-      "env",  "-C",           work.string(), binary,   "-in",  "dem_in/" + run.deck + ".in",
-      "-log", "liggghts.log", "-screen",     "screen", "-var", "deck",
-      "deck", "-var",         "out",         "."};
+  std::vector<std::string> words = {"env",         "-C",
+                                    work.string(), installed_program("dipper-liggghts"),
+                                    "-in",         "dem_in/" + run.deck + ".in",
+                                    "-log",        "liggghts.log",
+                                    "-screen",     "screen",
+                                    "-var",        "deck",
+                                    "deck",        "-var",
+                                    "out",         "."};
   for (const auto& [name, value] : run.variables) words.insert(words.end(), {"-var", name, value});
   return words;
 }

@@ -9,6 +9,10 @@
 
 namespace dipper::deck {
 
+/// The program that settles rock, dipper-liggghts, in a word that what it settled is kept by: it
+/// changes with the order of its sums.
+constexpr const char* kSettler = "LIGGGHTS 3.8.0, loop 1";
+
 /// How many rocks of one class the pour holds.
 struct ClassCount {
   std::string name;

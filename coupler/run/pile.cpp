@@ -14,7 +14,7 @@
 #include "common/case_lines.hpp"
 #include "common/installation.hpp"
 #include "coupler/deck/bench_cut.hpp"
-#include "coupler/deck/contact_table.hpp"
+#include "coupler/deck/deck.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/hang_watch.hpp"
 #include "coupler/launch/interrupt.hpp"
@@ -27,7 +27,7 @@ namespace {
 /// Everything the bench depends on: the case's keys about rock, its bench and the DEM, the deck
 /// that settles it, the files that deck includes, and the program that runs it.
 std::string pile_hash(const cases::Case& c, const fs::path& deck) {
-  std::string all = fmt::format("LIGGGHTS 3.8.0, bench-cut {}\n", deck::kBenchCutVersion);
+  std::string all = fmt::format("{}, bench-cut {}\n", deck::kSettler, deck::kBenchCutVersion);
   for (const CaseLine& line : CaseLines(c.text)) {
     // Of the dig, not of the settling; or a path, which says where a file is, not what is in it:
     // the deck's spheres, outline and surface are hashed below.
@@ -84,14 +84,13 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
   const auto began = std::chrono::steady_clock::now();
   const auto settle = [&](const fs::path& out) {
     const fs::path screen = logs / "settle.screen";
-    const std::string binary = deck::sticks(c) ? installed_program("dipper-liggghts") : "liggghts";
     const Links links(out, deck);
     std::vector<std::string> command = {"env", "-C", out.string()};
-    for (std::string& word :
-         launch::mpirun(c.dem.ranks, {binary, "-in", "dem_in/settle.in", "-log",
-                                      fs::absolute(logs / "settle.liggghts").string(), "-screen",
-                                      fs::absolute(screen).string(), "-var", "deck", "deck", "-var",
-                                      "out", ".", "-var", "bench_cut", "./bench-cut"}))
+    for (std::string& word : launch::mpirun(
+             c.dem.ranks, {installed_program("dipper-liggghts"), "-in", "dem_in/settle.in", "-log",
+                           fs::absolute(logs / "settle.liggghts").string(), "-screen",
+                           fs::absolute(screen).string(), "-var", "deck", "deck", "-var", "out",
+                           ".", "-var", "bench_cut", "./bench-cut"}))
       command.push_back(std::move(word));
     launch::Process liggghts(command, logs / "settle.log");
     launch::HangWatch watch(c.coupling.timeout_s);

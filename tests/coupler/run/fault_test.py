@@ -11,7 +11,7 @@ import unittest.mock
 
 import h5py
 
-from runs import PATIENCE_S, RunTest, processes
+from runs import DIPPER, PATIENCE_S, SOURCE, RunTest, processes
 
 
 # Long enough that on any machine there is something left to kill; a record is flushed each second.
@@ -195,17 +195,23 @@ class Faults(RunTest):
 
     def settling(self, name, *arguments, instead=None):
         """A run that settles its pile anew, by a script in place of LIGGGHTS if one is given."""
-        programs = self.folder / "programs"
-        programs.mkdir()
+        change = {"XDG_CACHE_HOME": str(self.folder / "cache")}
+        programs = DIPPER.parent
         if instead:
-            (programs / "liggghts").write_text(f"#!/bin/sh\nscreen=$6\n{instead}\n")
-            (programs / "liggghts").chmod(0o755)
-        changed = unittest.mock.patch.dict(os.environ, XDG_CACHE_HOME=str(self.folder / "cache"),
-                                           PATH=f"{programs}:{os.environ['PATH']}")
+            programs = self.folder / "programs"
+            programs.mkdir()
+            shutil.copy(DIPPER, programs)  # looks for the others beside itself
+            for other in ("dipper-dem", "dipper-mbs", "bench-cut"):
+                (programs / other).symlink_to(DIPPER.parent / other)
+            (programs / "dipper-liggghts").write_text(f"#!/bin/sh\nscreen=$6\n{instead}\n")
+            (programs / "dipper-liggghts").chmod(0o755)
+            change["DIPPER_DATA"] = str(SOURCE)
+        changed = unittest.mock.patch.dict(os.environ, change)
         changed.start()
         self.addCleanup(changed.stop)
         out = self.folder / name
-        return self.start(out, "--set", "end_s=0.03", "--set", "coupling.timeout_s=4", *arguments), out
+        return self.start(out, "--set", "end_s=0.03", "--set", "coupling.timeout_s=4", *arguments,
+                          dipper=programs / "dipper"), out
 
     def test_a_settling_that_stops_is_found(self):
         process, out = self.settling("asleep", instead='echo Step 100 > "$screen"; sleep 100')
@@ -215,17 +221,17 @@ class Faults(RunTest):
     def test_a_settling_of_which_one_rank_stops_is_found(self):
         process, out = self.settling("stopped", "--set", "pile.settle_s=60", "--ranks", "2")
         deadline = time.time() + 60
-        while len(self.pids(out, "liggghts")) < 2 and time.time() < deadline:
+        while len(self.pids(out, "dipper-liggghts")) < 2 and time.time() < deadline:
             time.sleep(0.05)
         time.sleep(2)
-        os.kill(self.pids(out, "liggghts")[-1], signal.SIGSTOP)
+        os.kill(self.pids(out, "dipper-liggghts")[-1], signal.SIGSTOP)
         self.assert_ended(process, out, 3, "settling the pile failed: LIGGGHTS hangs", within=20)
 
     def test_a_settling_that_is_slow_but_gets_on_lives(self):
         process, out = self.settling(
             "slow", "--ranks", "1",
             instead='for k in 1 2 3 4; do echo "Step $k" >> "$screen"; sleep 2.5; done; '
-                    f'exec {shutil.which("liggghts")} "$@"')
+                    f'exec {DIPPER.parent / "dipper-liggghts"} "$@"')
         _, err = process.communicate(timeout=PATIENCE_S)
         self.assertEqual(process.returncode, 0, err)
 

@@ -10,8 +10,9 @@ import tempfile
 import time
 import unittest
 
-DIPPER = os.environ["DIPPER"]
+DIPPER = pathlib.Path(os.environ["DIPPER"])
 TINY = pathlib.Path(__file__).parent / "tiny"
+SOURCE = TINY.parents[3]
 PATIENCE_S = 300  # with a command that takes 2 s on a quiet machine
 
 
@@ -36,8 +37,8 @@ class RunTest(unittest.TestCase):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="dipper-test-"))
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def start(self, out, *arguments, case=TINY):
-        return subprocess.Popen([DIPPER, "run", case, "--out", out, *arguments],
+    def start(self, out, *arguments, case=TINY, dipper=DIPPER):
+        return subprocess.Popen([dipper, "run", case, "--out", out, *arguments],
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def run_case(self, out, *arguments, status=0, case=TINY):
@@ -52,12 +53,11 @@ class RunTest(unittest.TestCase):
 
     def tiny_with_its_own_machine(self):
         """A copy of the tiny case whose machine file, machine.yaml, is in its folder."""
-        root = TINY.parents[3]
         folder = self.folder / "a" / "b" / "case"
         folder.mkdir(parents=True)
-        shutil.copy(root / "mbs" / "bucyrus495.yaml", folder / "machine.yaml")
+        shutil.copy(SOURCE / "mbs" / "bucyrus495.yaml", folder / "machine.yaml")
         case = (TINY / "case.yaml").read_text().replace("../../../../mbs/bucyrus495.yaml", "machine.yaml")
-        (folder / "case.yaml").write_text(case.replace("../../../../", f"{root}/"))
+        (folder / "case.yaml").write_text(case.replace("../../../../", f"{SOURCE}/"))
         return folder
 
     def wait_until_digging(self, process, out, time_s=0.5):
