@@ -57,11 +57,23 @@ struct Pass {
   int types, width;                      ///< numbers a contact in the history
   double dt;
   bool limit, remember;  ///< no pull; history goes on
+
+  double* history(const ClosePair& pair) const {
+    return contacts.firstdouble[pair.i] + static_cast<std::ptrdiff_t>(width) * pair.n;
+  }
+  /// Has the processor load what a later pair needs.
+  void fetch(const ClosePair& pair) const {
+    const Sphere* other = spheres + pair.j;
+    __builtin_prefetch(other->x);
+    __builtin_prefetch(&other->type);
+    __builtin_prefetch(history(pair), 1);
+  }
 };
 
 constexpr int kTouching = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL | CONTACT_ROLLING_MODEL;
 constexpr int kBatch = 64;
 constexpr double kCloseness = 0.125;  ///< of the skin
+constexpr std::size_t kAhead = 32;    ///< pairs; memory takes as long as some ten of them
 
 /// Contacts of spheres i and j, a number of each after the other, as the processor likes them. Of
 /// vectors, x, y and z. Most of the time goes into waiting for memory: so loads are made together,
@@ -232,12 +244,15 @@ void add_forces(const Pass& p, const std::vector<ClosePair>& pairs) {
     batch.compute(p.dt, p.limit, p.remember);
     batch.store(p);
   };
-  for (const auto [i, j, n] : pairs) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (k + kAhead < pairs.size()) p.fetch(pairs[k + kAhead]);
+    const ClosePair& pair = pairs[k];
+    const auto [i, j, n] = pair;
     const Sphere &a = p.spheres[i], &b = p.spheres[j];
     const double dx = a.x[0] - b.x[0], dy = a.x[1] - b.x[1], dz = a.x[2] - b.x[2];
     const double sum = a.radius + b.radius;
     int& touched = p.contacts.firstneigh[i][n];
-    double* const history = p.contacts.firstdouble[i] + static_cast<std::ptrdiff_t>(p.width) * n;
+    double* const history = p.history(pair);
     if (dx * dx + dy * dy + dz * dz >= sum * sum) {
       // A pair that has parted starts anew when it touches again. LIGGGHTS lets it take up what it
       // had unless the lists were built between (docs/reliability.md, "Going on").
@@ -249,7 +264,8 @@ void add_forces(const Pass& p, const std::vector<ClosePair>& pairs) {
     batch.i[c] = i;
     batch.j[c] = j;
     batch.history[c] = history;
-    __builtin_prefetch(history, 1);
+    __builtin_prefetch(p.atom.f[0] + 3 * static_cast<std::ptrdiff_t>(j), 1);
+    __builtin_prefetch(p.atom.torque[0] + 3 * static_cast<std::ptrdiff_t>(j), 1);
     touched |= kTouching;
     if (batch.n == kBatch) flush();
   }
