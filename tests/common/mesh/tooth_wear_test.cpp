@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "common/mesh/mesh_check.hpp"
@@ -31,6 +32,18 @@ double lost(double wear) {
 Eigen::Vector3d normal(const TriangleMesh& mesh, std::size_t i) {
   const Triangle t = mesh.corners(i);
   return (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+}
+
+// The rake is told of the line from the heel to the tips (Svanberg et al. 2021, Fig. 4b), and the
+// dipper hangs by its x.
+TEST(Dipper, HasItsTipsAsLowAsItsHeel) {
+  double heel = 0, tip = 0;
+  for (const Eigen::Vector3d& v : dipper_mesh().vertices) {
+    if (v.x() < 1e-6) heel = std::min(heel, v.z());
+    if (v.x() > kTip - 1e-6) tip = std::min(tip, v.z());
+  }
+  EXPECT_DOUBLE_EQ(tip, heel);
+  EXPECT_LT(heel, -1.5);
 }
 
 TEST(ToothWear, CutsTheTeethOffAndNothingElse) {
