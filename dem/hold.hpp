@@ -18,7 +18,7 @@ namespace dipper::dem {
 
 /// A moving body, for the check before a window.
 struct MovingBody {
-  BodyBox box;
+  Box box;  ///< in its frame
   Pose X_WB;
   Twist V_WB_W;
 };

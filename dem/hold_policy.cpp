@@ -11,10 +11,10 @@ constexpr std::uint8_t kWakes = rest_flag::near | rest_flag::soon | rest_flag::d
 
 }  // namespace
 
-WallZone::WallZone(const BodyBox& box, const Pose& X_WB, const Twist& V_WB_W, double ahead_s,
+WallZone::WallZone(const Box& box, const Pose& X_WB, const Twist& V_WB_W, double ahead_s,
                    double margin_m)
-    : box_{box.min_m.array() - margin_m, box.max_m.array() + margin_m} {
-  const double size = (box.max_m - box.min_m).norm() / 2;
+    : box_(box.grown(margin_m)) {
+  const double size = box.sides_m().norm() / 2;
   const double way = (V_WB_W.v.norm() + V_WB_W.w.norm() * size) * ahead_s;
   const int samples = ahead_s > 0 ? std::max(1, static_cast<int>(std::ceil(way / margin_m))) : 0;
   for (int k = 0; k <= samples; ++k) {
@@ -25,11 +25,9 @@ WallZone::WallZone(const BodyBox& box, const Pose& X_WB, const Twist& V_WB_W, do
 }
 
 bool WallZone::holds(const Vector3d& p_W, double radius_m) const {
-  return std::any_of(X_BW_.begin(), X_BW_.end(), [&](const Pose& X_BW) {
-    const Vector3d p = X_BW * p_W;
-    return (p.array() >= box_.min_m.array() - radius_m).all() &&
-           (p.array() <= box_.max_m.array() + radius_m).all();
-  });
+  const Box box = box_.grown(radius_m);
+  return std::any_of(X_BW_.begin(), X_BW_.end(),
+                     [&](const Pose& X_BW) { return box.holds(X_BW * p_W); });
 }
 
 Reach::Reach(std::vector<Mover> movers, double largest_m) : movers_(std::move(movers)) {

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/box.hpp"
 #include "common/frames.hpp"
 
 namespace dipper::dem {
@@ -45,22 +46,17 @@ inline constexpr std::uint8_t struck = 16;    ///< the same, and cannot wait for
 inline constexpr std::uint8_t exposed = 32;   ///< at rest, within reach of a rock that moves
 }  // namespace rest_flag
 
-/// A box fixed to a moving body, in its frame.
-struct BodyBox {
-  Vector3d min_m = Vector3d::Zero(), max_m = Vector3d::Zero();
-};
-
 /// Where a body's box is now and where it will be if it goes on as it moves.
 class WallZone {
  public:
+  /// \param box  in the body's frame
   /// \param ahead_s  0 for now only; the way there is sampled so that samples overlap
-  WallZone(const BodyBox& box, const Pose& X_WB, const Twist& V_WB_W, double ahead_s,
-           double margin_m);
+  WallZone(const Box& box, const Pose& X_WB, const Twist& V_WB_W, double ahead_s, double margin_m);
   bool holds(const Vector3d& p_W, double radius_m) const;
 
  private:
   std::vector<Pose> X_BW_;
-  BodyBox box_;
+  Box box_;  ///< with the margin, in the body's frame
 };
 
 /// A sphere of moving rock and the clear room it asks for around it.

@@ -22,11 +22,11 @@ Holding::Holding(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup,
 
 void Holding::measure_boxes() {
   for (std::size_t b = 0; b < walls_.size(); ++b) {
-    BodyBox box = walls_[b]->box();
+    Box box = walls_[b]->box();
     for (const Scale& s : setup_.scales) {  // what is weighed with a body is never parked
       if (s.body != setup_.bodies[b]) continue;
-      box.min_m = box.min_m.cwiseMin(s.min_m);
-      box.max_m = box.max_m.cwiseMax(s.max_m);
+      box.add(s.box.min_m);
+      box.add(s.box.max_m);
     }
     boxes_.push_back(box);
   }

@@ -41,7 +41,7 @@ class Holding final : public RockFeature {
   LAMMPS_NS::LAMMPS& lmp_;
   RockSetup setup_;
   std::vector<WallMotion*> walls_;
-  std::vector<BodyBox> boxes_;  ///< of the bodies and of what is weighed with them, once in place
+  std::vector<Box> boxes_;  ///< of the bodies and of what is weighed with them, once in place
   std::unique_ptr<HoldRock> hold_;
 };
 

@@ -19,10 +19,10 @@ namespace {
 
 struct Wall {
   mesh::TriangleMesh mesh;
-  mesh::BoundingBox box;
+  Box box;
   bool touches(const Vector3d& p, double radius) const {
-    if (((p.array() + radius) < box.min.array()).any() ||
-        ((p.array() - radius) > box.max.array()).any())
+    if (((p.array() + radius) < box.min_m.array()).any() ||
+        ((p.array() - radius) > box.max_m.array()).any())
       return false;
     return mesh::signed_distance(mesh, p) > -radius;
   }

@@ -13,8 +13,8 @@ json to_json(const RockSetup& setup) {
                       {"body", s.body},
                       {"p_WS", json_of(s.X_WS.p)},
                       {"R_WS", json_of(s.X_WS.R)},
-                      {"min_m", json_of(s.min_m)},
-                      {"max_m", json_of(s.max_m)}});
+                      {"min_m", json_of(s.box.min_m)},
+                      {"max_m", json_of(s.box.max_m)}});
   }
   json resumed;  // null: not resumed
   if (setup.resumed) {
@@ -104,8 +104,7 @@ RockSetup rock_setup_from(const json& j) {
     setup.scales.push_back({s.at("name"),
                             s.at("body"),
                             {quaternion_from(s.at("R_WS")), vector_from(s.at("p_WS"))},
-                            vector_from(s.at("min_m")),
-                            vector_from(s.at("max_m"))});
+                            {vector_from(s.at("min_m")), vector_from(s.at("max_m"))}});
   }
   return setup;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/box.hpp"
 #include "common/frames.hpp"
 #include "dem/hold_policy.hpp"
 
@@ -25,7 +26,7 @@ struct Scale {
   std::string name;  ///< the channel, in kg
   std::string body;  ///< "" for a fixed box
   Pose X_WS;         ///< the fixed box's frame; unused with a body
-  Vector3d min_m, max_m;
+  Box box;           ///< in the body's frame, or in S
 };
 
 /// Where rock is bonded when a run begins (not when it is resumed).

@@ -86,14 +86,10 @@ void WallMotion::begin_window(const Pose& X_WB_target, long n_steps) {
   steps_ = 0;
 }
 
-BodyBox WallMotion::box() const {
-  BodyBox box{Vector3d::Constant(1e300), Vector3d::Constant(-1e300)};
-  for (const auto& nodes : reference_) {
-    for (const auto& p : nodes) {
-      box.min_m = box.min_m.cwiseMin(p);
-      box.max_m = box.max_m.cwiseMax(p);
-    }
-  }
+Box WallMotion::box() const {
+  Box box;
+  for (const auto& nodes : reference_)
+    for (const auto& p : nodes) box.add(p);
   return box;
 }
 

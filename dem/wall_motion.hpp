@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "common/box.hpp"
 #include "common/frames.hpp"
 #include "common/mesh/triangle_mesh.hpp"
 #include "coupler/core/server.hpp"
 #include "dem/bytes.hpp"
-#include "dem/hold_policy.hpp"
 #include "dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
@@ -45,7 +45,7 @@ class WallMotion : public LAMMPS_NS::Fix {
   void begin_window(const Pose& X_WB_target, long n_steps);
 
   /// The mesh's extent, in the body frame.
-  BodyBox box() const;
+  Box box() const;
 
   /// The mesh where it is, in W.
   mesh::TriangleMesh in_world() const;

@@ -38,19 +38,17 @@ void for_each_mass(LAMMPS_NS::LAMMPS& lmp, const Visit& visit) {
 struct PlacedBox {
   PlacedBox(const Scale& s, const Pose& X_WS)
       : X_SW(inverse(X_WS)),
-        centre_W(X_WS * Vector3d((s.min_m + s.max_m) / 2)),
-        square_m2(1.0001 * (s.max_m - s.min_m).squaredNorm() / 4),
-        min_m(s.min_m),
-        max_m(s.max_m) {}
+        centre_W(X_WS * Vector3d((s.box.min_m + s.box.max_m) / 2)),
+        square_m2(1.0001 * s.box.sides_m().squaredNorm() / 4),
+        box(s.box) {}
   bool holds(const Vector3d& p_W) const {
     if ((p_W - centre_W).squaredNorm() > square_m2) return false;
-    const Vector3d p_S = X_SW * p_W;
-    return (p_S.array() >= min_m.array()).all() && (p_S.array() <= max_m.array()).all();
+    return box.holds(X_SW * p_W);
   }
   Pose X_SW;
   Vector3d centre_W;
   double square_m2;
-  Vector3d min_m, max_m;
+  Box box;
 };
 
 }  // namespace

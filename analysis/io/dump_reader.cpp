@@ -103,7 +103,7 @@ Source source_of(const DumpFrame& frame, const std::string& column) {
     if (frame.has(column + "u")) return {column + "u"};
     if (frame.has(column + "s") && frame.box) {
       const int axis = column[0] - 'x';
-      return {column + "s", frame.box->min[axis], frame.box->max[axis] - frame.box->min[axis]};
+      return {column + "s", frame.box->min_m[axis], frame.box->sides_m()[axis]};
     }
   }
   throw input_error(

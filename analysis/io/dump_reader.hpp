@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh/triangle_mesh.hpp"
+#include "common/box.hpp"
 
 namespace dipper::analysis::io {
 
@@ -21,7 +21,7 @@ struct DumpFrame {
   long line = 0;            ///< of its column names, or of its points
   std::int64_t offset = 0;  ///< of its first row (text)
   std::size_t particles = 0;
-  std::optional<mesh::BoundingBox> box;
+  std::optional<Box> box;
   std::vector<std::string> columns;
 
   bool has(const std::string& column) const;

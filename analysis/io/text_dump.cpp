@@ -29,12 +29,12 @@ std::int64_t whole_number(LineReader& in, const char* what) {
   return value;
 }
 
-mesh::BoundingBox box_bounds(LineReader& in) {
-  mesh::BoundingBox box;
+Box box_bounds(LineReader& in) {
+  Box box;
   for (int i = 0; i < 3; ++i) {
     std::string_view text = header_line(in, "a box bound");
-    if (!parse_number(take_word(text), box.min[i]) || !parse_number(take_word(text), box.max[i]) ||
-        box.min[i] > box.max[i])
+    if (!parse_number(take_word(text), box.min_m[i]) ||
+        !parse_number(take_word(text), box.max_m[i]) || box.min_m[i] > box.max_m[i])
       throw input_error(in.file(), in.line(), "not a box bound; two numbers, the lower one first");
   }
   return box;

@@ -58,7 +58,7 @@ json dipper_table(const run::RunData& run, const rock::StruckVolume& struck) {
   json out = {{"struck_volume_m3", struck.volume_m3},
               {"strike_normal_B", {struck.up.x(), struck.up.y(), struck.up.z()}}};
   if (run.struck_given_m3 > 0) out["struck_volume_given_m3"] = run.struck_given_m3;
-  const rock::Region& r = *run.regions.dipper;
+  const Box& r = *run.regions.dipper;
   out["cavity"] = {{"min_m", {r.min_m.x(), r.min_m.y(), r.min_m.z()}},
                    {"max_m", {run.regions.lip_x_m, r.max_m.y(), r.max_m.z()}}};
   return out;
@@ -72,8 +72,8 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
   if (!run.vessel.triangles.empty()) {
     struck = rock::struck_volume(run.vessel);
     if (!run.regions.dipper && struck.volume_m3 > 0) {
-      run.regions.dipper = rock::Region{struck.water.min, struck.water.max};
-      run.regions.lip_x_m = struck.water.max.x();
+      run.regions.dipper = Box{struck.water.min_m, struck.water.max_m};
+      run.regions.lip_x_m = struck.water.max_m.x();
     }
   }
   std::vector<PassFacts> passes = find_facts(run, dumps);

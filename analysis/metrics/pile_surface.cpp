@@ -41,8 +41,7 @@ class Tops {
 
 }  // namespace
 
-std::vector<Sphere> balls_in(const io::DumpFrame& frame, const rock::Region& region,
-                             const Pose& X_WB) {
+std::vector<Sphere> balls_in(const io::DumpFrame& frame, const Box& region, const Pose& X_WB) {
   std::vector<Sphere> balls;
   const Pose X_BW = inverse(X_WB);
   for_each_sphere(frame, [&](const Vector3d& p, double r) {

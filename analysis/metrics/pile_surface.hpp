@@ -3,6 +3,7 @@
 
 #include "analysis/metrics/frame_survey.hpp"
 #include "analysis/rock/pile_angle.hpp"
+#include "common/box.hpp"
 
 namespace dipper::analysis::metrics {
 
@@ -18,8 +19,7 @@ PileSurface pile_surface(const io::DumpFrame& frame, const rock::LoadRegions& re
                          const Pose& X_WB, const Footprint& footprint, double floor_m);
 
 /// The spheres of a frame whose centres are in a region of the body, in B.
-std::vector<Sphere> balls_in(const io::DumpFrame& frame, const rock::Region& region,
-                             const Pose& X_WB);
+std::vector<Sphere> balls_in(const io::DumpFrame& frame, const Box& region, const Pose& X_WB);
 
 /// z of a profile at x, straight between its bins.
 double height_at(const rock::SurfaceProfile& profile, double x_m);

@@ -10,10 +10,7 @@ namespace {
 constexpr double kReach_m = 1.0;  // about the longest tooth, and more than any rock's radius
 
 bool rides(const rock::Fragment& rock, const rock::LoadRegions& regions, const BodyState& dipper) {
-  rock::Region near = *regions.dipper;
-  near.min_m.array() -= kReach_m;
-  near.max_m.array() += kReach_m;
-  return near.holds(inverse(dipper.X_WB) * rock.p_W) &&
+  return regions.dipper->grown(kReach_m).holds(inverse(dipper.X_WB) * rock.p_W) &&
          (rock.v_W - rock::velocity_at(dipper, rock.p_W)).norm() <= rock::kFlowSpeed_m_s;
 }
 

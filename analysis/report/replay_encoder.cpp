@@ -61,8 +61,8 @@ void ReplayExtent::add_values(const ReplayFrame& frame, const std::vector<Replay
 
 ReplayEncoder::ReplayEncoder(const ReplayExtent& extent, const std::vector<ReplaySphere>& spheres,
                              const std::vector<ReplayWall>& walls)
-    : origin_(extent.box.min),
-      step_((extent.box.max - extent.box.min) / kSteps),
+    : origin_(extent.box.min_m),
+      step_(extent.box.sides_m() / kSteps),
       speed_max_(extent.speed_max_m_s),
       sent_(spheres.size(), {0, 0, 0}) {
   if (spheres.empty()) origin_ = step_ = Eigen::Vector3d::Zero();

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "analysis/report/replay_source.hpp"
+#include "common/box.hpp"
 
 namespace dipper::analysis::report {
 
@@ -38,7 +39,7 @@ class ReplayExtent {
   void add(const ReplaySphere& sphere);
   void add_values(const ReplayFrame& frame, const std::vector<ReplayWall>& walls);
 
-  mesh::BoundingBox box;  ///< of all centres
+  Box box;  ///< of all centres
   double speed_max_m_s = 0;
   std::map<std::string, double> field_max;  ///< of the walls' fields, by name
   std::size_t one_in = 1;

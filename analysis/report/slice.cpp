@@ -26,8 +26,8 @@ SlicePlane::SlicePlane(const BodyState& dipper, const mesh::TriangleMesh& mesh,
   const Vector3d lateral = dipper.X_WB.R * Vector3d::UnitY();
   out_ = lateral.cross(Vector3d::UnitZ()).normalized();
   side_ = Vector3d::UnitZ().cross(out_);
-  const mesh::BoundingBox box = mesh::bounding_box(mesh);
-  middle_ = seen(dipper.X_WB * Vector3d(0.5 * (box.min + box.max)));
+  const Box box = mesh::bounding_box(mesh);
+  middle_ = seen(dipper.X_WB * Vector3d(0.5 * (box.min_m + box.max_m)));
 }
 
 Vector3d SlicePlane::seen(const Vector3d& p_W) const {

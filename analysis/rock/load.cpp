@@ -11,8 +11,8 @@ namespace {
 constexpr double kMostColumns = 4e6;  // 32 MB: a mesh in millimetres asks for more
 
 /// The part of the line origin + s * up that is in the region: s from `low` to `high`; none: false.
-bool clip(const Eigen::Vector3d& origin, const Eigen::Vector3d& up, const Region& region,
-          double& low, double& high) {
+bool clip(const Eigen::Vector3d& origin, const Eigen::Vector3d& up, const Box& region, double& low,
+          double& high) {
   low = -std::numeric_limits<double>::infinity();
   high = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
@@ -30,8 +30,8 @@ bool clip(const Eigen::Vector3d& origin, const Eigen::Vector3d& up, const Region
 
 }  // namespace
 
-double load_volume(const std::vector<Sphere>& balls, const Eigen::Vector3d& up,
-                   const Region& region, double cell_m) {
+double load_volume(const std::vector<Sphere>& balls, const Eigen::Vector3d& up, const Box& region,
+                   double cell_m) {
   const Eigen::Vector3d u = up.unitOrthogonal(), v = up.cross(u);
   double u0 = std::numeric_limits<double>::infinity(), v0 = u0, u1 = -u0, v1 = -u0;
   for (int k = 0; k < 8; ++k) {

@@ -8,21 +8,21 @@
 namespace dipper::analysis::rock {
 
 double mass_inside(const std::vector<Sphere>& balls, const std::vector<double>& density_kg_m3,
-                   const Eigen::AlignedBox3d& box, double cell_m) {
+                   const Box& box, double cell_m) {
   if (balls.size() != density_kg_m3.size()) throw std::invalid_argument("a density for every ball");
-  if (box.isEmpty() || box.volume() <= 0) throw std::invalid_argument("the box is empty");
+  if ((box.sides_m().array() <= 0).any()) throw std::invalid_argument("the box is empty");
   if (!(cell_m > 0)) throw std::invalid_argument("a cell needs a side > 0");
   // Whole cells along each side, so that their middles are evenly inside.
   std::array<std::size_t, 3> n{};
   Eigen::Vector3d cell;
   for (int a = 0; a < 3; ++a) {
     n[static_cast<std::size_t>(a)] =
-        static_cast<std::size_t>(std::max(1.0, std::round(box.sizes()[a] / cell_m)));
-    cell[a] = box.sizes()[a] / static_cast<double>(n[static_cast<std::size_t>(a)]);
+        static_cast<std::size_t>(std::max(1.0, std::round(box.sides_m()[a] / cell_m)));
+    cell[a] = box.sides_m()[a] / static_cast<double>(n[static_cast<std::size_t>(a)]);
   }
   std::vector<float> density(n[0] * n[1] * n[2], 0.0F);
   for (std::size_t b = 0; b < balls.size(); ++b) {
-    const Eigen::Vector3d centre = balls[b].centre_m - box.min();
+    const Eigen::Vector3d centre = balls[b].centre_m - box.min_m;
     const double r = balls[b].radius_m;
     std::array<std::size_t, 3> from{}, to{};  // cells whose middle may be inside
     bool outside = false;

@@ -1,9 +1,9 @@
 // How much rock is inside a box.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <vector>
 
+#include "common/box.hpp"
 #include "common/sphere.hpp"
 
 namespace dipper::analysis::rock {
@@ -14,6 +14,6 @@ namespace dipper::analysis::rock {
 /// volume of their union. Error about cell/box side squared. Throws std::invalid_argument for lists
 /// of different lengths, an empty box, a cell that is not > 0.
 double mass_inside(const std::vector<Sphere>& balls, const std::vector<double>& density_kg_m3,
-                   const Eigen::AlignedBox3d& box, double cell_m);
+                   const Box& box, double cell_m);
 
 }  // namespace dipper::analysis::rock

@@ -17,10 +17,10 @@ class CellGrid {
  public:
   /// `shift`: in cells, 0 ... 1 along each axis.
   CellGrid(const mesh::TriangleMesh& mesh, double cell, const Vector3d& shift) : cell_(cell) {
-    const mesh::BoundingBox box = mesh::bounding_box(mesh);
-    origin_ = box.min - cell * (Vector3d::Ones() + shift);
+    const Box box = mesh::bounding_box(mesh);
+    origin_ = box.min_m - cell * (Vector3d::Ones() + shift);
     for (int k = 0; k < 3; ++k)
-      n_[k] = static_cast<int>(std::ceil((box.max[k] - origin_[k]) / cell)) + 2;
+      n_[k] = static_cast<int>(std::ceil((box.max_m[k] - origin_[k]) / cell)) + 2;
     blocked_.assign(3 * size(), 0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int axis = 0; axis < 3; ++axis) block(mesh.corners(t), axis);
@@ -96,7 +96,7 @@ class CellGrid {
   std::vector<char> blocked_;
 };
 
-double flood(const CellGrid& grid, const Vector3d& up, double cell, mesh::BoundingBox* water) {
+double flood(const CellGrid& grid, const Vector3d& up, double cell, Box* water) {
   using Entry = std::pair<double, std::size_t>;  // level, cell
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   std::vector<char> seen(grid.size(), 0);
@@ -154,15 +154,14 @@ std::vector<Vector3d> cone(const Vector3d& around, double spread) {
 
 }  // namespace
 
-double water_held(const mesh::TriangleMesh& mesh, const Vector3d& up, double cell_m,
-                  mesh::BoundingBox* water) {
+double water_held(const mesh::TriangleMesh& mesh, const Vector3d& up, double cell_m, Box* water) {
   std::array<double, kGrids> held{};
   for (int k = 0; k < kGrids; ++k) {
-    mesh::BoundingBox box;
+    Box box;
     held[static_cast<std::size_t>(k)] = flood(CellGrid(mesh, cell_m, shift(k)), up, cell_m, &box);
-    if (water == nullptr || box.min.x() > box.max.x()) continue;
-    water->add(box.min);
-    water->add(box.max);
+    if (water == nullptr || box.is_empty()) continue;
+    water->add(box.min_m);
+    water->add(box.max_m);
   }
   // A grid with a row of cells that happens to lie in a narrow gap has run dry.
   const double most = *std::max_element(held.begin(), held.end());
@@ -177,8 +176,8 @@ double water_held(const mesh::TriangleMesh& mesh, const Vector3d& up, double cel
 }
 
 StruckVolume struck_volume(const mesh::TriangleMesh& mesh, const StruckOptions& options) {
-  const mesh::BoundingBox box = mesh::bounding_box(mesh);
-  const double side = (box.max - box.min).maxCoeff();
+  const Box box = mesh::bounding_box(mesh);
+  const double side = box.sides_m().maxCoeff();
   const double cell = options.cell_m > 0 ? options.cell_m : side / 60;
   const double coarse = std::max(cell, side / 36);
   const CellGrid grid(mesh, coarse, shift(2));

@@ -10,7 +10,7 @@ namespace dipper::analysis::rock {
 struct StruckVolume {
   double volume_m3 = 0;
   Eigen::Vector3d up = Eigen::Vector3d::Zero();  ///< in the mesh's axes, held so
-  mesh::BoundingBox water;                       ///< around it, in the mesh's axes
+  Box water;                                     ///< around it, in the mesh's axes
 };
 
 struct StruckOptions {
@@ -28,6 +28,6 @@ StruckVolume struck_volume(const mesh::TriangleMesh& mesh, const StruckOptions& 
 
 /// The water held with `up` up, in cells of this size [m3].
 double water_held(const mesh::TriangleMesh& mesh, const Eigen::Vector3d& up, double cell_m,
-                  mesh::BoundingBox* water = nullptr);
+                  Box* water = nullptr);
 
 }  // namespace dipper::analysis::rock

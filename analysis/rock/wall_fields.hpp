@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/io/dump_folder.hpp"
+#include "common/mesh/triangle_mesh.hpp"
 
 namespace dipper::analysis::rock {
 

@@ -17,7 +17,7 @@ void FrameSums::add(const Fragment& rock, const LoadRegions& regions, const Body
   if (regions.truck && regions.truck->holds(inverse(regions.X_WT) * rock.p_W))
     in_truck_kg += rock.mass_kg;
   if (!regions.dipper) return;
-  const Region& load = *regions.dipper;
+  const Box& load = *regions.dipper;
   const Vector3d p_B = inverse(dipper.X_WB) * rock.p_W;
   if (load.holds(p_B)) {
     const double speed = (rock.v_W - velocity_at(dipper, rock.p_W)).norm();

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/rock/region.hpp"
+#include "analysis/rock/pose_track.hpp"
 #include "analysis/rock/rocks.hpp"
+#include "common/box.hpp"
 
 namespace dipper::analysis::rock {
 
@@ -16,8 +17,8 @@ constexpr double kFlowSpeed_m_s = 0.1;
 
 /// Where rock is counted: the dipper's load in B, the truck's bed in T. Either may be missing.
 struct LoadRegions {
-  std::optional<Region> dipper;
-  std::optional<Region> truck;
+  std::optional<Box> dipper;
+  std::optional<Box> truck;
   Pose X_WT;
   double lip_x_m = 0;  ///< of the cavity's end in B: the dipper's region goes on over it, the heap
 };

@@ -89,11 +89,11 @@ void check_dumps_are_of(const RunData& run, const io::DumpFolder& dumps) {
       numbers(value("domain.min_m"), low) && numbers(value("domain.max_m"), high);
   for (const io::DumpFrame& f : dumps.frames) {
     if (!has_domain || !f.box) continue;
-    if ((f.box->min - low).norm() > 1e-3 || (f.box->max - high).norm() > 1e-3)
+    if ((f.box->min_m - low).norm() > 1e-3 || (f.box->max_m - high).norm() > 1e-3)
       another(f.file, f.line - 3,
               fmt::format("the box {:.4g} ... {:.4g} m along x is not the case's domain, {:.4g} "
                           "... {:.4g}",
-                          f.box->min.x(), f.box->max.x(), low.x(), high.x()));
+                          f.box->min_m.x(), f.box->max_m.x(), low.x(), high.x()));
   }
   for (const std::size_t k : {std::size_t{0}, dumps.frames.size() - 1}) {
     const double t = dumps.time_s[k];

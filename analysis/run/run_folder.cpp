@@ -44,7 +44,7 @@ void read_scales(const fs::path& folder, rock::LoadRegions& regions) {
   const json told = json_of(file);
   try {
     for (const json& s : apart ? told.at("scales") : told.at("settings").at("scales")) {
-      const rock::Region region{vector_from(s.at("min_m")), vector_from(s.at("max_m"))};
+      const Box region{vector_from(s.at("min_m")), vector_from(s.at("max_m"))};
       if (s.at("name") == "mass_in_dipper") regions.dipper = region;
       if (s.at("name") != "mass_in_truck") continue;
       regions.truck = region;

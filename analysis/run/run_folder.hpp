@@ -9,6 +9,7 @@
 #include "analysis/signals/drive_signals.hpp"
 #include "analysis/signals/passes.hpp"
 #include "common/case_lines.hpp"
+#include "common/mesh/triangle_mesh.hpp"
 
 namespace dipper::analysis::run {
 

@@ -43,10 +43,10 @@ MassProperties difference(const MassProperties& whole, const MassProperties& par
 
 }  // namespace
 
-Lining line_dipper(const TriangleMesh& dipper, const BoundingBox& cavity, double thickness,
+Lining line_dipper(const TriangleMesh& dipper, const Box& cavity, double thickness,
                    LinedFaces faces) {
-  const Eigen::Vector3d size = cavity.max - cavity.min;
-  const Eigen::Vector3d middle = 0.5 * (cavity.min + cavity.max);
+  const Eigen::Vector3d size = cavity.sides_m();
+  const Eigen::Vector3d middle = 0.5 * (cavity.min_m + cavity.max_m);
   if (!(thickness > 0 && thickness < size.minCoeff() / 4)) {
     throw std::invalid_argument(
         fmt::format("a layer of {:g} m does not fit a cavity of {:g} m; allowed is > 0 and < {:g}",

@@ -19,7 +19,7 @@ struct Lining {
 /// smallest side) that look at its middle and are not the ends along x: floor, roof and side
 /// plates. Throws std::invalid_argument when there are none or when the layer is thicker than a
 /// quarter of the cavity.
-Lining line_dipper(const TriangleMesh& dipper, const BoundingBox& cavity, double thickness,
+Lining line_dipper(const TriangleMesh& dipper, const Box& cavity, double thickness,
                    LinedFaces faces);
 
 }  // namespace dipper::mesh

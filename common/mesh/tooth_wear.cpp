@@ -54,7 +54,7 @@ double most(const TriangleMesh& mesh, const std::vector<std::vector<std::size_t>
 }  // namespace
 
 TriangleMesh wear_teeth(const TriangleMesh& dipper, double wear) {
-  const double tip = bounding_box(dipper).max.x(), cut = tip - wear;
+  const double tip = bounding_box(dipper).max_m.x(), cut = tip - wear;
   const auto edges = creases(dipper);
   const auto refuse = [&] {
     throw std::invalid_argument(

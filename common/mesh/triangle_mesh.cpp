@@ -15,11 +15,6 @@ void TriangleMesh::add_loose(const Triangle& triangle) {
   triangles.push_back({n, n + 1, n + 2});
 }
 
-void BoundingBox::add(const Eigen::Vector3d& point, double margin) {
-  min = min.cwiseMin(point - Eigen::Vector3d::Constant(margin));
-  max = max.cwiseMax(point + Eigen::Vector3d::Constant(margin));
-}
-
 double facet_area(const TriangleMesh& mesh, std::size_t triangle) {
   const auto [a, b, c] = mesh.corners(triangle);
   return 0.5 * (b - a).cross(c - a).norm();
@@ -45,8 +40,8 @@ double volume(const TriangleMesh& mesh) {
   return sum;
 }
 
-BoundingBox bounding_box(const TriangleMesh& mesh) {
-  BoundingBox box;
+Box bounding_box(const TriangleMesh& mesh) {
+  Box box;
   for (const Eigen::Vector3d& v : mesh.vertices) box.add(v);
   return box;
 }

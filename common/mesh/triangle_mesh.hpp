@@ -4,8 +4,9 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
+
+#include "common/box.hpp"
 
 namespace dipper::mesh {
 
@@ -23,15 +24,6 @@ struct TriangleMesh {
   void add_loose(const Triangle& triangle);
 };
 
-/// An axis-aligned box [m]. Empty (min > max) until something is added.
-struct BoundingBox {
-  Eigen::Vector3d min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector3d max = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
-
-  /// A cube of half side `margin` about `point`.
-  void add(const Eigen::Vector3d& point, double margin = 0);
-};
-
 double facet_area(const TriangleMesh& mesh, std::size_t triangle);  ///< [m2]
 double area(const TriangleMesh& mesh);                              ///< [m2]
 
@@ -43,6 +35,6 @@ double tetrahedron_volume(const Triangle& triangle, const Eigen::Vector3d& apex)
 /// facets face inwards, without meaning when the mesh is open.
 double volume(const TriangleMesh& mesh);
 
-BoundingBox bounding_box(const TriangleMesh& mesh);
+Box bounding_box(const TriangleMesh& mesh);
 
 }  // namespace dipper::mesh

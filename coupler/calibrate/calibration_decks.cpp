@@ -133,12 +133,10 @@ BulkDensity measure_box(const cases::Case& c, const fs::path& dump, const BoxRig
                       (row.body >= 0 ? volume.at(row.body) : 4.0 / 3.0 * M_PI * r * r * r));
   }
   const double half = rig.edge_m / 2, d = largest_rock(c), cell = smallest / 5;
-  const Eigen::AlignedBox3d box(Eigen::Vector3d(-half, -half, 0),
-                                Eigen::Vector3d(half, half, rig.edge_m));
-  const Eigen::AlignedBox3d interior(Eigen::Vector3d(d - half, d - half, d),
-                                     Eigen::Vector3d(half - d, half - d, rig.edge_m));
-  return {analysis::rock::mass_inside(balls, density, box, cell) / box.volume(),
-          analysis::rock::mass_inside(balls, density, interior, cell) / interior.volume()};
+  const Box box{{-half, -half, 0}, {half, half, rig.edge_m}};
+  const Box interior = {{d - half, d - half, d}, {half - d, half - d, rig.edge_m}};
+  return {analysis::rock::mass_inside(balls, density, box, cell) / box.sides_m().prod(),
+          analysis::rock::mass_inside(balls, density, interior, cell) / interior.sides_m().prod()};
 }
 
 }  // namespace dipper::calibrate

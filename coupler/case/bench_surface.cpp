@@ -50,9 +50,9 @@ BenchSurface::BenchSurface(mesh::TriangleMesh mesh)
   for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
     const mesh::Triangle t = mesh_.corners(i);
     if (is_upright(t)) continue;
-    mesh::BoundingBox b;
+    Box b;
     for (const Eigen::Vector3d& p : t) b.add(p, kReach_m);
-    const auto low = cell(b.min.x(), b.min.y()), high = cell(b.max.x(), b.max.y());
+    const auto low = cell(b.min_m.x(), b.min_m.y()), high = cell(b.max_m.x(), b.max_m.y());
     for (std::size_t m = low[0]; m <= high[0]; ++m)
       for (std::size_t n = low[1]; n <= high[1]; ++n) facets_in_[m * cells_ + n].push_back(i);
   }
@@ -60,7 +60,7 @@ BenchSurface::BenchSurface(mesh::TriangleMesh mesh)
 
 std::array<std::size_t, 2> BenchSurface::cell(double x_m, double y_m) const {
   const auto index = [&](double at, int axis) {
-    const double share = (at - box_.min[axis]) / (box_.max[axis] - box_.min[axis]);
+    const double share = (at - box_.min_m[axis]) / (box_.max_m[axis] - box_.min_m[axis]);
     const auto most = static_cast<double>(cells_ - 1);
     return static_cast<std::size_t>(share > 0 ? std::min(share * static_cast<double>(cells_), most)
                                               : 0);
@@ -91,8 +91,9 @@ std::vector<BenchSurface::Hit> BenchSurface::hits(double x_m, double y_m) const 
 }
 
 double BenchSurface::height(double x_m, double y_m) const {
-  if (x_m < box_.min.x()) return 0;
-  const auto all = hits(std::min(x_m, box_.max.x()), std::clamp(y_m, box_.min.y(), box_.max.y()));
+  if (x_m < box_.min_m.x()) return 0;
+  const auto all =
+      hits(std::min(x_m, box_.max_m.x()), std::clamp(y_m, box_.min_m.y(), box_.max_m.y()));
   const auto best = std::max_element(
       all.begin(), all.end(), [](const Hit& a, const Hit& b) { return a.inside_m < b.inside_m; });
   return best == all.end() ? 0 : std::max(0.0, best->z_m);
@@ -100,7 +101,7 @@ double BenchSurface::height(double x_m, double y_m) const {
 
 BenchOutline BenchSurface::section(double half_width_m, double share) const {
   BenchOutline out;
-  for (const double x : places(box_.min.x(), box_.max.x())) {
+  for (const double x : places(box_.min_m.x(), box_.max_m.x())) {
     std::vector<double> z;
     for (const double y : places(-half_width_m, half_width_m)) z.push_back(height(x, y));
     const auto at = z.begin() + std::lround(share * static_cast<double>(z.size() - 1));
@@ -112,7 +113,7 @@ BenchOutline BenchSurface::section(double half_width_m, double share) const {
 
 std::vector<std::string> BenchSurface::faults(double half_width_m) const {
   std::vector<Vector2d> looked_at;
-  for (const double x : places(box_.min.x(), box_.max.x()))
+  for (const double x : places(box_.min_m.x(), box_.max_m.x()))
     for (const double y : places(-half_width_m, half_width_m)) looked_at.emplace_back(x, y);
   const auto grid = static_cast<double>(looked_at.size());
   for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
@@ -150,8 +151,8 @@ std::vector<std::string> BenchSurface::faults(double half_width_m) const {
         "must "
         "cover y = {:g} to {:g} m (pile.width_m) all the way from x = {:g} to {:g} m: crop it to a "
         "rectangle, or make the bench narrower",
-        100 * static_cast<double>(bare.size()) / grid, place(bare.front()), box_.min.y(),
-        box_.max.y(), -half_width_m, half_width_m, box_.min.x(), box_.max.x()));
+        100 * static_cast<double>(bare.size()) / grid, place(bare.front()), box_.min_m.y(),
+        box_.max_m.y(), -half_width_m, half_width_m, box_.min_m.x(), box_.max_m.x()));
   if (apart.high - apart.low > kSame_m)
     out.push_back(fmt::format(
         "overhangs: facets are at z = {:.4g} m and {:.4g} m at {}; from above a place has "

@@ -45,7 +45,7 @@ class BenchSurface {
   std::array<std::size_t, 2> cell(double x_m, double y_m) const;
 
   mesh::TriangleMesh mesh_;
-  mesh::BoundingBox box_;
+  Box box_;
   std::size_t cells_ = 1;  ///< along a side of the grid over the box
   std::vector<std::vector<std::size_t>> facets_in_;
 };

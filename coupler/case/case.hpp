@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "common/box.hpp"
 #include "common/finding.hpp"
 #include "common/input_error.hpp"
 
@@ -144,12 +145,6 @@ struct TruckCase {
   double heading_deg = 0;                                ///< about z
 };
 
-/// domain: the DEM box, in W. Rock that leaves it is lost; a wall that leaves it is an error.
-struct DomainCase {
-  Eigen::Vector3d min_m = Eigen::Vector3d::Zero();
-  Eigen::Vector3d max_m = Eigen::Vector3d::Zero();
-};
-
 /// dem
 struct DemCase {
   double timestep_s = 0;
@@ -197,7 +192,8 @@ struct Case {
   std::map<std::string, std::filesystem::path>
       bodies;  ///< body name -> wall mesh, in its own frame
   TruckCase truck;
-  DomainCase domain;
+  /// The DEM box, in W. Rock that leaves it is lost; a wall that leaves it is an error.
+  Box domain{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   DemCase dem;
   CouplingCase coupling;
   OutputCase output;

@@ -23,16 +23,16 @@ YamlTree read_beside(const Case& c, const std::string& mesh_key, fs::path mesh,
   return {};
 }
 
-mesh::BoundingBox read_box(YamlSection& file, const std::string& key, const std::string& what,
-                           std::vector<Finding>& findings) {
+Box read_box(YamlSection& file, const std::string& key, const std::string& what,
+             std::vector<Finding>& findings) {
   YamlSection section = file.section(key, "{min_m, max_m}, " + what);
   const std::size_t before = findings.size();
-  const mesh::BoundingBox b{section.vector("min_m", "three numbers in m"),
-                            section.vector("max_m", "three numbers in m")};
+  const Box b{section.vector("min_m", "three numbers in m"),
+              section.vector("max_m", "three numbers in m")};
   for (int i = 0; i < 3 && section.is_there() && findings.size() == before; ++i) {
-    if (b.min[i] < b.max[i]) continue;
+    if (b.min_m[i] < b.max_m[i]) continue;
     section.fault(section.node(), "min_m",
-                  fmt::format("{} = {} is not below max_m's {}", "xyz"[i], b.min[i], b.max[i]));
+                  fmt::format("{} = {} is not below max_m's {}", "xyz"[i], b.min_m[i], b.max_m[i]));
   }
   return b;
 }
@@ -53,12 +53,12 @@ DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings) {
   facts.cavity =
       read_box(file, "cavity", "corners of the dipper's inside in its frame B", findings);
   facts.load = facts.cavity;
-  facts.load.max.x() +=
+  facts.load.max_m.x() +=
       file.number("heap_height_m", "how far in m rock beyond the lip counts as load", {0});
   return facts;
 }
 
-mesh::BoundingBox read_truck_bed(const Case& c, std::vector<Finding>& findings) {
+Box read_truck_bed(const Case& c, std::vector<Finding>& findings) {
   const std::size_t before = findings.size();
   const YamlTree tree = read_beside(c, "truck.mesh", c.truck.mesh, "bed: {min_m, max_m}", findings);
   if (findings.size() > before) return {};

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "common/mesh/triangle_mesh.hpp"
+#include "common/box.hpp"
 #include "coupler/case/case.hpp"
 
 namespace dipper::cases {
@@ -12,8 +12,8 @@ namespace dipper::cases {
 /// Beside the dipper's mesh. Boxes in B [m].
 struct DipperFacts {
   double struck_volume_m3 = 0;
-  mesh::BoundingBox cavity;  ///< up to the lip and the roof
-  mesh::BoundingBox load;    ///< the cavity and the heap in front of the lip
+  Box cavity;  ///< up to the lip and the roof
+  Box load;    ///< the cavity and the heap in front of the lip
 };
 
 /// Reads struck_volume_m3, cavity {min_m, max_m} and heap_height_m from the YAML file of the
@@ -23,6 +23,6 @@ DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings);
 
 /// Reads bed {min_m, max_m}, in the truck's frame [m], from the YAML file of the truck's mesh's
 /// name, likewise.
-mesh::BoundingBox read_truck_bed(const Case& c, std::vector<Finding>& findings);
+Box read_truck_bed(const Case& c, std::vector<Finding>& findings);
 
 }  // namespace dipper::cases

@@ -26,7 +26,7 @@ constexpr std::size_t faults_shown = 10;  // a file: the first few tell what is 
 
 // "reaches y = 28.3 m, 0.3 m beyond the domain's 28", once a side of the box that is passed.
 void check_box(const cases::Case& c, const std::string& key, const std::string& what,
-               const mesh::BoundingBox& box, Findings& findings) {
+               const Box& box, Findings& findings) {
   for (int i = 0; i < 3; ++i) {
     const auto report = [&](double reached, double limit, const char* corner) {
       findings.push_back(cases::finding_at(
@@ -34,8 +34,8 @@ void check_box(const cases::Case& c, const std::string& key, const std::string& 
           fmt::format("{} reaches {} = {:.4g} m, {:.3g} m outside of {}'s {:g}", what, "xyz"[i],
                       reached, std::abs(reached - limit), corner, limit)));
     };
-    if (box.min[i] < c.domain.min_m[i]) report(box.min[i], c.domain.min_m[i], "domain.min_m");
-    if (box.max[i] > c.domain.max_m[i]) report(box.max[i], c.domain.max_m[i], "domain.max_m");
+    if (box.min_m[i] < c.domain.min_m[i]) report(box.min_m[i], c.domain.min_m[i], "domain.min_m");
+    if (box.max_m[i] > c.domain.max_m[i]) report(box.max_m[i], c.domain.max_m[i], "domain.max_m");
   }
 }
 
@@ -116,15 +116,15 @@ void check_truck_in_domain(const cases::Case& c, const mesh::TriangleMesh& truck
 void check_pile_in_domain(const cases::Case& c, Findings& findings) {
   const deck::PileShape shape = deck::pile_shape(c);
   const double half = c.pile.width_m / 2;
-  mesh::BoundingBox box{{shape.toe_x_m, -half, 0}, {shape.rear_x_m, half, shape.height_m}};
+  Box box{{shape.toe_x_m, -half, 0}, {shape.rear_x_m, half, shape.height_m}};
   if (c.pile.surface) {
     for (const std::string& fault : c.pile.surface->faults(half))
       findings.push_back({c.pile.profile, 0, "pile.profile", fault});
   } else if (!c.pile.profile.empty()) {
     check_profile_points(c, findings);
     for (const int i : {0, 2}) {  // told by those
-      box.min[i] = std::max(box.min[i], c.domain.min_m[i]);
-      box.max[i] = std::min(box.max[i], c.domain.max_m[i]);
+      box.min_m[i] = std::max(box.min_m[i], c.domain.min_m[i]);
+      box.max_m[i] = std::min(box.max_m[i], c.domain.max_m[i]);
     }
   }
   check_box(c, c.pile.surface ? "pile.profile" : "pile", "the pile", box, findings);

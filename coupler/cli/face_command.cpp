@@ -11,6 +11,7 @@
 #include "analysis/io/dump_folder.hpp"
 #include "analysis/metrics/pile_surface.hpp"
 #include "common/angles.hpp"
+#include "common/box.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/json_values.hpp"
@@ -31,7 +32,7 @@ struct FaceOptions {
 /// z over the ground. Throws std::invalid_argument when there is no rock there.
 rock::SurfaceProfile face_along(const io::DumpFrame& frame, const Pose& X_WBoom) {
   constexpr double kFar_m = 1e6, kHalfWidth_m = 2;
-  const rock::Region near{{0, -kHalfWidth_m, -kFar_m}, {kFar_m, kHalfWidth_m, kFar_m}};
+  const Box near{{0, -kHalfWidth_m, -kFar_m}, {kFar_m, kHalfWidth_m, kFar_m}};
   rock::SurfaceOptions options;
   options.step_m = 0.1;
   options.cell_m = 0.05;

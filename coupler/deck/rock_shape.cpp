@@ -65,9 +65,9 @@ RockShape make_rock_shape(const std::string& name, mesh::TriangleMesh mesh,
   shape.mass = mesh::mass_properties(mesh);
   const Matrix3d axes =
       Eigen::SelfAdjointEigenSolver<Matrix3d>(shape.mass.inertia_m5).eigenvectors();
-  mesh::BoundingBox box;
+  Box box;
   for (const Vector3d& v : mesh.vertices) box.add(axes.transpose() * v);
-  Vector3d sides = box.max - box.min;
+  Vector3d sides = box.sides_m();
   std::sort(sides.data(), sides.data() + 3);
   shape.aspect_ratio = sides[2] / sides[1];
   shape.flatness = sides[0] / sides[1];

@@ -50,10 +50,10 @@ double difference(const Spans& a, const Spans& b) {
 }
 
 SolidColumns::SolidColumns(const mesh::TriangleMesh& mesh, int cells, double margin) {
-  mesh::BoundingBox box;
+  Box box;
   for (const Vector3d& v : mesh.vertices) box.add(v, margin);
-  const Vector3d sides = box.max - box.min;
-  corner_ = box.min;
+  const Vector3d sides = box.sides_m();
+  corner_ = box.min_m;
   cell_ = sides.head<2>().maxCoeff() / cells;
   nx_ = static_cast<std::size_t>(std::ceil(sides.x() / cell_));
   ny_ = static_cast<std::size_t>(std::ceil(sides.y() / cell_));

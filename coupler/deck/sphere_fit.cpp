@@ -177,17 +177,17 @@ std::vector<Sphere> fit_spheres(const mesh::TriangleMesh& mesh, int count) {
 }
 
 double union_volume(const std::vector<Sphere>& spheres, int cells) {
-  mesh::BoundingBox box;
+  Box box;
   for (const Sphere& s : spheres) box.add(s.centre_m, s.radius_m);
-  const Vector3d sides = box.max - box.min;
+  const Vector3d sides = box.sides_m();
   const double h = sides.maxCoeff() / cells;
   const auto nx = std::lround(std::ceil(sides.x() / h)), ny = std::lround(std::ceil(sides.y() / h));
   double length = 0;
   Spans spans;
   for (long i = 0; i < nx; ++i)
     for (long j = 0; j < ny; ++j) {
-      union_spans(spheres, box.min.x() + (static_cast<double>(i) + 0.5) * h,
-                  box.min.y() + (static_cast<double>(j) + 0.5) * h, spans);
+      union_spans(spheres, box.min_m.x() + (static_cast<double>(i) + 0.5) * h,
+                  box.min_m.y() + (static_cast<double>(j) + 0.5) * h, spans);
       for (const auto& s : spans) length += s.second - s.first;
     }
   return length * h * h;

@@ -28,7 +28,7 @@ struct LayerMass {
 
 }  // namespace
 
-DipperLayers dipper_layers(const cases::Case& c, const mesh::BoundingBox& cavity) {
+DipperLayers dipper_layers(const cases::Case& c, const Box& cavity) {
   DipperLayers sum;
   mesh::TriangleMesh mesh;
   std::vector<LayerMass> parts;

@@ -20,6 +20,6 @@ struct DipperLayers {
 /// at its bulk density on the floor; teeth shorter by machine.tooth_wear_m, whose steel is not
 /// taken off the mass: six of ours lose 0.4 t in 0.4 m, of a dipper of 42 t. `cavity` in B. Throws
 /// std::invalid_argument naming the key.
-DipperLayers dipper_layers(const cases::Case& c, const mesh::BoundingBox& cavity);
+DipperLayers dipper_layers(const cases::Case& c, const Box& cavity);
 
 }  // namespace dipper::sides

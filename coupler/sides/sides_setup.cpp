@@ -73,9 +73,8 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
   Pose X_WT;
   X_WT.p = c.truck.position_m;
   X_WT.R = from_rotation_vector({0, 0, radians(c.truck.heading_deg)});
-  setup.scales = {
-      {"mass_in_dipper", "dipper", Pose{}, facts.dipper.load.min, facts.dipper.load.max},
-      {"mass_in_truck", "", X_WT, facts.truck_bed.min, facts.truck_bed.max}};
+  setup.scales = {{"mass_in_dipper", "dipper", Pose{}, facts.dipper.load},
+                  {"mass_in_truck", "", X_WT, facts.truck_bed}};
   if (c.crust.tensile_strength_Pa > 0) {
     setup.crust = dem::CrustZone{c.crust.above_m, c.crust.thickness_m};
   }

@@ -17,7 +17,7 @@ namespace dipper::sides {
 /// What the YAML files beside the dipper's and the truck's mesh say.
 struct MeshFacts {
   cases::DipperFacts dipper;
-  mesh::BoundingBox truck_bed;  ///< in T
+  Box truck_bed;  ///< in T
 };
 
 /// Reads them. Throws std::runtime_error with the first finding, of which a checked case has none.

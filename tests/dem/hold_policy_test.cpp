@@ -11,7 +11,7 @@ namespace {
 using Flags = std::vector<std::uint8_t>;
 
 TEST(WallZone, HoldsWhatIsWithinTheMarginOfTheTurnedBox) {
-  const BodyBox box{{-1, -1, -1}, {3, 1, 1}};
+  const Box box{{-1, -1, -1}, {3, 1, 1}};
   Pose X_WB;
   X_WB.R = from_rotation_vector({0, 0, M_PI / 2});  // x of the body is y of the world
   X_WB.p = {10, 0, 0};
@@ -23,7 +23,7 @@ TEST(WallZone, HoldsWhatIsWithinTheMarginOfTheTurnedBox) {
 }
 
 TEST(WallZone, ReachesAlongTheWay) {
-  const BodyBox box{{-1, -1, -1}, {1, 1, 1}};
+  const Box box{{-1, -1, -1}, {1, 1, 1}};
   const Twist V{{0, 0, 0}, {4, 0, 0}};
   const WallZone zone(box, {}, V, 2.0, 0.5);
   for (double x = 0; x <= 9.4; x += 0.1) EXPECT_TRUE(zone.holds({x, 0, 0}, 0)) << x;

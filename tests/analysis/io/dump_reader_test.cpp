@@ -37,7 +37,7 @@ TEST(TextDump, ColumnsComeByNameInAnyOrder) {
   const DumpFrame& frame = reader.frames()[0];
   EXPECT_EQ(frame.step, 30);
   EXPECT_EQ(frame.particles, 2u);
-  EXPECT_DOUBLE_EQ(frame.box->max.y(), 20);
+  EXPECT_DOUBLE_EQ(frame.box->max_m.y(), 20);
   EXPECT_THAT(all(frame, {"x", "radius", "id"}),
               ElementsAre(ElementsAre(1, -1), ElementsAre(0.5, 0.25), ElementsAre(7, 8)));
 }

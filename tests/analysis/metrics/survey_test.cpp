@@ -19,9 +19,9 @@ struct Scene {
   rock::PoseTrack dipper{{0, 1, 2, 3}, {pose(0), pose(2), pose(4), pose(6)}};
   static Pose pose(double z) { return {Quaterniond::Identity(), {0, 0, z}}; }
   Scene() {
-    regions.dipper = rock::Region{{0, -1, -1}, {5, 1, 1}};
+    regions.dipper = Box{{0, -1, -1}, {5, 1, 1}};
     regions.lip_x_m = 4;
-    regions.truck = rock::Region{{-2, -1, 0}, {2, 1, 3}};
+    regions.truck = Box{{-2, -1, 0}, {2, 1, 3}};
     regions.X_WT = {Quaterniond(std::sqrt(0.5), 0, 0, std::sqrt(0.5)), {20, 0, 0}};
   }
 };

@@ -10,8 +10,8 @@ namespace {
 
 rock::LoadRegions regions() {
   rock::LoadRegions p;
-  p.dipper = rock::Region{{0, -1, -1}, {5, 1, 1}};
-  p.truck = rock::Region{{-2, -2, -3}, {2, 2, -1.1}};
+  p.dipper = Box{{0, -1, -1}, {5, 1, 1}};
+  p.truck = Box{{-2, -2, -3}, {2, 2, -1.1}};
   return p;
 }
 

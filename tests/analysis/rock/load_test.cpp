@@ -4,11 +4,13 @@
 
 #include <cmath>
 
+#include "common/frames.hpp"
+
 namespace dipper::analysis::rock {
 namespace {
 
 /// Small balls on a lattice that fill x and y of the region and reach up to z = height.
-std::vector<Sphere> bed(const Region& region, double height) {
+std::vector<Sphere> bed(const Box& region, double height) {
   constexpr double r = 0.02;
   std::vector<Sphere> balls;
   for (double x = region.min_m.x() + r; x < region.max_m.x(); x += 2 * r)
@@ -17,7 +19,7 @@ std::vector<Sphere> bed(const Region& region, double height) {
   return balls;
 }
 
-const Region kBox{{0, -1, -0.5}, {3, 1, 1.5}};
+const Box kBox{{0, -1, -0.5}, {3, 1, 1.5}};
 
 TEST(LoadVolume, ReachesFromTheBottomToTheTopOfTheHighestSphere) {
   const double top = 0.7 + 0.01;  // balls of 3 cm about z = 0.68, less the dents between them

@@ -8,9 +8,7 @@
 namespace dipper::analysis::rock {
 namespace {
 
-Eigen::AlignedBox3d cube(double side) {
-  return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(side)};
-}
+Box cube(double side) { return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(side)}; }
 
 /// Spheres that touch on a cubic lattice fill pi/6 of the space.
 TEST(MassInside, CubicLatticeOfSpheres) {
@@ -23,8 +21,7 @@ TEST(MassInside, CubicLatticeOfSpheres) {
   // 113 cells to 5 spheres: each lies differently on the grid, or all had the same error.
   EXPECT_NEAR(mass_inside(balls, density, cube(5), 0.0442) / 125, exact, 0.003 * exact);
   // A window that cuts spheres on every side holds its share: two whole periods.
-  const Eigen::AlignedBox3d shifted(Eigen::Vector3d(1.3, 1.45, 1.7),
-                                    Eigen::Vector3d(3.3, 3.45, 3.7));
+  const Box shifted{{1.3, 1.45, 1.7}, {3.3, 3.45, 3.7}};
   EXPECT_NEAR(mass_inside(balls, density, shifted, 0.02) / 8, exact, 0.003 * exact);
 }
 

@@ -16,7 +16,7 @@ TEST(StruckVolume, ABoxOfThinPlatesHoldsItsCavity) {
   const StruckVolume s = struck_volume(tray());
   EXPECT_NEAR(s.volume_m3, 3.0, 0.03);
   EXPECT_GT(s.up.x(), 0.98);
-  EXPECT_NEAR(s.water.max.y() - s.water.min.y(), 1.0, 0.08);
+  EXPECT_NEAR(s.water.sides_m().y(), 1.0, 0.08);
 }
 
 TEST(StruckVolume, TurnedOnItsSideItHoldsNothing) {

@@ -10,10 +10,10 @@ namespace {
 
 TriangleMesh dipper_mesh() { return read_stl(std::string(DIPPER_SOURCE) + "/meshes/dipper.stl"); }
 
-BoundingBox cavity() {
-  BoundingBox box;
-  box.min = {0, -2, -1.5};
-  box.max = {4, 2, 1.5};
+Box cavity() {
+  Box box;
+  box.min_m = {0, -2, -1.5};
+  box.max_m = {4, 2, 1.5};
   return box;
 }
 
@@ -38,17 +38,17 @@ TEST(Lining, TheFloorRisesByTheThickness) {
   EXPECT_NEAR(lined.layer.com_m.x(), 2.0, 0.1);
   // A flat plate's moment about x: V (w^2 + t^2)/12.
   EXPECT_NEAR(lined.layer.inertia_m5(0, 0), 3.2 * (16 + 0.04) / 12, 0.05 * 4.3);
-  const BoundingBox before = bounding_box(dipper_mesh()), after = bounding_box(lined.mesh);
-  EXPECT_EQ(before.min, after.min);  // nothing moves on the outside, nor the teeth
-  EXPECT_EQ(before.max, after.max);
+  const Box before = bounding_box(dipper_mesh()), after = bounding_box(lined.mesh);
+  EXPECT_EQ(before.min_m, after.min_m);  // nothing moves on the outside, nor the teeth
+  EXPECT_EQ(before.max_m, after.max_m);
 }
 
 TEST(Lining, RefusesWhatDoesNotFitOrHasNoPlates) {
   EXPECT_THROW(line_dipper(dipper_mesh(), cavity(), 0.8, LinedFaces::floor), std::invalid_argument);
   EXPECT_THROW(line_dipper(dipper_mesh(), cavity(), 0, LinedFaces::floor), std::invalid_argument);
-  BoundingBox elsewhere = cavity();
-  elsewhere.min.z() += 20;
-  elsewhere.max.z() += 20;
+  Box elsewhere = cavity();
+  elsewhere.min_m.z() += 20;
+  elsewhere.max_m.z() += 20;
   EXPECT_THROW(line_dipper(dipper_mesh(), elsewhere, 0.1, LinedFaces::floor),
                std::invalid_argument);
 }

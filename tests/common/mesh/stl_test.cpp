@@ -38,8 +38,8 @@ TEST(Stl, AsciiAndBinaryGiveTheSameWeldedBox) {
     EXPECT_EQ(mesh.triangles.size(), 12U);
     EXPECT_NEAR(volume(mesh), 1 * 2 * 3, 1e-12);
     EXPECT_NEAR(area(mesh), 2 * (1 * 2 + 1 * 3 + 2 * 3), 1e-12);
-    EXPECT_EQ(bounding_box(mesh).min, Eigen::Vector3d(1, 2, 3));
-    EXPECT_EQ(bounding_box(mesh).max, Eigen::Vector3d(2, 4, 6));
+    EXPECT_EQ(bounding_box(mesh).min_m, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(bounding_box(mesh).max_m, Eigen::Vector3d(2, 4, 6));
   }
 }
 

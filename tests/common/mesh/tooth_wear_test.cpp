@@ -51,7 +51,7 @@ TEST(ToothWear, CutsTheTeethOffAndNothingElse) {
   for (const double wear : {0.001, 0.1, 0.4, 0.539}) {
     const TriangleMesh worn = wear_teeth(whole, wear);
     EXPECT_TRUE(check_mesh(worn).empty());
-    EXPECT_NEAR(bounding_box(worn).max.x(), kTip - wear, 1e-6);
+    EXPECT_NEAR(bounding_box(worn).max_m.x(), kTip - wear, 1e-6);
     EXPECT_NEAR(volume(whole) - volume(worn), lost(wear), 1e-6 + 1e-4 * lost(wear)) << wear;
     // No facet turns: planes of a wedge stay the planes they are.
     for (std::size_t i = 0; i < whole.triangles.size(); ++i) {

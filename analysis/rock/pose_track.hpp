@@ -1,4 +1,4 @@
-// A box in a frame of its own, and how a body moves.
+// How a body moves.
 #pragma once
 
 #include <vector>
@@ -6,15 +6,6 @@
 #include "common/frames.hpp"
 
 namespace dipper::analysis::rock {
-
-/// What is in it counts: the dipper's cavity with the heap on it, a truck's bed.
-struct Region {
-  Vector3d min_m = Vector3d::Zero(), max_m = Vector3d::Zero();  ///< in the region's frame S
-
-  bool holds(const Vector3d& p_S) const {
-    return (p_S.array() >= min_m.array()).all() && (p_S.array() <= max_m.array()).all();
-  }
-};
 
 /// A body's poses against time, and its twists where they are known.
 class PoseTrack {

@@ -1,4 +1,4 @@
-#include "analysis/rock/region.hpp"
+#include "analysis/rock/pose_track.hpp"
 
 #include <algorithm>
 #include <stdexcept>
