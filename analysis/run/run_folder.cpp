@@ -69,15 +69,6 @@ std::map<std::string, std::string> deck_variables(const fs::path& file) {
   return values;
 }
 
-/// An STL file; throws InputError, in place of StlError.
-mesh::TriangleMesh read_mesh(const fs::path& file) {
-  try {
-    return mesh::read_stl(file);
-  } catch (const mesh::StlError& e) {
-    throw io::input_error(file, e.line, e.message);
-  }
-}
-
 /// What a report takes from summary.json has to be what a run writes.
 json read_summary(const fs::path& file) {
   json summary = json_of(file);
@@ -102,7 +93,7 @@ void read_meshes(RunData& run, const fs::path& deck) {
     const fs::path file = at == variables.end() ? fs::path() : fs::path(at->second);
     if (!file.empty() && fs::exists(file)) {
       run.mesh_files[name] = file;
-      run.meshes[name] = read_mesh(file);
+      run.meshes[name] = mesh::read_stl(file);
       continue;
     }
     const fs::path dump = run.folder / "dumps" / (std::string(name) + "_0.vtk");
@@ -180,7 +171,7 @@ RunData read_run_folder(const fs::path& folder) {
 }
 
 mesh::TriangleMesh read_sound_mesh(const fs::path& file) {
-  mesh::TriangleMesh mesh = read_mesh(file);
+  mesh::TriangleMesh mesh = mesh::read_stl(file);
   if (const auto faults = mesh::check_mesh(mesh); !faults.empty())
     throw io::input_error(
         file, 0,

@@ -12,6 +12,7 @@
 #include <map>
 #include <string_view>
 
+#include "common/input_error.hpp"
 #include "common/numbers.hpp"
 
 namespace dipper::mesh {
@@ -52,7 +53,7 @@ class Welder {
 // Words of an ascii file, each with its line.
 class Words {
  public:
-  explicit Words(std::string_view text) : text_(text) {}
+  Words(std::string_view text, std::filesystem::path file) : text_(text), file_(std::move(file)) {}
 
   int line() const { return line_; }
 
@@ -83,19 +84,20 @@ class Words {
   }
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw StlError("not an ascii STL file: " + message, line_, -1);
+    throw InputError({{file_, line_, "", "not an ascii STL file: " + message}});
   }
 
  private:
   std::string_view text_;
+  std::filesystem::path file_;
   std::size_t at_ = 0;
   int line_ = 1;
 };
 
-TriangleMesh parse_ascii(std::string_view text, double weld) {
+TriangleMesh parse_ascii(std::string_view text, double weld, const std::filesystem::path& file) {
   TriangleMesh mesh;
   Welder welder(weld);
-  Words words(text);
+  Words words(text, file);
   std::string_view word = words.next();
   while (!word.empty()) {  // a file may hold several solids
     if (word != "solid") words.fail(fmt::format("'{}' where 'solid' belongs", word));
@@ -137,19 +139,21 @@ std::uint32_t facet_count(const std::string& bytes) {
   return count;
 }
 
-TriangleMesh parse_binary(const std::string& bytes, double weld) {
+TriangleMesh parse_binary(const std::string& bytes, double weld,
+                          const std::filesystem::path& file) {
+  const auto fail = [&](std::size_t byte, const std::string& message) {
+    throw InputError({{file, 0, "", fmt::format("at byte {}: {}", byte, message)}});
+  };
   const std::size_t count = facet_count(bytes);
   const std::size_t needed = header_bytes + count * facet_bytes;
   if (bytes.size() < needed) {
-    throw StlError(fmt::format("the header says {} facets, which takes {} bytes; the file ends "
-                               "after {}",
-                               count, needed, bytes.size()),
-                   0, static_cast<long long>(bytes.size()));
+    fail(bytes.size(),
+         fmt::format("the header says {} facets, which takes {} bytes; the file ends after {}",
+                     count, needed, bytes.size()));
   }
   if (bytes.size() > needed) {
-    throw StlError(fmt::format("{} bytes too many after the {} facets of the header",
-                               bytes.size() - needed, count),
-                   0, static_cast<long long>(needed));
+    fail(needed, fmt::format("{} bytes too many after the {} facets of the header",
+                             bytes.size() - needed, count));
   }
   TriangleMesh mesh;
   Welder welder(weld);
@@ -161,8 +165,7 @@ TriangleMesh parse_binary(const std::string& bytes, double weld) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Eigen::Vector3d v(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
       if (!v.allFinite()) {
-        throw StlError(fmt::format("facet {}: a coordinate is no finite number", n + 1), 0,
-                       static_cast<long long>(at + 12 * i));
+        fail(at + 12 * i, fmt::format("facet {}: a coordinate is no finite number", n + 1));
       }
       triangle[i] = welder.index(mesh, v);
     }
@@ -184,23 +187,18 @@ bool is_binary(const std::string& bytes) {
 
 }  // namespace
 
-TriangleMesh parse_stl(const std::string& bytes, double weld) {
-  TriangleMesh mesh = is_binary(bytes) ? parse_binary(bytes, weld) : parse_ascii(bytes, weld);
-  if (mesh.triangles.empty()) throw StlError("holds no facets", 0, -1);
+TriangleMesh parse_stl(const std::string& bytes, double weld, const std::filesystem::path& file) {
+  TriangleMesh mesh =
+      is_binary(bytes) ? parse_binary(bytes, weld, file) : parse_ascii(bytes, weld, file);
+  if (mesh.triangles.empty()) throw InputError({{file, 0, "", "holds no facets"}});
   return mesh;
 }
 
 TriangleMesh read_stl(const std::filesystem::path& file, double weld) {
   std::ifstream in(file, std::ios::binary);
-  if (!in || !std::filesystem::is_regular_file(file)) {
-    throw StlError("no such file, or it cannot be read", 0, -1, file.string());
-  }
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  try {
-    return parse_stl(bytes, weld);
-  } catch (const StlError& e) {
-    throw StlError(e.message, e.line, e.byte, file.string());
-  }
+  if (!in || !std::filesystem::is_regular_file(file))
+    throw InputError({{file, 0, "", "no such file, or it cannot be read"}});
+  return parse_stl({std::istreambuf_iterator<char>(in), {}}, weld, file);
 }
 
 bool is_stl(const std::filesystem::path& file) {

@@ -33,9 +33,6 @@ void read_pile_profile(Case& c, std::vector<Finding>& findings) {
     } else {
       c.pile.outline_m = read_outline(c.pile.profile);
     }
-  } catch (const mesh::StlError& e) {
-    findings.push_back(finding_at(c, "pile.profile", e.what()));
-    return;
   } catch (const InputError& e) {
     add_file_findings(c, "pile.profile", e, findings);
     return;

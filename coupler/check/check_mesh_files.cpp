@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "common/angles.hpp"
+#include "common/input_error.hpp"
 #include "common/mesh/mesh_check.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/mesh/tooth_wear.hpp"
@@ -79,9 +80,8 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
           {file, 0, key, fmt::format("and {} faults more", faults.size() - faults_shown)});
     }
     return mesh;
-  } catch (const mesh::StlError& e) {
-    const std::string where = e.byte >= 0 ? fmt::format("at byte {}: ", e.byte) : "";
-    findings.push_back({file, e.line, key, where + e.message});
+  } catch (const InputError& e) {
+    cases::add_file_findings(c, key, e, findings);
     return std::nullopt;
   }
 }

@@ -38,8 +38,6 @@ void check_shape(const cases::Case& c, const std::string& shape, Findings& findi
       findings.push_back({stl, 0, key, faults[i]});
     if (faults.size() > shown)
       findings.push_back({stl, 0, key, fmt::format("and {} faults more", faults.size() - shown)});
-  } catch (const mesh::StlError& e) {
-    findings.push_back({stl, e.line, key, e.message});
   } catch (const InputError& e) {
     cases::add_file_findings(c, key, e, findings);
   }

@@ -144,7 +144,8 @@ TEST(CheckCase, BrokenMeshes) {
        {dipper, 0, "bodies.dipper",
         "facet 3: not closed: the edge (0, 1, 0) to (0, 0, 1) has no second facet"},
        {door, line, "bodies.door", "where a number belongs"},
-       {truck, 0, "truck.mesh", "at byte 84: the header says 2 facets, which takes 184 bytes"}});
+       {checkout.file(), checkout.line("mesh:"), "truck.mesh",
+        truck.string() + ": at byte 84: the header says 2 facets, which takes 184 bytes"}});
 }
 
 TEST(CheckCase, NothingBesideTheMeshes) {
@@ -467,7 +468,10 @@ TEST(CheckCase, SurfaceThatIsNone) {
     expect_findings(load_findings(checkout),
                     {{checkout.file(), line, "pile.profile", stl.string() + message}});
   };
-  expect("x_m,z_m\n13,0\n16,6.5\n", ":1: not an ascii STL file: 'x_m,z_m' where 'solid' belongs");
+  write_text(stl, "x_m,z_m\n13,0\n16,6.5\n");
+  expect_findings(load_findings(checkout), {{stl, 1, "pile.profile",
+                                             "not an ascii STL file: 'x_m,z_m' where 'solid' "
+                                             "belongs"}});
   expect("", ": holds no facets");
   expect("solid scan\nendsolid scan\n", ": holds no facets");
   expect(
