@@ -100,10 +100,10 @@ cases::Case changed_case(const CalibrationRequest& request,
                          std::int64_t seed) {
   std::vector<cases::Override> all = with(request, parameters);
   all.push_back({"seed", std::to_string(seed)});
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   cases::Case c = cases::load_case(request.case_folder, all, findings);
   if (findings.empty()) findings = check::check_case(c);
-  if (!findings.empty()) throw std::invalid_argument(cases::to_string(findings[0]));
+  if (!findings.empty()) throw std::invalid_argument(to_string(findings[0]));
   return c;
 }
 

@@ -17,9 +17,6 @@
 namespace dipper::cases {
 
 class BenchSurface;
-using dipper::Finding;
-using dipper::Origin;
-using dipper::to_string;
 
 /// machine: the shovel and what drives it.
 struct MachineCase {

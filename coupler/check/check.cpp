@@ -15,8 +15,8 @@ bool file_exists(const cases::Case& c, const std::string& key, const std::filesy
   return false;
 }
 
-std::vector<cases::Finding> check_case(const cases::Case& c) {
-  std::vector<cases::Finding> findings;
+std::vector<Finding> check_case(const cases::Case& c) {
+  std::vector<Finding> findings;
   std::map<std::string, mesh::TriangleMesh> bodies;
   for (const auto& [name, file] : c.bodies) {
     if (auto body = load_sound_mesh(c, "bodies." + name, file, findings)) {

@@ -12,7 +12,7 @@
 
 namespace dipper::check {
 
-using Findings = std::vector<cases::Finding>;
+using Findings = std::vector<Finding>;
 
 /// False, and a finding, when the file of a key does not exist.
 bool file_exists(const cases::Case& c, const std::string& key, const std::filesystem::path& file,

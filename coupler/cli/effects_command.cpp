@@ -36,11 +36,11 @@ json to_json(const cases::Effect& e) {
 }  // namespace
 
 int effects_command(const std::filesystem::path& case_folder, Reporter& reporter) {
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   json effects = json::array();
   for (const std::string& name : cases::effect_names(case_folder))
     effects.push_back(to_json(cases::read_effect(cases::effect_file(case_folder, name), findings)));
-  for (const cases::Finding& finding : findings) reporter.error(cases::to_string(finding));
+  for (const Finding& finding : findings) reporter.error(to_string(finding));
   if (!findings.empty()) return 2;
   reporter.line(json{{"effects", effects}}.dump());
   return 0;

@@ -24,11 +24,11 @@ int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
   if (o.side != "mbs" || o.out.empty()) {
     throw CLI::ValidationError("--set", "replays another machine: it needs --side mbs and --out");
   }
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   const cases::Case changed = run::case_of_run(
       o.folder, o.case_folder, overrides_of(o.set, "effects.crowd_friction=100"), findings);
   if (findings.empty()) findings = check::check_case(changed);
-  for (const cases::Finding& f : findings) reporter.error(cases::to_string(f));
+  for (const Finding& f : findings) reporter.error(to_string(f));
   if (!findings.empty()) return 2;
   enter_own_network(reporter);
   run::observe_changed_machine(o.folder, changed, o.out);

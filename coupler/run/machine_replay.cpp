@@ -88,7 +88,7 @@ class LoneMachine {
 
 cases::Case case_of_run(const fs::path& run, const std::string& case_folder,
                         const std::vector<cases::Override>& changes,
-                        std::vector<cases::Finding>& findings) {
+                        std::vector<Finding>& findings) {
   // The text has the values that effects of the case have changed: the effects are in it.
   std::vector<cases::Override> all = {{"effects", "{}"}};
   try {

@@ -13,7 +13,7 @@ namespace dipper::run {
 /// `findings`.
 cases::Case case_of_run(const std::filesystem::path& run, const std::string& case_folder,
                         const std::vector<cases::Override>& changes,
-                        std::vector<cases::Finding>& findings);
+                        std::vector<Finding>& findings);
 
 /// Steps the machine of `changed` with the wrenches in the run's record.h5 and writes what the
 /// mine's instruments would have shown into `out` (observed.hpp). Exact where the dipper's motion

@@ -28,9 +28,9 @@ long dump_steps(const cases::Case& c) {
 }  // namespace
 
 MeshFacts read_mesh_facts(const cases::Case& c) {
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   const MeshFacts facts{cases::read_dipper_facts(c, findings), cases::read_truck_bed(c, findings)};
-  if (!findings.empty()) throw std::runtime_error(cases::to_string(findings.front()));
+  if (!findings.empty()) throw std::runtime_error(to_string(findings.front()));
   return facts;
 }
 

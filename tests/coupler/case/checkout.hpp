@@ -99,14 +99,14 @@ struct Expected {
   std::string message;
 };
 
-inline void expect_findings(const std::vector<cases::Finding>& found,
+inline void expect_findings(const std::vector<Finding>& found,
                             const std::vector<Expected>& expected) {
   std::string all;
-  for (const cases::Finding& f : found) all += cases::to_string(f) + "\n";
+  for (const Finding& f : found) all += to_string(f) + "\n";
   EXPECT_EQ(found.size(), expected.size()) << all;
   for (const Expected& e : expected) {
     bool seen = false;
-    for (const cases::Finding& f : found) {
+    for (const Finding& f : found) {
       seen = seen || (f.file == e.file && f.line == e.line && f.key == e.key &&
                       f.message.find(e.message) != std::string::npos);
     }

@@ -25,16 +25,15 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 namespace fs = std::filesystem;
 
-std::vector<cases::Finding> check(const Checkout& checkout,
-                                  const std::vector<cases::Override>& set = {}) {
-  std::vector<cases::Finding> findings;
+std::vector<Finding> check(const Checkout& checkout, const std::vector<cases::Override>& set = {}) {
+  std::vector<Finding> findings;
   const cases::Case c = cases::load_case(checkout.folder(), set, findings);
   expect_findings(findings, {});
   return check::check_case(c);
 }
 
-std::vector<cases::Finding> load_findings(const Checkout& checkout) {
-  std::vector<cases::Finding> findings;
+std::vector<Finding> load_findings(const Checkout& checkout) {
+  std::vector<Finding> findings;
   cases::load_case(checkout.folder(), {}, findings);
   return findings;
 }
@@ -70,7 +69,7 @@ TEST(CheckCase, JsonTellsWhatAProgramAsks) {
   EXPECT_EQ(said.at("values").at("title"), "a \"b\"");
   EXPECT_GT(said.at("size").at("rocks"), 0);
   EXPECT_GT(said.at("size").at("steps"), 0);
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   EXPECT_EQ(said.at("case_hash"), cases::case_hash(cases::load_case(
                                       checkout.folder(), {{"title", "'a \"b\"'"}}, findings)));
 
@@ -200,10 +199,9 @@ TEST(CheckCase, WrongValuesBesideTheMeshes) {
   EXPECT_EQ(broken[0].file, dipper);
   EXPECT_GT(broken[0].line, 0);
   EXPECT_THAT(broken[0].message, HasSubstr("not valid YAML: "));
-  EXPECT_EQ(cases::to_string(broken[1]),
-            truck.string() +
-                ":1: bed: is '5'; write {min_m, max_m}, corners of the box "
-                "in the mesh's frame whose rock is the truck's load");
+  EXPECT_EQ(to_string(broken[1]), truck.string() +
+                                      ":1: bed: is '5'; write {min_m, max_m}, corners of the box "
+                                      "in the mesh's frame whose rock is the truck's load");
   write_text(dipper,
              "struck_volume_m3: 42\ncavity: {min_m: [0, -2, -1.5], max_m: [4, 2, 1.5]}\n"
              "heap_height_m: -1\n");
@@ -275,7 +273,7 @@ TEST(CheckCase, MotionBeyondRopeAndCrowd) {
   const fs::path motion = checkout.folder() / "motion.csv";
   write_text(motion, "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,90,0,0,0\n50,90,25,0,0\n");
   std::string all;
-  for (const cases::Finding& f : check(checkout)) {
+  for (const Finding& f : check(checkout)) {
     EXPECT_EQ(f.file, motion);
     EXPECT_EQ(f.key, "machine.motion");
     all += f.message + "\n";
@@ -290,10 +288,10 @@ TEST(CheckCase, BrokenMachine) {
   write_text(model, "machine: nothing\n");
   const auto findings = check(checkout);
   ASSERT_FALSE(findings.empty());
-  for (const cases::Finding& f : findings) {
-    EXPECT_EQ(f.file, model) << cases::to_string(f);
+  for (const Finding& f : findings) {
+    EXPECT_EQ(f.file, model) << to_string(f);
     EXPECT_EQ(f.key, "machine.model");
-    EXPECT_GT(f.line, 0) << cases::to_string(f);
+    EXPECT_GT(f.line, 0) << to_string(f);
   }
 }
 
@@ -323,7 +321,7 @@ TEST(CheckCase, BodiesTruckAndPileLeaveTheBox) {
                  {file, checkout.line("pile"), "pile", "the pile reaches x = "},
                  {file, top, "domain.max_m", "the dipper leaves the box at "},
                  {file, top, "domain.max_m", "the door leaves the box at "}});
-  for (const cases::Finding& f : findings) {
+  for (const Finding& f : findings) {
     EXPECT_THAT(f.message, MatchesRegex(".* reaches [xy] = [0-9.]+ m, [0-9.]+ m outside of .*"));
   }
 }
@@ -374,9 +372,9 @@ void use_profile(Checkout& checkout, const std::string& rows) {
 TEST(CheckCase, ProfileInPlaceOfTheTrapezoid) {
   Checkout checkout;
   use_profile(checkout, "13,0\n13,2\n16,6.5\n20,6\n");
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
-  ASSERT_TRUE(findings.empty()) << cases::to_string(findings[0]);
+  ASSERT_TRUE(findings.empty()) << to_string(findings[0]);
   ASSERT_EQ(c.pile.outline_m.size(), 4U);
   EXPECT_EQ(c.pile.outline_m[2], Eigen::Vector2d(16, 6.5));
   EXPECT_NE(c.text.find("pile.profile=\"scan.csv\"\n"), std::string::npos);
@@ -446,9 +444,9 @@ mesh::TriangleMesh scan(double half_width) {
 TEST(CheckCase, SurfaceInPlaceOfTheTrapezoid) {
   Checkout checkout;
   use_surface(checkout, scan(6));
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
-  ASSERT_TRUE(findings.empty()) << cases::to_string(findings[0]);
+  ASSERT_TRUE(findings.empty()) << to_string(findings[0]);
   ASSERT_TRUE(c.pile.surface);
   EXPECT_NEAR(c.pile.surface->height(20, 2), 5.4, 1e-6);
   // Poured as high as the highest of it within the width.
@@ -522,7 +520,7 @@ TEST(CheckCase, SurfaceBesideWhatItReplaces) {
 TEST(CheckCase, HeldLayerInACrust) {
   Checkout checkout;
   const int line = checkout.replace("toe_x_m", "toe_x_m: 13\nheld_layer_m: 0.5") + 1;
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   cases::load_case(checkout.folder(), {{"crust.tensile_strength_Pa", "1e5"}}, findings);
   expect_findings(findings,
                   {{checkout.file(), line, "pile.held_layer_m", "cannot be used with a crust"}});
@@ -531,7 +529,7 @@ TEST(CheckCase, HeldLayerInACrust) {
 TEST(CheckCase, EffectOnWhatAProfileReplaces) {
   Checkout checkout;
   use_profile(checkout, "13,0\n16,6.5\n20,6\n");
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   cases::load_case(checkout.folder(), {{"effects.pile_height", "1"}}, findings);
   expect_findings(findings, {{"--set", 0, "effects.pile_height",
                               "changes pile.height_m, which pile.profile replaces"}});
@@ -551,9 +549,9 @@ TEST(CheckCase, SieveCurveInPlaceOfClasses) {
   Checkout checkout;
   use_sieve(checkout, "0.15,0\n0.25,40\n0.4,60\n0.8,100\n",
             "classes: 3, spheres_below_m: 0.25, shapes: [block, shard]");
-  std::vector<cases::Finding> findings;
+  std::vector<Finding> findings;
   const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
-  ASSERT_TRUE(findings.empty()) << cases::to_string(findings[0]);
+  ASSERT_TRUE(findings.empty()) << to_string(findings[0]);
   ASSERT_EQ(c.rock.classes.size(), 3U);
   EXPECT_EQ(c.rock.classes[0].shapes, std::vector<std::string>{"sphere"});
   EXPECT_EQ(c.rock.classes[2].shapes, (std::vector<std::string>{"block", "shard"}));

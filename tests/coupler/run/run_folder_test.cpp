@@ -46,7 +46,7 @@ TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {
   const fs::path out = checkout.root / "run";
   fs::create_directory(out);
   const auto load = [&](const std::vector<cases::Override>& set) {
-    std::vector<cases::Finding> findings;
+    std::vector<Finding> findings;
     cases::Case c = cases::load_case(checkout.folder(), set, findings);
     EXPECT_TRUE(findings.empty());
     return c;
