@@ -1,17 +1,25 @@
 #include "common/cache_folder.hpp"
 
-#include <cstdlib>
+#include "common/input_error.hpp"
 
 namespace dipper {
+namespace {
 
-namespace fs = std::filesystem;
-
-fs::path cache_folder() {
-  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg != '\0') {
-    return fs::path(xdg) / "dipper";
-  }
-  const char* home = std::getenv("HOME");
-  return fs::path(home != nullptr ? home : "/tmp") / ".cache" / "dipper";
+std::filesystem::path& folder() {
+  static std::filesystem::path path;
+  return path;
 }
+
+}  // namespace
+
+std::filesystem::path cache_folder() {
+  if (folder().empty())
+    throw InputError({{"", 0, "",
+                       "no place for settled piles and fitted rocks: neither XDG_CACHE_HOME nor "
+                       "HOME is set; set XDG_CACHE_HOME to a folder for them"}});
+  return folder();
+}
+
+void set_cache_folder(const std::filesystem::path& path) { folder() = path; }
 
 }  // namespace dipper

@@ -1,7 +1,6 @@
 #include "common/installation.hpp"
 
-#include <cstdlib>
-#include <stdexcept>
+#include "common/input_error.hpp"
 
 namespace dipper {
 
@@ -11,6 +10,11 @@ namespace {
 
 fs::path own_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
+fs::path& given_folder() {
+  static fs::path path;
+  return path;
+}
+
 }  // namespace
 
 std::string installed_program(const std::string& name) {
@@ -19,19 +23,19 @@ std::string installed_program(const std::string& name) {
 }
 
 fs::path data_folder() {
-  const char* given = std::getenv("DIPPER_DATA");
-  const bool is_given = given != nullptr && *given != '\0';
-  const fs::path folder = is_given ? given : own_folder().parent_path() / "share" / "dipper";
+  const fs::path folder =
+      given_folder().empty() ? own_folder().parent_path() / "share" / "dipper" : given_folder();
   std::error_code failed;
   // The build tree's is a link to the repository; messages and logs name the files themselves.
   fs::path found = fs::canonical(folder, failed);
   if (failed || !fs::is_directory(found / "dem_in")) {
-    throw std::runtime_error(
-        folder.string() +
-        ": has no dem_in, so Dipper's own files are not there; set DIPPER_DATA "
-        "to the folder that has them (PREFIX/share/dipper of an installation)");
+    throw InputError({{folder, 0, "",
+                       "has no dem_in, so Dipper's own files are not there; set DIPPER_DATA to the "
+                       "folder that has them (PREFIX/share/dipper of an installation)"}});
   }
   return found;
 }
+
+void set_data_folder(const fs::path& folder) { given_folder() = folder; }
 
 }  // namespace dipper

@@ -8,6 +8,7 @@
 #include "coupler/cli/check_command.hpp"
 #include "coupler/cli/console.hpp"
 #include "coupler/cli/effects_command.hpp"
+#include "coupler/cli/environment.hpp"
 #include "coupler/cli/face_command.hpp"
 #include "coupler/cli/gap_command.hpp"
 #include "coupler/cli/motion_command.hpp"
@@ -50,6 +51,7 @@ int command_line(int argc, char** argv, Reporter& reporter) {
 
 int main(int argc, char** argv) {
   dipper::cli::Console console;
+  dipper::cli::read_environment();
   try {
     return dipper::cli::command_line(argc, argv, console);
   } catch (const dipper::InputError& e) {

@@ -8,6 +8,7 @@
 
 #include "common/cache_folder.hpp"
 #include "common/input_error.hpp"
+#include "common/installation.hpp"
 #include "common/manifest.hpp"
 #include "coupler/check/checked_case.hpp"
 #include "coupler/cli/number_option.hpp"
@@ -54,6 +55,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   if (o.seed) set.push_back({"seed", std::to_string(*o.seed)});
   const std::optional<cases::Case> c = check::checked_case(o.folder, set, reporter);
   if (!c) return 2;
+  data_folder();  // throws where our own files are not there, before anything is written
   const fs::path out = run_folder(o, c->name);
   for (const auto& [folder, remedy] :
        {std::pair{out, "choose another --out"},

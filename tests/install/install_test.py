@@ -54,7 +54,11 @@ class AMovedTree(InstallationTest):
         quick = self.prefix / "share/dipper/cases/quick"
         words = ["check", quick, "--set", "effects.crowd_friction=80"]
         self.as_user("env", f"DIPPER_DATA={self.prefix}/share/dipper", alone, *words)
-        self.assertIn("DIPPER_DATA", self.as_user(alone, *words, status=3))
+        self.assertIn("DIPPER_DATA", self.as_user(alone, *words, status=2))
+        run = self.home / "nothing"
+        plain = ["run", quick, "--out", run]
+        self.assertIn("DIPPER_DATA", self.as_user(alone, *plain, status=2))
+        self.assertFalse(run.exists())
 
 
 if __name__ == "__main__":

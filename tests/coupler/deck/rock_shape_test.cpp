@@ -5,9 +5,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include <Eigen/Geometry>
-#include <cstdlib>
 #include <stdexcept>
 
+#include "common/cache_folder.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/deck/shape_library.hpp"
 #include "tests/common/mesh/shapes.hpp"
@@ -35,13 +35,12 @@ class Library : public testing::Test {
  protected:
   void SetUp() override {
     folder = fresh_folder("shapes");
-    setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+    set_cache_folder(folder / "cache");
   }
   std::size_t cached() const {
     std::size_t n = 0;
     std::error_code none;
-    for ([[maybe_unused]] const auto& entry :
-         fs::directory_iterator(folder / "cache/dipper/shapes", none))
+    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder / "cache/shapes", none))
       ++n;
     return n;
   }

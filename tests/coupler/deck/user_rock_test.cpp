@@ -1,10 +1,10 @@
 // A user's scans, dropped into a folder as STL files, settle under the plain binary.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <map>
 #include <sstream>
 
+#include "common/cache_folder.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
@@ -31,7 +31,7 @@ mesh::TriangleMesh scan() {
 
 TEST(UserRock, SettlesByItsName) {
   const fs::path folder = fresh_folder("user_rock"), shapes = folder / "scans";
-  setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+  set_cache_folder(folder / "cache");
   fs::create_directories(shapes);
   std::ofstream(shapes / "boulder.stl") << mesh::to_stl("boulder", scan());
   std::ofstream(shapes / "brick.stl") << mesh::to_stl("brick", test::box({0, 0, 0}, {3, 2, 1.5}));

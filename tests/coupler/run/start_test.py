@@ -84,6 +84,14 @@ class Start(RunTest):
             self.assertIn("takes letters, digits, blanks", err)
             self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_without_a_place_for_the_cache_nothing_starts(self):
+        with unittest.mock.patch.dict(os.environ):
+            for name in ("HOME", "XDG_CACHE_HOME"):
+                os.environ.pop(name, None)
+            _, err = self.run_case(self.folder / "run", "--ranks", "1", status=2)
+        self.assertIn("set XDG_CACHE_HOME to a folder", err)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_blanks_in_the_paths_of_a_run(self):
         """Settled anew, in a cache with a blank: the case, its meshes and the run's folder have one too."""
         case = self.folder / "my mine" / "a" / "run" / "my case"

@@ -1,0 +1,10 @@
+// What Dipper takes from the environment.
+#pragma once
+
+namespace dipper::cli {
+
+/// Sets the cache's folder, $XDG_CACHE_HOME/dipper, else $HOME/.cache/dipper, else none; and that
+/// of Dipper's own files, where $DIPPER_DATA names it.
+void read_environment();
+
+}  // namespace dipper::cli
