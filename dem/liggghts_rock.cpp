@@ -81,7 +81,7 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
   if (!setup_.resumed)
     for (const auto& feature : features_) feature->before_set_up();
   set_up_time_loop(*lmp_);
-  if (setup_.resumed && !setup_.image.empty()) go_on_from(setup_.image);
+  if (setup_.resumed && !setup_.image.empty()) resume_from(setup_.image);
   if (!setup_.resumed)
     for (const auto& feature : features_)
       if (feature->after_set_up()) set_up_time_loop(*lmp_);
@@ -126,7 +126,7 @@ void LiggghtsRock::save(const std::filesystem::path& file) {
   });
 }
 
-void LiggghtsRock::go_on_from(const std::filesystem::path& file) {
+void LiggghtsRock::resume_from(const std::filesystem::path& file) {
   ByteReader in = read_image(file, *lmp_);
   try {
     get_rock(*lmp_, in);

@@ -45,7 +45,7 @@ class LiggghtsRock final : public core::Rock {
 
  private:
   core::RockState state();
-  void go_on_from(const std::filesystem::path& image);
+  void resume_from(const std::filesystem::path& image);
 
   RockSetup setup_;
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;

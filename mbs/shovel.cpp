@@ -66,7 +66,7 @@ struct Shovel::Impl {
 
   /// Puts a snapshot into the scratch State. Where it is already (the usual case after a commit),
   /// what was realized from q and u stays.
-  void recall(const Snapshot& snapshot) {
+  void restore(const Snapshot& snapshot) {
     hold(snapshot.F_Bo_W);
     if (scratch_is_committed) return;
     scratch.setTime(seconds(snapshot.t_ns));
@@ -265,7 +265,7 @@ core::MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& 
 }
 
 core::MachineState Shovel::state() {
-  impl_->recall(impl_->committed);
+  impl_->restore(impl_->committed);
   realize_at(impl_->model.system, impl_->scratch, seconds(impl_->committed.t_ns));
   impl_->scratch_is_committed = true;
   return impl_->report(impl_->committed.t_ns, impl_->committed.works);
@@ -293,7 +293,7 @@ core::MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>
   from.F_Bo_W = {F_Bo_W[0], F_Bo_W[1]};
   SimTK::Vector works = from.works;
   try {
-    impl_->recall(from);
+    impl_->restore(from);
     impl_->scratch_is_committed = false;
     // One stretch for each piece of the motion, so that no jump of acceleration is inside a step.
     for (std::int64_t t_ns = t0_ns; t_ns < t_end_ns;) {

@@ -31,7 +31,7 @@ std::string weight_note(const PassFacts& f) {
 }
 
 /// Why the three payloads differ, in figures.
-json ways(const PassFacts& f) {
+json payload_notes(const PassFacts& f) {
   json notes = json::array();
   json out = {{"inside_kg", f.pass.payload_kg}};
   if (f.still) {
@@ -124,7 +124,7 @@ json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes,
       row["load_volume_m3"] = f.load_volume_m3;
       row["load_bulk_density_kg_m3"] = f.load_in_volume_kg / f.load_volume_m3;
     }
-    row["payload_ways"] = ways(f);
+    row["payload_ways"] = payload_notes(f);
     out.push_back(row);
   }
   return out;

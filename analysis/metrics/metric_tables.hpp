@@ -20,7 +20,7 @@ struct PassFacts : signals::PassPhases {
   double load_volume_m3 = 0;  ///< 0: not known
   double load_in_volume_kg = 0;
   std::vector<rock::Stage> stages;
-  std::optional<StillWeight> still;
+  std::optional<StaticWeight> still;
   std::optional<SuspendedLoad> suspended;
 };
 

@@ -82,7 +82,7 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
   const Survey survey = survey_frames(dumps, run.clumps, run.regions, run.dipper, loads);
   for (std::size_t k = 0; k < passes.size(); ++k) {
     passes[k].fate = survey.fates[k];
-    passes[k].still = weigh_still(run.signals, passes[k].pass);
+    passes[k].still = static_weight(run.signals, passes[k].pass);
     if (!run.regions.dipper) continue;
     if (passes[k].still)
       passes[k].suspended = suspended_load(dumps, run.clumps, run.regions, run.dipper,

@@ -44,10 +44,10 @@ Effort effort(const run::RunSignals& s, double t_start_s, double t_end_s) {
   return e;
 }
 
-std::optional<StillWeight> weigh_still(const run::RunSignals& s, const signals::Pass& pass) {
+std::optional<StaticWeight> static_weight(const run::RunSignals& s, const signals::Pass& pass) {
   const auto& t = s.pass.time_s;
   const rock::PoseTrack& dipper = s.walls.at("dipper");
-  StillWeight w;
+  StaticWeight w;
   double sum = 0;
   std::size_t still = 0, all = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {

@@ -22,7 +22,7 @@ Effort effort(const run::RunSignals& s, double t_start_s, double t_end_s);
 
 /// The load from the rock's weight on dipper and door while they hang level: the end of the swing
 /// changes the force's horizontal part only.
-struct StillWeight {
+struct StaticWeight {
   double mass_kg = 0;
   double from_s = 0, to_s = 0;
 };
@@ -30,6 +30,6 @@ struct StillWeight {
 /// The mean over the last second before the door opens, of the rows in which the dipper's origin
 /// rises or sinks slower than 0.05 m/s and the door is latched; none when those are fewer than half
 /// of it.
-std::optional<StillWeight> weigh_still(const run::RunSignals& s, const signals::Pass& pass);
+std::optional<StaticWeight> static_weight(const run::RunSignals& s, const signals::Pass& pass);
 
 }  // namespace dipper::analysis::metrics

@@ -21,8 +21,8 @@ std::uint16_t zigzag(std::uint16_t change) {
   return static_cast<std::uint16_t>(change << 1) ^ static_cast<std::uint16_t>(negative ? -1 : 0);
 }
 
-/// 64-bit finaliser of MurmurHash3: neighbours in number are no neighbours in order.
-std::uint64_t scramble(std::uint64_t x) {
+/// MurmurHash3, 64 bit: neighbours in number are no neighbours in order.
+std::uint64_t murmur3_finaliser(std::uint64_t x) {
   x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdULL;
   x = (x ^ (x >> 33)) * 0xc4ceb9fe1a85ec53ULL;
   return x ^ (x >> 33);
@@ -33,7 +33,7 @@ std::uint64_t scramble(std::uint64_t x) {
 bool shown(const ReplaySphere& sphere, std::size_t one_in) {
   // Sphere and clump numbers overlap: a clump's are taken as negative.
   const std::int64_t rock = sphere.rock >= 0 ? -1 - sphere.rock : sphere.id;
-  return scramble(static_cast<std::uint64_t>(rock)) <= ~std::uint64_t{0} / one_in;
+  return murmur3_finaliser(static_cast<std::uint64_t>(rock)) <= ~std::uint64_t{0} / one_in;
 }
 
 void ReplayExtent::add(const ReplaySphere& s) {

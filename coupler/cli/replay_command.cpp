@@ -44,7 +44,7 @@ int replay(const ReplayOptions& o, Reporter& reporter) {
   reporter.line(fmt::format(
       "{}: {} requests of {} leg{} asked again in {:.1f} s; the paired run took {:.1f} s over them "
       "({:.3f} times as long)",
-      o.side, r.requests, r.legs, r.legs == 1 ? "" : "s", r.wall_s, r.recorded_wall_s,
+      o.side, r.requests, r.segments, r.segments == 1 ? "" : "s", r.wall_s, r.recorded_wall_s,
       r.recorded_wall_s / r.wall_s));
   reporter.line(r.different == 0
                     ? "every answer is the recorded one to the bit"

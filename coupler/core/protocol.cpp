@@ -65,7 +65,7 @@ void Requester::count_resend() {
   now_.again = true;
 }
 
-Responder::Verdict Responder::judge(const Envelope& request) {
+Responder::Handling Responder::classify(const Envelope& request) {
   require_ours(identity_, request);
   if (request.sequence > last_ + 1) {
     throw ProtocolError("request " + std::to_string(request.sequence) + " came after request " +
@@ -74,12 +74,12 @@ Responder::Verdict Responder::judge(const Envelope& request) {
   if (request.sequence == last_ + 1) {
     last_ = request.sequence;
     in_copies_ = std::max(0, in_copies_ - 1);
-    return Verdict::execute;
+    return Handling::execute;
   }
   ++counts_.repeated;
-  if (request.sequence < last_) return Verdict::ignore;
+  if (request.sequence < last_) return Handling::ignore;
   heard_copies();
-  return Verdict::repeat;
+  return Handling::repeat;
 }
 
 }  // namespace dipper::core

@@ -83,13 +83,13 @@ class Responder {
  public:
   explicit Responder(Envelope identity) : identity_(std::move(identity)) {}
 
-  enum class Verdict {
+  enum class Handling {
     execute,  ///< new: carry it out, then `remember` the reply
     repeat,   ///< already carried out: send `reply()` again
     ignore    ///< older than what has been carried out
   };
   /// Throws ProtocolError when a request has been skipped: it can never be served in order.
-  Verdict judge(const Envelope& request);
+  Handling classify(const Envelope& request);
 
   void remember(std::string reply) { reply_ = std::move(reply); }
   const std::string& reply() const { return reply_; }

@@ -28,7 +28,7 @@ double laden_density(const cases::Case& c) {
   return c.rock.density_kg_m3 * (1 + c.rock.fines_fraction * porosity(c));
 }
 
-bool sticks(const cases::Case& c) {
+bool needs_cohesion_model(const cases::Case& c) {
   return c.contact.cohesion_Pa > 0 || c.contact.adhesion_Pa > 0 || c.crust.tensile_strength_Pa > 0;
 }
 

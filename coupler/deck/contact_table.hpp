@@ -38,7 +38,7 @@ double porosity(const cases::Case& c);
 double laden_density(const cases::Case& c);
 
 /// Whether the rock needs the cohesion model `moist`: moist, or with a crust.
-bool sticks(const cases::Case& c);
+bool needs_cohesion_model(const cases::Case& c);
 
 /// All bodies of a class have one mass: size is the volume-equivalent diameter.
 struct RockClass {

@@ -99,7 +99,8 @@ std::string case_in(const cases::Case& c) {
   text("ground_type", std::to_string(types.ground()), "");
   text("truck_type", std::to_string(types.truck()), "");
   text("sides_type", std::to_string(types.sides()), "frictionless");
-  text("cohesion", sticks(c) ? "moist" : "off", "model; moist is in dipper-liggghts only");
+  text("cohesion", needs_cohesion_model(c) ? "moist" : "off",
+       "model; moist is in dipper-liggghts only");
   var("bond_tension", c.crust.tensile_strength_Pa, "Pa, of a crust");
   var("bond_shear", c.crust.shear_ratio * c.crust.tensile_strength_Pa, "Pa");
   text("wear", c.output.wear_m3_J > 0 ? "finnie" : "off", "of dipper and door");
@@ -147,7 +148,7 @@ std::string material_in(const cases::Case& c) {
   out += table("gammat", "c_t/m [1/s], Eq. 6: 2 D_t sqrt(K_t/m)", t.gammat);
   out += table("coefficientFriction", "mu, Eq. 7", t.friction);
   out += table("coefficientRollingFriction", "mu', Eq. 8", t.rolling);
-  if (sticks(c)) {
+  if (needs_cohesion_model(c)) {
     out += table("moistPullOff", "F/d^2 [Pa], dem/moist/moist_law.hpp", t.pull_off_Pa);
     out +=
         "\n# A crust: strengths [Pa], and where it forms\n"
@@ -234,8 +235,8 @@ PileShape pile_shape(const cases::Case& c) {
     for (const auto& point : p.outline_m) s.height_m = std::max(s.height_m, point.y());
     s.volume_m3 = p.width_m * s.height_m * (s.rear_x_m - s.toe_x_m);
   }
-  s.mass_kg = kSpare * kSettledFraction * laden_density(c) * s.volume_m3;
-  s.pour_height_m = s.height_m * kSpare * kSettledFraction / kPouredFraction;
+  s.mass_kg = kPourExcess * kSettledFraction * laden_density(c) * s.volume_m3;
+  s.pour_height_m = s.height_m * kPourExcess * kSettledFraction / kPouredFraction;
   return s;
 }
 

@@ -13,7 +13,7 @@ struct PileShape {
   double height_m = 0;       ///< of the bench's highest point
   double pour_run_m = 0;     ///< from the toe to the pour's crest; 0: behind an upright form wall
   double volume_m3 = 0;      ///< what the pour fills: the bench, and what a form wall holds over it
-  double mass_kg = 0;        ///< poured: that volume at kSettledFraction, and kSpare more
+  double mass_kg = 0;        ///< poured: that volume at kSettledFraction, and kPourExcess more
   double pour_height_m = 0;  ///< top of the poured rock, before it falls
 };
 
@@ -21,7 +21,7 @@ struct PileShape {
 /// of 3700 kg/m3 is 0.51, for scanned shapes.
 inline constexpr double kSettledFraction = 0.60;
 /// Poured beyond the bench, so that cutting to its profile leaves no dents.
-inline constexpr double kSpare = 1.10;
+inline constexpr double kPourExcess = 1.10;
 /// Solid by volume while it is in the air: what random insertion without overlap reaches.
 inline constexpr double kPouredFraction = 0.30;
 

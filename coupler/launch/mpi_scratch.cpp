@@ -15,7 +15,7 @@ namespace dipper::launch {
 namespace fs = std::filesystem;
 namespace {
 
-bool is_mine(const fs::path& folder) {
+bool is_own_folder(const fs::path& folder) {
   struct stat s {};
   return lstat(folder.c_str(), &s) == 0 && S_ISDIR(s.st_mode) && s.st_uid == geteuid();
 }
@@ -36,7 +36,7 @@ class Scratch {
     const fs::path root = access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
     const std::string prefix = fmt::format("dipper-mpi-{}-", geteuid());
     for (const auto& entry : fs::directory_iterator(root, ignored)) {
-      if (is_left_behind(entry.path().filename().string(), prefix) && is_mine(entry.path())) {
+      if (is_left_behind(entry.path().filename().string(), prefix) && is_own_folder(entry.path())) {
         fs::remove_all(entry.path(), ignored);
       }
     }

@@ -90,9 +90,9 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
   c.folder = place;
   const auto all = list(checkpoints);
   for (std::size_t i = 0; i + 2 < all.size(); ++i) {
-    // One that a leg began at stays: a replay of that leg needs it.
-    const auto leg = fmt::format("events-{}.lcmlog", std::stoll(all[i].filename().string()));
-    if (!fs::exists(checkpoints.parent_path() / leg)) fs::remove_all(all[i]);
+    // One that a segment began at stays: a replay of that segment needs it.
+    const auto segment = fmt::format("events-{}.lcmlog", std::stoll(all[i].filename().string()));
+    if (!fs::exists(checkpoints.parent_path() / segment)) fs::remove_all(all[i]);
   }
   return c;
 }

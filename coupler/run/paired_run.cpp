@@ -32,7 +32,7 @@ double time_s(const core::CouplingState& at, const cases::Case& c) {
 }
 
 /// How a run can go on, for the message that says why it has to.
-std::string way_on(const cases::Case& c, const RunFolder& folder) {
+std::string how_to_resume(const cases::Case& c, const RunFolder& folder) {
   std::optional<Checkpoint> last;
   try {
     last = last_checkpoint(folder.checkpoints());
@@ -105,11 +105,11 @@ RunStatus paired_run(const cases::Case& c, const RunFolder& folder, bool resume,
       break;
     case RunStatus::interrupted:
       reporter.error(
-          fmt::format("interrupted at t = {:.3f} s; {}", time_s(at, c), way_on(c, folder)));
+          fmt::format("interrupted at t = {:.3f} s; {}", time_s(at, c), how_to_resume(c, folder)));
       break;
     case RunStatus::failed:
       reporter.error(failure);
-      reporter.error(way_on(c, folder));
+      reporter.error(how_to_resume(c, folder));
   }
   return status;
 }

@@ -82,8 +82,8 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   setup.logs = folder.logs();
   setup.checkpoints = folder.checkpoints();
   setup.dem_screen = folder.logs() / "dem.screen";
-  if (from) setup.leg = fmt::format("-{}", from->coupling.step_index);
-  setup.message_log = folder.root() / ("events" + setup.leg + ".lcmlog");
+  if (from) setup.segment = fmt::format("-{}", from->coupling.step_index);
+  setup.message_log = folder.root() / ("events" + setup.segment + ".lcmlog");
   setup.dem = sides::dem_settings(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
                                   from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
   // For those who may not read the run's secret, which is beside the settings.

@@ -61,19 +61,19 @@ std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
   return all;
 }
 
-/// The legs of a run in order, as their files are named: "", then "-N" for each that was resumed
-/// after N sync steps.
-std::vector<std::string> legs(const fs::path& run) {
+/// The segments of a run in order, as their files are named: "", then "-N" for each that was
+/// resumed after N sync steps.
+std::vector<std::string> segments(const fs::path& run) {
   std::map<std::int64_t, std::string> by_start;
   for (const auto& entry : fs::directory_iterator(run)) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() != ".lcmlog" || name.rfind("events", 0) != 0) continue;
-    const std::string leg = name.substr(6);
-    if (leg.empty()) by_start[0] = leg;
-    if (leg.size() > 1) by_start[std::stoll(leg.substr(1))] = leg;
+    const std::string segment = name.substr(6);
+    if (segment.empty()) by_start[0] = segment;
+    if (segment.size() > 1) by_start[std::stoll(segment.substr(1))] = segment;
   }
   std::vector<std::string> all;
-  for (const auto& [start, leg] : by_start) all.push_back(leg);
+  for (const auto& [start, segment] : by_start) all.push_back(segment);
   return all;
 }
 
@@ -127,13 +127,14 @@ core::Body redirected(core::Body request, const fs::path& scratch) {
   return request;
 }
 
-void replay_leg(const fs::path& run, const std::string& side, const std::string& leg,
-                ReplayResult& result) {
+void replay_segment(const fs::path& run, const std::string& side, const std::string& segment,
+                    ReplayResult& result) {
   const bool dem = side == "dem";
   const char* to = dem ? transport::Channels::to_dem : transport::Channels::to_mbs;
   const char* from = dem ? transport::Channels::from_dem : transport::Channels::from_mbs;
-  const auto exchanges = read_log(run / ("events" + leg + ".lcmlog"), to, from);
-  transport::PeerConfig config = transport::read_peer_config(run / "logs" / (side + leg + ".json"));
+  const auto exchanges = read_log(run / ("events" + segment + ".lcmlog"), to, from);
+  transport::PeerConfig config =
+      transport::read_peer_config(run / "logs" / (side + segment + ".json"));
   const fs::path scratch = scratch_folder();
   config.settings = redirected(config.settings, side, scratch);
   config.checkpoints = scratch;
@@ -155,7 +156,8 @@ void replay_leg(const fs::path& run, const std::string& side, const std::string&
   };
   transport::Link link(side, *transport, to, from, config.identity, options);
 
-  const double wall_s = result.wall_s, recorded_wall_s = result.recorded_wall_s;  // of legs before
+  // Of the segments before.
+  const double wall_s = result.wall_s, recorded_wall_s = result.recorded_wall_s;
   std::optional<std::chrono::steady_clock::time_point> began;
   std::int64_t recorded_us = 0;
   for (const auto& e : exchanges) {
@@ -177,7 +179,7 @@ void replay_leg(const fs::path& run, const std::string& side, const std::string&
   process.wait(std::chrono::seconds(20));
   process.end();
   fs::remove_all(scratch);
-  ++result.legs;
+  ++result.segments;
 }
 
 }  // namespace
@@ -185,9 +187,9 @@ void replay_leg(const fs::path& run, const std::string& side, const std::string&
 ReplayResult replay(const fs::path& run, const std::string& side) {
   ReplayResult result;
   if (fs::is_directory(run)) {
-    for (const std::string& leg : legs(run)) replay_leg(run, side, leg, result);
+    for (const std::string& segment : segments(run)) replay_segment(run, side, segment, result);
   }
-  if (result.legs == 0) {
+  if (result.segments == 0) {
     throw std::runtime_error("no recording to replay: no events.lcmlog in " + run.string());
   }
   return result;

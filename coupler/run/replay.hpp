@@ -7,7 +7,7 @@ namespace dipper::run {
 
 /// How a side's answers compare with the recorded ones.
 struct ReplayResult {
-  int legs = 0;                ///< from the start or a checkpoint to an end, each
+  int segments = 0;            ///< from the start or a checkpoint to an end, each
   long requests = 0;           ///< windows and commands asked again
   long different = 0;          ///< answers that are not the recorded ones to the bit
   double force_N = 0;          ///< largest difference in a mean force component (rock side)
@@ -17,10 +17,10 @@ struct ReplayResult {
 };
 
 /// Runs one side ("dem" or "mbs") of the run in `run` against the recording of the other: starts
-/// its process as each leg of the run did and asks it again everything in events.lcmlog and then in
-/// each events-N.lcmlog, in the order of the request numbers. Files it writes go to a scratch
-/// folder. Throws std::runtime_error for a folder without a recording, PeerError when the side
-/// fails.
+/// its process as each segment of the run did and asks it again everything in events.lcmlog and
+/// then in each events-N.lcmlog, in the order of the request numbers. Files it writes go to a
+/// scratch folder. Throws std::runtime_error for a folder without a recording, PeerError when the
+/// side fails.
 ReplayResult replay(const std::filesystem::path& run, const std::string& side);
 
 }  // namespace dipper::run

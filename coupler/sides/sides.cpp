@@ -43,8 +43,8 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   };
   from_dem_ = listen(transport::Channels::from_dem);
   from_mbs_ = listen(transport::Channels::from_mbs);
-  const auto dem_config = setup.logs / ("dem" + setup.leg + ".json");
-  const auto mbs_config = setup.logs / ("mbs" + setup.leg + ".json");
+  const auto dem_config = setup.logs / ("dem" + setup.segment + ".json");
+  const auto mbs_config = setup.logs / ("mbs" + setup.segment + ".json");
   nlohmann::json dem = setup.dem;
   dem["ranks"] = setup.ranks;  // for a replay
   transport::write_peer_config(dem_config, {url, secret, identity, setup.checkpoints, dem});

@@ -21,8 +21,8 @@ struct SidesSetup {
   std::filesystem::path logs;         ///< folder
   std::filesystem::path checkpoints;  ///< folder
   std::filesystem::path dem_screen;   ///< where LIGGGHTS writes its errors
-  std::string leg;                    ///< "", or "-N" of one resumed after N sync steps
-  std::filesystem::path message_log;  ///< every message of the leg, as an LCM log
+  std::string segment;                ///< "", or "-N" of one resumed after N sync steps
+  std::filesystem::path message_log;  ///< every message of the segment, as an LCM log
 };
 
 /// The two processes of a run and the links to them. Whoever waits on a link also watches both

@@ -130,28 +130,28 @@ std::int64_t fingerprint(const std::string& bytes) {
   return hash;
 }
 
-/// Whether bytes are as long as the lengths in them say. LCM's decoder believes those: it makes
+/// Whether bytes are as long as the lengths in them say. LCM's decoder trusts those: it makes
 /// room for a list before it looks for its bytes, and a text of less than no letters it copies from
 /// wherever that leads. So it is given nothing that has not been walked through first.
-class Walk {
+class LengthCheck {
  public:
-  explicit Walk(const std::string& bytes) : bytes_(bytes) {
+  explicit LengthCheck(const std::string& bytes) : bytes_(bytes) {
     skip(8 + sizeof header_t::mac);  // fingerprint
     text();                          // run_id
     text();                          // case_hash
     skip(3 * 8);                     // step_index, sequence, t_ns
   }
-  Walk& skip(std::size_t n) {
+  LengthCheck& skip(std::size_t n) {
     if (n > bytes_.size() - at_) sound_ = false;
     if (sound_) at_ += n;
     return *this;
   }
-  Walk& text() {
+  LengthCheck& text() {
     const std::size_t n = count();
     if (n == 0) sound_ = false;  // its NUL is counted
     return skip(n);
   }
-  Walk& list(std::size_t doubles) {
+  LengthCheck& list(std::size_t doubles) {
     const std::size_t n = count();
     if (n > bytes_.size()) sound_ = false;
     return skip(sound_ ? 8 * doubles * n : 0);
@@ -174,16 +174,16 @@ class Walk {
 
 // As in coupler/lcm/dipper_msg.lcm.
 bool is_whole(const std::string& bytes, const target_motion_t*) {
-  return Walk(bytes).skip(8).list(3 + 4 + 3 + 3).list(1).ends();
+  return LengthCheck(bytes).skip(8).list(3 + 4 + 3 + 3).list(1).ends();
 }
 bool is_whole(const std::string& bytes, const wall_wrench_t*) {
-  return Walk(bytes).skip(8 + 1).list(4 * 3 + 3 + 4).list(1).ends();
+  return LengthCheck(bytes).skip(8 + 1).list(4 * 3 + 3 + 4).list(1).ends();
 }
 bool is_whole(const std::string& bytes, const command_t*) {
-  return Walk(bytes).skip(4).text().ends();
+  return LengthCheck(bytes).skip(4).text().ends();
 }
 bool is_whole(const std::string& bytes, const status_t*) {
-  return Walk(bytes).skip(1).text().ends();
+  return LengthCheck(bytes).skip(1).text().ends();
 }
 
 template <class Type>

@@ -12,7 +12,7 @@ namespace dipper::transport {
 /// to a file that only its owner can read, because of the secret; a command line is for all to see.
 struct PeerConfig {
   std::string lcm_url;
-  std::string secret;  ///< of this leg of the run; seals its messages
+  std::string secret;  ///< of this segment of the run; seals its messages
   core::Envelope identity;
   std::filesystem::path checkpoints;  ///< the one folder to save to and load from
   nlohmann::json settings;

@@ -16,7 +16,7 @@ core::Body load(const core::RockState& s) {
 }
 
 template <class Side>
-core::Body obey(Side& side, const core::Command& c) {
+core::Body execute(Side& side, const core::Command& c) {
   switch (c.action) {
     case core::Action::hello:
       return core::Status{true, to_json(side.info())};
@@ -35,7 +35,7 @@ core::Body obey(Side& side, const core::Command& c) {
 core::Body answer(core::Machine& machine, const core::Message& request) {
   if (const auto* c = std::get_if<core::Command>(&request.body)) {
     if (c->action == core::Action::state) return motion(machine.state());
-    if (c->action != core::Action::load) return obey(machine, *c);
+    if (c->action != core::Action::load) return execute(machine, *c);
     machine.load(c->file);
     return core::Status{};
   }
@@ -50,7 +50,7 @@ core::Body answer(core::Machine& machine, const core::Message& request) {
 core::Body answer(core::Rock& rock, const core::Message& request) {
   if (const auto* c = std::get_if<core::Command>(&request.body)) {
     return c->action == core::Action::hash ? core::Body{core::Status{true, rock.state_hash()}}
-                                           : obey(rock, *c);
+                                           : execute(rock, *c);
   }
   if (const auto* m = std::get_if<core::TargetMotion>(&request.body)) {
     std::vector<Pose> X_WB;
@@ -100,13 +100,13 @@ void serve(Transport& transport, const std::string& in, const std::string& out,
     } catch (const DecodeError&) {
       continue;  // sealed by a program of another version
     }
-    switch (responder.judge(request.envelope)) {
-      case core::Responder::Verdict::ignore:
+    switch (responder.classify(request.envelope)) {
+      case core::Responder::Handling::ignore:
         continue;
-      case core::Responder::Verdict::repeat:
+      case core::Responder::Handling::repeat:
         transport.publish(out, responder.reply());
         continue;
-      case core::Responder::Verdict::execute:
+      case core::Responder::Handling::execute:
         break;
     }
     try {

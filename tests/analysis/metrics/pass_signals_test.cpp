@@ -46,20 +46,20 @@ TEST(Effort, IsTheIntegralOverAPhase) {
   EXPECT_THROW(effort(signals(), 6.01, 6.05), std::invalid_argument);
 }
 
-TEST(WeighStill, TakesTheSecondBeforeTheDoorOpens) {
+TEST(StaticWeight, TakesTheSecondBeforeTheDoorOpens) {
   signals::Pass pass;
   pass.t_dump_s = 18;
-  const auto w = weigh_still(signals(), pass);
+  const auto w = static_weight(signals(), pass);
   ASSERT_TRUE(w);
   EXPECT_NEAR(w->mass_kg, 60e3, 1e-6);
   EXPECT_NEAR(w->from_s, 17, 1e-9);
   EXPECT_NEAR(w->to_s, 17.7, 1e-9);  // then the door gives way
 }
 
-TEST(WeighStill, ARisingDipperIsNotWeighed) {
+TEST(StaticWeight, ARisingDipperIsNotWeighed) {
   signals::Pass pass;
   pass.t_dump_s = 14;
-  EXPECT_FALSE(weigh_still(signals(), pass));
+  EXPECT_FALSE(static_weight(signals(), pass));
 }
 
 TEST(PoseTrack, GoesBetweenItsPoses) {

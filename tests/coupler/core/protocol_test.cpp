@@ -7,7 +7,7 @@ namespace {
 
 Envelope identity() { return {"run", "case", 0, 0, 0}; }
 
-using Verdict = Responder::Verdict;
+using Handling = Responder::Handling;
 
 TEST(Protocol, EveryRequestIsNumberedAndCarriesTheStepAndTime) {
   Requester ask(identity());
@@ -25,9 +25,9 @@ TEST(Protocol, ARepeatedRequestIsAnsweredAgainButNotCarriedOutAgain) {
   Requester ask(identity());
   Responder serve(identity());
   const Envelope request = ask.begin(0, 0);
-  ASSERT_EQ(serve.judge(request), Verdict::execute);
+  ASSERT_EQ(serve.classify(request), Handling::execute);
   serve.remember("the reply");
-  EXPECT_EQ(serve.judge(request), Verdict::repeat);
+  EXPECT_EQ(serve.classify(request), Handling::repeat);
   EXPECT_EQ(serve.reply(), "the reply");
   EXPECT_EQ(serve.counts().repeated, 1);
 }
@@ -36,10 +36,10 @@ TEST(Protocol, AnOldRequestThatComesLateIsIgnored) {
   Requester ask(identity());
   Responder serve(identity());
   const Envelope first = ask.begin(0, 0);
-  serve.judge(first);
+  serve.classify(first);
   ask.accept(first);
-  serve.judge(ask.begin(1, 1));
-  EXPECT_EQ(serve.judge(first), Verdict::ignore);
+  serve.classify(ask.begin(1, 1));
+  EXPECT_EQ(serve.classify(first), Handling::ignore);
 }
 
 TEST(Protocol, ADuplicateReplyIsTakenOnce) {
@@ -91,7 +91,7 @@ TEST(Protocol, RepliesGoOutInCopiesForAWhileAfterARequestCameMoreThanOnce) {
   Responder serve(identity());
   const auto carried_out = [&](int times) {
     const Envelope request = ask.begin(0, 0);
-    for (int k = 0; k < times; ++k) serve.judge(request);
+    for (int k = 0; k < times; ++k) serve.classify(request);
     ask.accept(request);
     return serve.copies();
   };
@@ -133,14 +133,14 @@ TEST(Protocol, OurSealOnAnotherCaseIsAMixUp) {
   Envelope request = identity();
   request.sequence = 1;
   request.case_hash = "other case";
-  EXPECT_THROW(serve.judge(request), ProtocolError);
+  EXPECT_THROW(serve.classify(request), ProtocolError);
 }
 
 TEST(Protocol, ASkippedRequestCannotBeServed) {
   Responder serve(identity());
   Envelope request = identity();
   request.sequence = 2;
-  EXPECT_THROW(serve.judge(request), ProtocolError);
+  EXPECT_THROW(serve.classify(request), ProtocolError);
 }
 
 TEST(Protocol, AReplyToARequestNeverMadeIsAnError) {

@@ -78,7 +78,7 @@ TEST(PileShape, OfAProfileIsABoxBehindItsToe) {
   EXPECT_EQ(p.height_m, 7);
   EXPECT_EQ(p.pour_run_m, 0);
   EXPECT_NEAR(p.volume_m3, 8 * 8 * 7, 1e-9);
-  EXPECT_NEAR(p.pour_height_m, 7 * kSpare * kSettledFraction / kPouredFraction, 1e-9);
+  EXPECT_NEAR(p.pour_height_m, 7 * kPourExcess * kSettledFraction / kPouredFraction, 1e-9);
   EXPECT_EQ(bench_outline(c), c.pile.outline_m);
   // An upright form wall at the toe, as high as the pour; then walls that follow the profile.
   double front_top = 0;
