@@ -97,8 +97,8 @@ std::optional<core::Body> Link::reply_in(const Packet& packet) {
 }
 
 void Link::tell(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
-  if (told_.empty()) told_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
-  transport_.publish(to_, told_);
+  if (request_.empty()) request_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
+  transport_.publish(to_, request_);
 }
 
 }  // namespace dipper::transport

@@ -66,7 +66,7 @@ class Link {
   LinkOptions options_;
   bool established_ = false;
   core::Patience patience_;
-  std::string told_;
+  std::string request_;
 };
 
 }  // namespace dipper::transport
