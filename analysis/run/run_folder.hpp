@@ -72,6 +72,10 @@ void check_dumps_are_of(const RunData& run, const io::DumpFolder& dumps);
 /// The channels of record.h5, cut to the shortest: a run may be writing it. Throws InputError.
 RunSignals read_signals(const std::filesystem::path& record);
 
+/// Of them `pass` and `drive` alone, as many rows as there are, for a record of whatever else it
+/// holds. Throws std::runtime_error naming file and dataset.
+RunSignals read_drive_signals(const std::filesystem::path& record);
+
 /// A closed, sound mesh: throws InputError naming the file and the first facet that is wrong.
 mesh::TriangleMesh read_sound_mesh(const std::filesystem::path& file);
 

@@ -13,17 +13,25 @@ using Column = std::vector<double>;
 
 constexpr std::array<const char*, 2> kBodies = {"dipper", "door"};
 
-record::Columns read_columns(const fs::path& record) {
+record::Columns read_drives(const fs::path& record) {
   record::Columns c(record);
   for (const char* channel :
-       {"time_s", "machine/door", "machine/crowd", "machine/swing", "machine/hoist_force",
-        "machine/crowd_force", "machine/hoist_power", "machine/crowd_power", "machine/swing_power",
-        "rock/mass_in_dipper", "rock/mass_in_truck", "rock/rock_mass", "coupling/rock_work"})
+       {"time_s", "machine/door", "machine/hoist", "machine/crowd", "machine/swing",
+        "machine/hoist_force", "machine/crowd_force", "rock/mass_in_dipper", "rock/mass_in_truck"})
     c.read(channel);
+  for (std::size_t k = 3; k < 6; ++k) c.read("bodies/dipper/wrench_mean", k);
+  return c;
+}
+
+record::Columns read_columns(const fs::path& record) {
+  record::Columns c = read_drives(record);
+  for (const char* channel : {"machine/hoist_power", "machine/crowd_power", "machine/swing_power",
+                              "rock/rock_mass", "coupling/rock_work"})
+    c.read(channel);
+  c.read("bodies/door/wrench_mean", 5);
   for (const std::string body : kBodies) {
     for (std::size_t k = 0; k < 7; ++k) c.read("bodies/" + body + "/wall_pose", k);
     for (std::size_t k = 0; k < 6; ++k) c.read("bodies/" + body + "/twist", k);
-    for (std::size_t k = 3; k < 6; ++k) c.read("bodies/" + body + "/wrench_mean", k);
   }
   return c;
 }
@@ -45,7 +53,7 @@ rock::PoseTrack track_of(const record::Columns& c, const std::string& body) {
   return {time_s, X_WB, V_WB_W};
 }
 
-RunSignals signals_of(const record::Columns& c) {
+RunSignals drives_of(const record::Columns& c) {
   RunSignals s;
   signals::PassSignals& p = s.pass;
   p.time_s = c.get("time_s");
@@ -56,15 +64,20 @@ RunSignals signals_of(const record::Columns& c) {
   p.truck_mass_kg = c.get("rock/mass_in_truck");
   const Column fx = c.get("bodies/dipper/wrench_mean", 3),
                fy = c.get("bodies/dipper/wrench_mean", 4),
-               fz = c.get("bodies/dipper/wrench_mean", 5),
-               door_fz = c.get("bodies/door/wrench_mean", 5);
-  for (std::size_t i = 0; i < fx.size(); ++i) {
+               fz = c.get("bodies/dipper/wrench_mean", 5);
+  for (std::size_t i = 0; i < fx.size(); ++i)
     p.dipper_force_N.push_back(std::hypot(fx[i], fy[i], fz[i]));
-    s.weight_N.push_back(-fz[i] - door_fz[i]);
-  }
-  s.drive.time_s = p.time_s;
-  s.drive.crowd_m = c.get("machine/crowd");
-  s.drive.swing_rad = c.get("machine/swing");
+  s.drive = {
+      p.time_s,        c.get("machine/hoist"), c.get("machine/crowd"), c.get("machine/swing"),
+      p.hoist_force_N, p.crowd_force_N};
+  return s;
+}
+
+RunSignals signals_of(const record::Columns& c) {
+  RunSignals s = drives_of(c);
+  const Column dipper_fz = c.get("bodies/dipper/wrench_mean", 5),
+               door_fz = c.get("bodies/door/wrench_mean", 5);
+  for (std::size_t i = 0; i < door_fz.size(); ++i) s.weight_N.push_back(-dipper_fz[i] - door_fz[i]);
   s.hoist_power_W = c.get("machine/hoist_power");
   s.crowd_power_W = c.get("machine/crowd_power");
   s.swing_power_W = c.get("machine/swing_power");
@@ -75,6 +88,8 @@ RunSignals signals_of(const record::Columns& c) {
 }
 
 }  // namespace
+
+RunSignals read_drive_signals(const fs::path& record) { return drives_of(read_drives(record)); }
 
 RunSignals read_signals(const fs::path& record) {
   RunSignals s;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/run/run_folder.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/installation.hpp"
@@ -13,7 +14,6 @@
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/run/observed.hpp"
-#include "coupler/run/pass_signals.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
 #include "coupler/transport/peer_config.hpp"
@@ -146,7 +146,7 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
     }
   }
   fs::remove_all(scratch);
-  write_observed(s, read_pass_signals(record), changed.observation, out);
+  write_observed(s, analysis::run::read_drive_signals(record).pass, changed.observation, out);
 }
 
 }  // namespace dipper::run

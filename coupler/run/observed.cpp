@@ -5,13 +5,12 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "analysis/run/run_folder.hpp"
 #include "analysis/signals/observe.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/numbers.hpp"
-#include "common/record/columns.hpp"
 #include "coupler/case/schema.hpp"
-#include "coupler/run/pass_signals.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -35,14 +34,8 @@ void write(const fs::path& file, const std::string& text) {
 }  // namespace
 
 void write_observed(const fs::path& record, const cases::ObservationCase& o, const fs::path& out) {
-  record::Columns c(record);
-  for (const char* channel : {"time_s", "machine/hoist", "machine/crowd", "machine/swing",
-                              "machine/hoist_force", "machine/crowd_force"})
-    c.read(channel);
-  const analysis::signals::DriveSignals s{
-      c.get("time_s"),        c.get("machine/hoist"),       c.get("machine/crowd"),
-      c.get("machine/swing"), c.get("machine/hoist_force"), c.get("machine/crowd_force")};
-  write_observed(s, read_pass_signals(record), o, out);
+  const analysis::run::RunSignals s = analysis::run::read_drive_signals(record);
+  write_observed(s.drive, s.pass, o, out);
 }
 
 void write_observed(const analysis::signals::DriveSignals& drives,

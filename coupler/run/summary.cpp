@@ -5,13 +5,13 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "analysis/run/run_folder.hpp"
 #include "analysis/signals/pass_phases.hpp"
 #include "common/record/record.hpp"
 #include "common/version.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
-#include "coupler/run/pass_signals.hpp"
 #include "coupler/run/teeth_deviation.hpp"
 #include "coupler/sides/sides_setup.hpp"
 
@@ -25,14 +25,10 @@ constexpr double kMuchSlack = 0.05;  // of a dig: below, a dipper that is let do
 json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::path& record) {
   const double full_kg = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3 *
                          sides::read_mesh_facts(c).dipper.struck_volume_m3;
-  const analysis::signals::PassSignals signals = read_pass_signals(record);
+  const analysis::run::RunSignals signals = analysis::run::read_drive_signals(record);
   json passes = json::array();
-  analysis::signals::DriveSignals drive;
-  drive.time_s = signals.time_s;
-  drive.crowd_m = record::read_channel(record, "machine/crowd");
-  drive.swing_rad = record::read_channel(record, "machine/swing");
   const TeethDeviation teeth(record, c);
-  for (const auto& found : analysis::signals::find_pass_phases(signals, drive)) {
+  for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
     const auto& p = found.pass;
     json row = {{"pass", p.pass},
                 {"t_start_s", p.t_start_s},
@@ -50,7 +46,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
     if (const auto dig = found.dig()) row["teeth_deviation_m"] = teeth.most(*dig);
     passes.push_back(row);
   }
-  const double sim_s = signals.time_s.empty() ? 0.0 : signals.time_s.back();
+  const double sim_s = signals.pass.time_s.empty() ? 0.0 : signals.pass.time_s.back();
   const double cpu_s = f.cost.dem_cpu_s + f.cost.mbs_cpu_s;
   const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0.0; };
   json out = {

@@ -99,7 +99,7 @@ void write_record(const std::filesystem::path& file) {
              truck = add("rock/mass_in_truck"), hoist_force = add("machine/hoist_force"),
              crowd_force = add("machine/crowd_force");
   for (const char* name : {"machine/hoist_power", "machine/crowd_power", "machine/swing_power",
-                           "rock/rock_mass", "coupling/rock_work"})
+                           "machine/hoist", "rock/rock_mass", "coupling/rock_work"})
     add(name);
   std::size_t dipper_wrench = 0;
   for (const std::string body : {"dipper", "door"}) {
