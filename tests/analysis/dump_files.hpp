@@ -2,13 +2,15 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include "common/input_error.hpp"
+#include "tests/common/input_errors.hpp"
 
 namespace dipper::analysis {
 
@@ -36,15 +38,23 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
-/// What an InputError thrown by `act` says; empty: nothing thrown.
-template <typename Act>
-std::string message_of(Act act) {
-  try {
-    act();
-  } catch (const InputError& e) {
-    return e.what();
+/// As legacy VTK's binary files have them.
+template <typename T>
+std::string big_endian(std::initializer_list<T> values) {
+  std::string out;
+  for (T v : values) {
+    char b[sizeof v];
+    std::memcpy(b, &v, sizeof v);
+    out.append(std::string(std::rbegin(b), std::rend(b)));
   }
-  return "";
+  return out;
+}
+
+/// The most memory this process has had.
+inline long peak_kB() {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  return use.ru_maxrss;
 }
 
 /// One frame of a text dump with these column names and rows.

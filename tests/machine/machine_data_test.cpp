@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "common/input_error.hpp"
+#include "tests/common/input_errors.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -30,14 +30,7 @@ std::vector<std::string> faults_with(const std::string& from, const std::string&
   const auto file =
       std::filesystem::path(testing::TempDir()) / (std::string(test->name()) + ".yaml");
   std::ofstream(file) << text;
-  try {
-    load_machine(file);
-  } catch (const InputError& e) {
-    std::vector<std::string> all;
-    for (const Finding& f : e.findings()) all.push_back(to_string(f));
-    return all;
-  }
-  return {};
+  return test::faults_of([&] { load_machine(file); });
 }
 
 TEST(MachineData, HoldsThePapersNumbers) {

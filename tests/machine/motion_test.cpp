@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "common/input_error.hpp"
+#include "tests/common/input_errors.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -19,14 +19,7 @@ constexpr std::int64_t kSecond = 1'000'000'000;
 Motion rows(const std::string& text) { return Motion::parse(kHeader + text, "m.csv"); }
 
 std::vector<std::string> faults(const std::string& text) {
-  try {
-    Motion::parse(text, "m.csv");
-  } catch (const InputError& e) {
-    std::vector<std::string> all;
-    for (const Finding& f : e.findings()) all.push_back(to_string(f));
-    return all;
-  }
-  return {};
+  return test::faults_of([&] { Motion::parse(text, "m.csv"); });
 }
 
 TEST(Motion, PassesThroughItsRowsInSiUnits) {

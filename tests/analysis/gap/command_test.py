@@ -53,12 +53,17 @@ def left(folder):
     return found.stdout.split()
 
 
-def test_an_interrupt_ends_it_within_seconds_and_leaves_nothing(words, tmp_path):
-    gap = start(words, tmp_path)
-    until = time.monotonic() + 30
-    while len(list(tmp_path.glob("started/*"))) < 2:
+def wait_for_runs(gap, folder, number):
+    """Until the analysis has started so many."""
+    until = time.monotonic() + 60
+    while len(list(folder.glob("started/*"))) < number:
         assert gap.poll() is None and time.monotonic() < until
         time.sleep(0.05)
+
+
+def test_an_interrupt_ends_it_within_seconds_and_leaves_nothing(words, tmp_path):
+    gap = start(words, tmp_path)
+    wait_for_runs(gap, tmp_path, 2)
     asked = time.monotonic()
     gap.send_signal(signal.SIGINT)
     out, err = gap.communicate(timeout=20)
@@ -70,10 +75,7 @@ def test_an_interrupt_ends_it_within_seconds_and_leaves_nothing(words, tmp_path)
 
 def test_a_kill_leaves_no_run(words, tmp_path):
     gap = start(words, tmp_path)
-    until = time.monotonic() + 60
-    while len(list(tmp_path.glob("started/*"))) < 2:
-        assert gap.poll() is None and time.monotonic() < until
-        time.sleep(0.05)
+    wait_for_runs(gap, tmp_path, 2)
     gap.kill()
     gap.communicate()
     until = time.monotonic() + 20
@@ -98,10 +100,7 @@ def test_a_sigma_of_0_and_another_motion_are_questioned_before_the_first_run(wor
     motion.write_text("\n".join(",".join(r[:3] + [str(float(r[3]) + 20)] + r[4:] if r[0][0].isdigit() else r)
                                 for r in rows) + "\n")
     gap = start(words, tmp_path)
-    until = time.monotonic() + 60
-    while not list(tmp_path.glob("started/*")):
-        assert gap.poll() is None and time.monotonic() < until
-        time.sleep(0.05)
+    wait_for_runs(gap, tmp_path, 1)
     gap.send_signal(signal.SIGINT)
     out, _ = gap.communicate(timeout=20)
     before = out[:out.index("runs, 0 of them kept")]

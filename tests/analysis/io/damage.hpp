@@ -83,17 +83,6 @@ inline std::string file_bytes(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-template <typename T>
-std::string big_endian(std::initializer_list<T> values) {
-  std::string out;
-  for (T v : values) {
-    char b[sizeof v];
-    std::memcpy(b, &v, sizeof v);
-    out.append(std::string(std::rbegin(b), std::rend(b)));
-  }
-  return out;
-}
-
 /// Three rocks, or a square wall of two triangles, in every format that is read.
 inline std::vector<Sample> samples(const std::filesystem::path& folder) {
   std::vector<Sample> all;

@@ -1,18 +1,11 @@
 // No damage to a dump ends otherwise than read or refused, and none takes memory for what is not
 // there.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include "tests/analysis/io/damage.hpp"
 
 namespace dipper::analysis::io {
 namespace {
-
-long peak_kB() {
-  rusage use{};
-  getrusage(RUSAGE_SELF, &use);
-  return use.ru_maxrss;
-}
 
 TEST(DamagedDumps, SamplesAreSound) {
   const Scratch s;
@@ -23,7 +16,7 @@ TEST(DamagedDumps, SamplesAreSound) {
         if (entry.path().extension() == ".vtk" || entry.path().extension() == ".vtp")
           std::filesystem::remove(entry.path());
     }
-    EXPECT_EQ(message_of([&] { read_all(s.folder() / sample.name); }), "") << sample.name;
+    EXPECT_EQ(test::message_of([&] { read_all(s.folder() / sample.name); }), "") << sample.name;
   }
 }
 

@@ -51,7 +51,7 @@ TEST(DumpFolder, WithoutACaseTheTimeStepComesFromASeriesOrTheCaller) {
   const Scratch s;
   s.write("post/dump100.liggghts", frame(100));
   s.write("post/dump300.liggghts", frame(300));
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder() / "post"); }),
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder() / "post"); }),
               HasSubstr("dump100.liggghts:9: the time step is not known"));
   EXPECT_NEAR(open_dump_folder(s.folder() / "post", 1e-3).time_s[1], 0.3, 1e-12);
   s.write(
@@ -65,10 +65,10 @@ TEST(DumpFolder, AMissingFrameIsNamed) {
   write_run(s);
   for (const long step : {300, 400})
     s.write("dumps/rocks_" + std::to_string(step) + ".dump", frame(step));
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder()); }),
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder()); }),
               HasSubstr("the frame of step 300 is missing from the wall dipper"));
   fs::remove(s.folder() / "dumps/rocks_300.dump");
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder()); }),
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder()); }),
               HasSubstr("the frame of step 300 is missing: rocks is every 100 steps"));
 }
 
@@ -76,10 +76,10 @@ TEST(DumpFolder, ASeriesListsOnlyWhatIsThere) {
   const Scratch s;
   write_run(s);
   s.write("dumps/dipper.vtk.series", R"({"files": [{"name": "dipper_500.vtk", "time": 0.15}]})");
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder()); }),
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder()); }),
               HasSubstr("dipper.vtk.series: lists dipper_500.vtk, which is missing"));
   s.write("dumps/dipper.vtk.series", R"({"files": [{"na)");
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder()); }),
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder()); }),
               HasSubstr("dipper.vtk.series:1: not a list of files"));
 }
 
@@ -87,18 +87,19 @@ TEST(DumpFolder, AFrameOfAnotherRunHasAnotherStepThanItsName) {
   const Scratch s;
   write_run(s);
   s.write("dumps/rocks_100.dump", frame(150));
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder()); }),
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder()); }),
               HasSubstr("rocks_100.dump:2: holds step 150, but its name says 100"));
 }
 
 TEST(DumpFolder, NoDumpsAndTwoDumpsAreErrors) {
   const Scratch s;
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder()); }), HasSubstr("no particle dumps"));
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder()); }),
+              HasSubstr("no particle dumps"));
   s.write("a_1.dump", frame(1));
   s.write("b_1.dump", frame(1));
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder(), 1e-3); }),
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder(), 1e-3); }),
               HasSubstr("particles of several dumps (a, b)"));
-  EXPECT_THAT(message_of([&] { open_dump_folder(s.folder() / "none"); }),
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder() / "none"); }),
               HasSubstr("not a folder"));
 }
 

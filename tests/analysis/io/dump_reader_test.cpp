@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <cstring>
 #include <fstream>
@@ -66,7 +65,9 @@ TEST(TextDump, LammpsHasTimesUnwrappedAndScaledPositions) {
 
 TEST(TextDump, WhatIsWrongIsToldWithFileAndLine) {
   const Scratch s;
-  const auto opening = [](const fs::path& file) { return message_of([&] { DumpReader({file}); }); };
+  const auto opening = [](const fs::path& file) {
+    return test::message_of([&] { DumpReader({file}); });
+  };
   EXPECT_THAT(opening(s.write("cut.dump", text_frame(7, 3, "x", "1\n2\n"))),
               HasSubstr("cut.dump:12: the frame of step 7 ends after 2 of 3 particles"));
   EXPECT_THAT(opening(s.write("half.dump", text_frame(7, 2, "x", "1\n2."))),
@@ -80,13 +81,13 @@ TEST(TextDump, WhatIsWrongIsToldWithFileAndLine) {
   EXPECT_THAT(opening(s.write("empty.dump", "")), HasSubstr("empty.dump:1: empty"));
   EXPECT_THAT(opening(s.folder() / "none.dump"), HasSubstr("none.dump: cannot be read: No such"));
   const auto a = s.write("a.dump", text_frame(7, 1, "x", "1\n"));
-  EXPECT_THAT(message_of([&] {
+  EXPECT_THAT(test::message_of([&] {
                 DumpReader({a, s.write("b.dump", text_frame(7, 1, "x", "1\n"))});
               }),
               HasSubstr("b.dump:9: step 7 is in a.dump already"));
   const auto reading = [&](const std::string& rows, const std::string& column) {
     const DumpReader reader({s.write("r.dump", text_frame(7, 2, "x radius", rows))});
-    return message_of([&] { all(reader.frames()[0], {column}); });
+    return test::message_of([&] { all(reader.frames()[0], {column}); });
   };
   EXPECT_THAT(reading("1 2\n3 4\n", "radius"), "");
   EXPECT_THAT(reading("1 2\n3 4x\n", "radius"),
@@ -190,36 +191,25 @@ TEST(VtkDump, LegacyAscii) {
   expect_five(DumpReader({s.write("b_7.vtk", legacy(false))}).frames().at(0));
 }
 
-/// Big-endian bytes, as legacy binary has them.
-template <typename T>
-std::string big(std::initializer_list<T> values) {
-  std::string out;
-  for (T v : values) {
-    char b[sizeof v];
-    std::memcpy(b, &v, sizeof v);
-    out.append(std::string(std::rbegin(b), std::rend(b)));
-  }
-  return out;
-}
-
 TEST(VtkDump, LegacyBinary) {
   const Scratch s;
   for (const bool new_cells : {true, false}) {
     const std::string cells =
-        new_cells ? "VERTICES 6 5\nOFFSETS vtktypeint64\n" + big<std::int64_t>({0, 1, 2, 3, 4, 5}) +
-                        "\nCONNECTIVITY vtktypeint64\n" + big<std::int64_t>({0, 1, 2, 3, 4})
-                  : "VERTICES 5 10\n" + big<std::int32_t>({1, 0, 1, 1, 1, 2, 1, 3, 1, 4});
+        new_cells ? "VERTICES 6 5\nOFFSETS vtktypeint64\n" +
+                        big_endian<std::int64_t>({0, 1, 2, 3, 4, 5}) +
+                        "\nCONNECTIVITY vtktypeint64\n" + big_endian<std::int64_t>({0, 1, 2, 3, 4})
+                  : "VERTICES 5 10\n" + big_endian<std::int32_t>({1, 0, 1, 1, 1, 2, 1, 3, 1, 4});
     const std::string bytes =
         std::string("# vtk DataFile Version 5.1\nvtk output\nBINARY\nDATASET POLYDATA\n") +
-        "POINTS 5 float\n" + big<float>({0, 0, .5, 1, 2, .5, 2, 4, .5, 3, 6, .5, 4, 8, .5}) + "\n" +
-        cells + "\nPOINT_DATA 5\nFIELD FieldData 3\nradius 1 5 double\n" +
-        big<double>({.1, .2, .3, .4, .5}) + "\nid 1 5 int\n" + big<std::int32_t>({1, 2, 3, 4, 5}) +
-        "\nMETADATA\nINFORMATION 0\n\nv 3 5 double\n" +
-        big<double>({0, 0, 0, 1, 0, -1, 2, 0, -2, 3, 0, -3, 4, 0, -4}) + "\n";
+        "POINTS 5 float\n" + big_endian<float>({0, 0, .5, 1, 2, .5, 2, 4, .5, 3, 6, .5, 4, 8, .5}) +
+        "\n" + cells + "\nPOINT_DATA 5\nFIELD FieldData 3\nradius 1 5 double\n" +
+        big_endian<double>({.1, .2, .3, .4, .5}) + "\nid 1 5 int\n" +
+        big_endian<std::int32_t>({1, 2, 3, 4, 5}) + "\nMETADATA\nINFORMATION 0\n\nv 3 5 double\n" +
+        big_endian<double>({0, 0, 0, 1, 0, -1, 2, 0, -2, 3, 0, -3, 4, 0, -4}) + "\n";
     expect_five(DumpReader({s.write("b_7.vtk", bytes)}).frames().at(0));
     const std::string cut = bytes.substr(0, bytes.size() - 40);
     EXPECT_THAT(
-        message_of([&] { DumpReader({s.write("cut_7.vtk", cut)}); }),
+        test::message_of([&] { DumpReader({s.write("cut_7.vtk", cut)}); }),
         HasSubstr("'v' says it has 5 x 3 values; 81 bytes are left of the file: cut short"));
   }
 }
@@ -227,7 +217,7 @@ TEST(VtkDump, LegacyBinary) {
 TEST(VtkDump, WhatIsWrongIsToldWithFileAndLine) {
   const Scratch s;
   const auto reading = [&](const std::string& name, const std::string& bytes) {
-    return message_of([&] {
+    return test::message_of([&] {
       const DumpReader reader({s.write(name, bytes)});
       all(reader.frames()[0], {"x", "radius"});
     });
@@ -245,12 +235,6 @@ TEST(VtkDump, WhatIsWrongIsToldWithFileAndLine) {
   EXPECT_THAT(reading("a_7.vtk", legacy(true).substr(0, legacy(true).find("2 3 4 5 \nMETA"))),
               HasSubstr("cut short"));
   EXPECT_THAT(reading("t_7.vtk", "ITEM: TIMESTEP\n"), HasSubstr("t_7.vtk:2: not a VTK file"));
-}
-
-long peak_kB() {
-  rusage use{};
-  getrusage(RUSAGE_SELF, &use);
-  return use.ru_maxrss;
 }
 
 TEST(DumpReader, TenMillionParticlesTakeNoMemory) {

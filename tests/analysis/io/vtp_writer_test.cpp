@@ -1,7 +1,6 @@
 #include "analysis/io/vtp_writer.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include "tests/analysis/dump_files.hpp"
 
@@ -45,12 +44,6 @@ TEST(VtpWriter, IsReadBackWhateverTheNumberOfValues) {
       EXPECT_EQ(xyz[3 * i + 2], -static_cast<double>(i));
     }
   }
-}
-
-long peak_kB() {
-  rusage use{};
-  getrusage(RUSAGE_SELF, &use);
-  return use.ru_maxrss;
 }
 
 TEST(VtpWriter, MillionsOfValuesTakeNoMemoryWrittenOrRead) {

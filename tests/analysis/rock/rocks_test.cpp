@@ -67,7 +67,7 @@ TEST(Rocks, AMassColumnIsTakenAsItIs) {
 TEST(Rocks, WhatIsMissingIsToldWithFileAndLine) {
   const Scratch s;
   const auto wrong = [&](const char* columns, const char* row, const ClumpMasses& masses = {}) {
-    return message_of([&] { rocks_of(s, columns, row, 1, masses); });
+    return test::message_of([&] { rocks_of(s, columns, row, 1, masses); });
   };
   EXPECT_THAT(wrong("id x y z density", "1 0 0 0 3000\n"),
               HasSubstr("rocks_5.dump:9: particles without radius"));
@@ -79,15 +79,15 @@ TEST(Rocks, WhatIsMissingIsToldWithFileAndLine) {
               HasSubstr("particle 6 has radius 0"));
   EXPECT_THAT(wrong(kColumns, "2 3 7 0 0 0 1 0 0 0.1 3000\n", {{2, 55.5}}),
               HasSubstr("rock 7 is of type 3, which the deck has no clump of"));
-  EXPECT_THAT(
-      message_of([&] { read_clump_masses(s.write("d.in", "multisphere atom_type 2 mass x\n")); }),
-      HasSubstr("d.in:1: mass 'x' is not a mass"));
+  EXPECT_THAT(test::message_of(
+                  [&] { read_clump_masses(s.write("d.in", "multisphere atom_type 2 mass x\n")); }),
+              HasSubstr("d.in:1: mass 'x' is not a mass"));
 }
 
 TEST(Rocks, WhatNoRockIsLikeIsRefusedWithItsParticle) {
   const Scratch s;
   const auto message = [&](const std::string& row) {
-    return message_of([&] { rocks_of(s, kColumns, row, 1, {}); });
+    return test::message_of([&] { rocks_of(s, kColumns, row, 1, {}); });
   };
   EXPECT_EQ(message("6 1 -1 1 2 3 0.5 0 0 0.1 3000\n"), "");
   for (const auto& [row, what] : {std::pair{"6 1 -1 1 2 3 0.5 0 0 1e5 3000\n", "radius 100000"},

@@ -62,7 +62,7 @@ TEST(WallFields, AWallThatIsCutShortIsNamed) {
   const Scratch s;
   s.write("dipper_0.vtk", wall("5 1", "0 0 0 0 0 0"));
   s.write("dipper_10.vtk", wall("3", ""));
-  EXPECT_THAT(message_of([&] { read_wall_fields(folder(s)); }), HasSubstr("dipper_10.vtk:"));
+  EXPECT_THAT(test::message_of([&] { read_wall_fields(folder(s)); }), HasSubstr("dipper_10.vtk:"));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/input_error.hpp"
+#include "tests/common/input_errors.hpp"
 #include "tests/common/mesh/shapes.hpp"
 
 namespace dipper::mesh {
@@ -17,13 +17,7 @@ using test::binary_stl;
 const TriangleMesh cuboid = test::box({1, 2, 3}, {2, 4, 6});
 
 Finding fault_of(const std::string& bytes) {
-  try {
-    parse_stl(bytes);
-  } catch (const InputError& e) {
-    return e.findings().at(0);
-  }
-  ADD_FAILURE() << "no InputError";
-  return {};
+  return test::findings_of([&] { parse_stl(bytes); }).at(0);
 }
 
 std::string replace(std::string text, const std::string& from, const std::string& to) {
@@ -133,12 +127,8 @@ TEST(Stl, FilesAreReadAsTheirBytes) {
 TEST(Stl, AFaultyFileIsNamedWithTheLine) {
   const auto file = std::filesystem::path(testing::TempDir()) / "none.stl";
   std::ofstream(file) << "not a mesh";
-  try {
-    read_stl(file);
-    FAIL();
-  } catch (const InputError& e) {
-    EXPECT_EQ(e.what(), file.string() + ":1: not an ascii STL file: 'not' where 'solid' belongs");
-  }
+  EXPECT_EQ(test::message_of([&] { read_stl(file); }),
+            file.string() + ":1: not an ascii STL file: 'not' where 'solid' belongs");
 }
 
 TEST(Stl, WritesWhatTheDecksHold) {

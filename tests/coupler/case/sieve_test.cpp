@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "common/input_error.hpp"
+#include "tests/common/input_errors.hpp"
 #include "tests/coupler/deck/liggghts_run.hpp"
 
 namespace dipper::cases {
@@ -21,12 +21,7 @@ fs::path curve_file(const std::string& rows) {
 }
 
 std::string errors_of(const std::string& rows) {
-  try {
-    read_sieve(curve_file(rows));
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+  return test::message_of([&] { read_sieve(curve_file(rows)); });
 }
 
 double total(const std::vector<SizeClass>& classes) {

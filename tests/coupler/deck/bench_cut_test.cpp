@@ -7,8 +7,8 @@
 #include <random>
 #include <sstream>
 
-#include "common/input_error.hpp"
 #include "coupler/case/outline_file.hpp"
+#include "tests/common/input_errors.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -71,15 +71,10 @@ class OutlineFile : public testing::Test {
   ~OutlineFile() override { fs::remove(file_); }
   std::string read(const std::string& text) const {
     std::ofstream(file_) << text;
-    try {
-      cases::read_outline(file_);
-    } catch (const InputError& e) {
-      std::string all;
-      for (const Finding& f : e.findings())
-        all += to_string(f).substr(file_.string().size()) + '\n';
-      return all;
-    }
-    return "";
+    std::string all;
+    for (const std::string& fault : test::faults_of([&] { cases::read_outline(file_); }))
+      all += fault.substr(file_.string().size()) + '\n';
+    return all;
   }
   const fs::path file_ = fs::path(testing::TempDir()) / ("outline" + std::to_string(getpid()));
 };

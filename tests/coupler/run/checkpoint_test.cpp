@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "common/input_error.hpp"
+#include "tests/common/input_errors.hpp"
 
 namespace dipper::run {
 namespace {
@@ -101,16 +101,6 @@ TEST_F(Checkpoints, AFileCutShortOrGoneMakesItTheOneBefore) {
   EXPECT_EQ(last().first, 10);
 }
 
-/// What last_checkpoint throws.
-std::string refusal(const fs::path& checkpoints) {
-  try {
-    last_checkpoint(checkpoints);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "nothing";
-}
-
 TEST_F(Checkpoints, NoneLeftIsAnErrorThatNamesThemAll) {
   const fs::path older = folder_ / "000000010";
   fs::resize_file(newest_ / "rock.restart", 5);
@@ -119,17 +109,18 @@ TEST_F(Checkpoints, NoneLeftIsAnErrorThatNamesThemAll) {
       AllOf(HasSubstr((newest_ / "rock.restart").string() + " is not what was written"),
             HasSubstr((older / "coupling.json").string() + " is missing"),
             HasSubstr("no sound checkpoint is left"), HasSubstr("another --out"));
-  EXPECT_THAT(refusal(folder_), both);
+  EXPECT_THAT(test::message_of([&] { last_checkpoint(folder_); }), both);
   EXPECT_TRUE(fs::exists(newest_) && fs::exists(older));  // all is left where it is
-  EXPECT_THAT(refusal(folder_), both);
+  EXPECT_THAT(test::message_of([&] { last_checkpoint(folder_); }), both);
 }
 
 TEST_F(Checkpoints, NoneLeftIsAnErrorWhenTheyWereSetAsideBefore) {
   fs::resize_file(newest_ / "rock.restart", 5);
   EXPECT_EQ(last().first, 10);
   fs::remove_all(folder_ / "000000010");
-  EXPECT_THAT(refusal(folder_), AllOf(HasSubstr("000000020.damaged: set aside as damaged: "),
-                                      HasSubstr("rock.restart is not what was written")));
+  EXPECT_THAT(test::message_of([&] { last_checkpoint(folder_); }),
+              AllOf(HasSubstr("000000020.damaged: set aside as damaged: "),
+                    HasSubstr("rock.restart is not what was written")));
 }
 
 TEST_F(Checkpoints, ThatThereNeverWasOneIsNoError) {

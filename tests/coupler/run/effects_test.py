@@ -9,7 +9,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, PATIENCE_S, TINY, RunTest
+from runs import DIPPER, PATIENCE_S, TINY, RunTest, last_rocks
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 
@@ -80,12 +80,8 @@ class CollapsingPile(RunTest):
     @staticmethod
     def centre_height(run):
         """Of the rock, by volume, in the last dump."""
-        last = max((run / "dumps").glob("rocks_*.dump"), key=lambda f: int(f.stem[6:]))
-        lines = last.read_text().splitlines()
-        head = next(i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
-        names = lines[head].split()[2:]
-        rocks = np.array([line.split() for line in lines[head + 1:]], dtype=float)
-        return np.average(rocks[:, names.index("z")], weights=rocks[:, names.index("radius")]**3)
+        rock = last_rocks(run)
+        return np.average(rock["z"], weights=rock["radius"]**3)
 
     def test_comes_once_whether_resumed_before_or_after(self):
         whole = self.run_here("whole", *SLAB, "--ranks", "1", "--set", "end_s=1.5")

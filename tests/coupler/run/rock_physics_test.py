@@ -6,7 +6,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, PATIENCE_S, RunTest
+from runs import DIPPER, PATIENCE_S, RunTest, last_rocks
 
 
 def option(**keys):
@@ -30,13 +30,8 @@ def column(file, name):
 
 def face_angle(run):
     """Angle in degrees of the line through the highest rock of each 0.6 m of the face, at the end."""
-    last = max((run / "dumps").glob("rocks_*.dump"), key=lambda f: int(f.stem[6:]))
-    lines = last.read_text().splitlines()
-    head = next(i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
-    names = lines[head].split()[2:]
-    rocks = np.array([line.split() for line in lines[head + 1:]], dtype=float)
-    x = rocks[:, names.index("x")]
-    top = rocks[:, names.index("z")] + rocks[:, names.index("radius")]
+    rock = last_rocks(run)
+    x, top = rock["x"], rock["z"] + rock["radius"]
     edges = np.arange(x.min(), x.max(), 0.6)
     bins = [(x >= a) & (x < a + 0.6) for a in edges]
     surface = np.array([((a + 0.3), top[b].max()) for a, b in zip(edges, bins) if b.any()])

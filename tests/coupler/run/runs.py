@@ -10,6 +10,8 @@ import tempfile
 import time
 import unittest
 
+import numpy as np
+
 DIPPER = pathlib.Path(os.environ["DIPPER"])
 TINY = pathlib.Path(__file__).parent / "tiny"
 SOURCE = TINY.parents[3]
@@ -30,6 +32,19 @@ def processes(folder):
         if state != "Z" and any(w.startswith(str(folder).encode()) for w in words[1:]):
             found.append((int(entry.name), pathlib.Path(words[0].decode()).name))
     return found
+
+
+def rocks(dump):
+    """{column: values} of a text dump of rock."""
+    lines = dump.read_text().splitlines()
+    head = next(i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
+    rows = np.array([line.split() for line in lines[head + 1:]], dtype=float)
+    return dict(zip(lines[head].split()[2:], rows.T))
+
+
+def last_rocks(run):
+    """{column: values} of a run's last dump of rock."""
+    return rocks(max((run / "dumps").glob("rocks_*.dump"), key=lambda f: int(f.stem[6:])))
 
 
 class RunTest(unittest.TestCase):

@@ -8,7 +8,7 @@ import unittest.mock
 
 import h5py
 
-from runs import TINY, RunTest
+from runs import TINY, RunTest, rocks
 
 REPLACED = ("toe_x_m:", "height_m:", "crest_depth_m:", "face_angle_deg:")
 
@@ -65,13 +65,7 @@ class Start(RunTest):
         self.run_case(self.folder / "turned", *settings, case=case)
         side = []
         for name in ("first", "turned"):
-            with next((self.folder / name / "dumps").glob("rocks_0.dump")).open() as f:
-                lines = f.read().splitlines()
-            head = next(i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
-            columns = lines[head].split()[2:]
-            rows = [line.split() for line in lines[head + 1:]]
-            y = columns.index("y")
-            side.append(sum(float(row[y]) > 0 for row in rows) / len(rows))
+            side.append((rocks(self.folder / name / "dumps" / "rocks_0.dump")["y"] > 0).mean())
         self.assertLess(side[0], 0.45)
         self.assertGreater(side[1], 0.55)
         again, _ = self.run_case(self.folder / "again", *settings, case=case)
