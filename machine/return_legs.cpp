@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "machine/door.hpp"
+
 namespace dipper::machine {
 namespace {
 
@@ -17,9 +19,7 @@ std::vector<ReturnLeg> return_legs(const Motion& motion) {
     x.push_back(motion.value(t));
   const auto door = [](const Drives& a, const Drives& b) { return a.door < b.door; };
   const auto crowd = [](const Drives& a, const Drives& b) { return a.crowd < b.crowd; };
-  const double shut = std::min_element(x.begin(), x.end(), door)->door;
-  const double open = 0.5 * (shut + std::max_element(x.begin(), x.end(), door)->door);
-  const auto is_open = [&](const Drives& d) { return d.door > open; };
+  const auto is_open = [](const Drives& d) { return door_is_open(d.door); };
   const auto time = [&](auto at) { return motion.start_ns() + (at - x.begin()) * kTick_ns; };
 
   std::vector<ReturnLeg> legs;

@@ -13,10 +13,9 @@ struct ReturnLeg {
   std::int64_t end_ns;    ///< the crowd is all in, the next dig begins; or the motion ends
 };
 
-/// One leg for every time the door opens and closes again, in order. The door counts as open beyond
-/// half of the furthest that the motion opens it. The end is the last time at which the crowd is
-/// within 1 mm of its least before it is furthest out, in the next dig. None: the door stays as it
-/// is.
+/// One leg for every time the door opens (door.hpp) and closes again, in order. The end is the last
+/// time at which the crowd is within 1 mm of its least before it is furthest out, in the next dig.
+/// None: the door stays as it is.
 std::vector<ReturnLeg> return_legs(const Motion& motion);
 
 }  // namespace dipper::machine

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "common/seconds.hpp"
+#include "machine/door.hpp"
 #include "machine/return_legs.hpp"
 
 namespace dipper::machine {
@@ -55,7 +56,6 @@ std::vector<SweptPass> swept_passes(const Motion& motion, const ShovelKinematics
   std::vector<std::int64_t> starts = {motion.start_ns()};
   for (const ReturnLeg& leg : return_legs(motion))
     if (leg.end_ns < motion.end_ns()) starts.push_back(leg.end_ns);
-  const double shut = motion.value(motion.start_ns()).door;
   std::vector<std::pair<double, Surface>> lanes;
   std::vector<SweptPass> passes;
   for (const std::int64_t start : starts) {
@@ -73,7 +73,7 @@ std::vector<SweptPass> swept_passes(const Motion& motion, const ShovelKinematics
     Vector2d last = shovel.teeth(motion.value(still));
     for (std::int64_t t = still + kTick_ns; t < motion.end_ns(); t += kTick_ns) {
       const Drives d = motion.value(t);
-      const bool opens = d.door > shut + 0.05 && motion.rate(t).door > 0;
+      const bool opens = door_is_open(d.door) && motion.rate(t).door > 0;
       if (std::abs(d.swing - heading) > kTurned_rad || opens) break;
       const Vector2d tip = shovel.teeth(d);
       lane->second.cut(last, tip, pass);

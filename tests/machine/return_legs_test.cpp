@@ -24,6 +24,15 @@ TEST(ReturnLegs, FromTheDoorThatClosesToTheCrowdThatIsIn) {
   EXPECT_EQ(legs[1].end_ns, 60'000'000'000) << "no dig follows";
 }
 
+TEST(ReturnLegs, ADoorThatOpensLittleTheSecondTimeIsOpenAllTheSame) {
+  const auto legs = return_legs(
+      motion("0,0,-1,0,0\n8,-4,2,0,0\n14,-8,1,60,0\n16,-8,1,60,70\n20,-8,1,50,70\n23,-6,0,10,0\n"
+             "30,0,-1,0,0\n36,-4,2,0,0\n42,-8,1,60,0\n44,-8,1,60,20\n48,-8,1,40,20\n50,-8,1,30,0\n"
+             "60,0,-1,0,0\n"));
+  ASSERT_EQ(legs.size(), 2U);
+  EXPECT_NEAR(1e-9 * static_cast<double>(legs[1].begin_ns), 48, 0.02);
+}
+
 TEST(ReturnLegs, NoneWhileTheDoorStaysOpenOrShut) {
   EXPECT_TRUE(return_legs(motion("0,0,-1,0,0\n8,-4,2,0,0\n")).empty());
   EXPECT_TRUE(return_legs(motion("0,0,-1,0,0\n8,-4,2,0,0\n9,-4,2,0,70\n12,-4,2,0,70\n")).empty());
