@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <sstream>
@@ -76,6 +77,10 @@ json read_summary(const fs::path& file) {
   if (!summary.value("status", json()).is_string() ||
       !summary.value("cpu_s_per_sim_s", number).is_number())
     throw io::input_error(file, 0, "status is a text and cpu_s_per_sim_s a number");
+  const json warnings = summary.value("warnings", json::array());
+  if (!warnings.is_array() || !std::all_of(warnings.begin(), warnings.end(),
+                                           [](const json& text) { return text.is_string(); }))
+    throw io::input_error(file, 0, "warnings is a list of texts");
   return summary;
 }
 

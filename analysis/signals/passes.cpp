@@ -33,7 +33,10 @@ Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::siz
   for (std::size_t i = dig; i < dump; ++i) {
     const double force = std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]);
     impulse += force * (s.time_s[i + 1] - s.time_s[i]);
-    p.dig_force_peak_N = std::max(p.dig_force_peak_N, force);
+    if (force > p.dig_force_peak_N) {
+      p.dig_force_peak_N = force;
+      p.dig_force_peak_t_s = s.time_s[i];
+    }
   }
   if (p.t_dump_s > p.t_dig_s) p.dig_force_mean_N = impulse / (p.t_dump_s - p.t_dig_s);
   return p;

@@ -26,6 +26,7 @@ struct Pass {
   double truck_kg = 0;          ///< gained by the truck during the pass
   double dig_force_mean_N = 0;  ///< sqrt(crowd² + hoist²), t_dig to t_dump (paper, Eq. 11)
   double dig_force_peak_N = 0;
+  double dig_force_peak_t_s = 0;  ///< when
 };
 
 /// One pass for every time the door opens; a run that ends before a dump has its last pass open,

@@ -10,6 +10,7 @@
 #include "common/seconds.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/check/check.hpp"
+#include "coupler/check/doubts.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/stable_timestep.hpp"
@@ -83,6 +84,14 @@ std::pair<cases::Case, std::vector<Finding>> checked(
   return {std::move(c), std::move(findings)};
 }
 
+json as_json(const Finding& f) {
+  return {{"file", f.file.string()},
+          {"line", f.line},
+          {"column", f.column},
+          {"key", f.key},
+          {"message", f.message}};
+}
+
 /// Every key's value: a number, a text, or a list of them.
 json values_of(const cases::Case& c) {
   json values = json::object();
@@ -108,6 +117,7 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
   }
   reporter.line(c.name + " is sound: " + summary(c));
   tell_digs(c, reporter);
+  for (const Finding& doubt : doubts(c)) reporter.line("warning: " + to_string(doubt));
   return std::move(c);
 }
 
@@ -119,13 +129,10 @@ bool check_as_json(const std::filesystem::path& folder,
                {"sound", findings.empty()},
                {"findings", json::array()},
                {"source_hash", source_hash}};
-  for (const Finding& f : findings)
-    said["findings"].push_back({{"file", f.file.string()},
-                                {"line", f.line},
-                                {"column", f.column},
-                                {"key", f.key},
-                                {"message", f.message}});
+  for (const Finding& f : findings) said["findings"].push_back(as_json(f));
   if (findings.empty()) {
+    said["warnings"] = json::array();
+    for (const Finding& doubt : doubts(c)) said["warnings"].push_back(as_json(doubt));
     const CaseSize s = size_of(c);
     said["case_hash"] = cases::case_hash(c);
     said["size"] = {{"rocks", s.rocks},

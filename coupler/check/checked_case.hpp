@@ -12,15 +12,16 @@
 namespace dipper::check {
 
 /// Loads and checks a case and tells the reporter a line a finding, `file:line: key: message`, and
-/// "N errors"; or "CASE is sound: ..." with what a run of it will take. The case when it is sound.
+/// "N errors"; or "CASE is sound: ..." with what a run of it will take, and "warning: " and a line
+/// for every doubt (doubts.hpp). The case when it is sound.
 std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
                                         const std::vector<cases::Override>& overrides,
                                         Reporter& reporter);
 
 /// The same for programs: one JSON object with case, sound, findings[] {file, line, column, key,
-/// message} and, of a sound case, case_hash, size {rocks, simulated_s, steps, windows,
-/// settle_steps, stable_timestep_s}, values {key: value}, effects {name: strength} and files[] it
-/// is made from; and the program's source_hash, as given. Whether it is sound.
+/// message} and, of a sound case, warnings[] like them, case_hash, size {rocks, simulated_s, steps,
+/// windows, settle_steps, stable_timestep_s}, values {key: value}, effects {name: strength} and
+/// files[] it is made from; and the program's source_hash, as given. Whether it is sound.
 bool check_as_json(const std::filesystem::path& folder,
                    const std::vector<cases::Override>& overrides, const std::string& source_hash,
                    Reporter& reporter);

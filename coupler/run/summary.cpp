@@ -12,6 +12,7 @@
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
+#include "coupler/run/run_warnings.hpp"
 #include "coupler/run/teeth_deviation.hpp"
 #include "coupler/sides/sides_setup.hpp"
 
@@ -19,8 +20,6 @@ namespace dipper::run {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-constexpr double kMuchSlack = 0.05;  // of a dig: below, a dipper that is let down onto rock
 
 json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::path& record) {
   const double full_kg = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3 *
@@ -39,7 +38,8 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
                 {"truck_kg", p.truck_kg},
                 {"fill_factor", p.payload_kg / full_kg},
                 {"dig_force_mean_N", p.dig_force_mean_N},
-                {"dig_force_peak_N", p.dig_force_peak_N}};
+                {"dig_force_peak_N", p.dig_force_peak_N},
+                {"dig_force_peak_t_s", p.dig_force_peak_t_s}};
     if (found.dig_phases_force_mean_N)
       row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
     if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
@@ -110,11 +110,6 @@ void tell_passes(const json& passes, Reporter& reporter) {
         p.at("pass").get<int>(), p.at("payload_kg").get<double>() * 1e-3,
         p.at("truck_kg").get<double>() * 1e-3, p.at("dig_force_mean_N").get<double>() * 1e-3,
         p.at("dig_force_peak_N").get<double>() * 1e-3));
-    if (const double slack = p.value("dig_slack_share", 0.0); slack > kMuchSlack)
-      reporter.line(fmt::format(
-          "warning: pass {}: the hoist ropes are slack in {:.0f} % of the dig, the teeth up to "
-          "{:.1f} m off their way: the dipper rides on rock (docs/motion.md)",
-          p.at("pass").get<int>(), 100 * slack, p.at("teeth_deviation_m").get<double>()));
   }
 }
 
@@ -139,10 +134,13 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
         "{:.0f} deg",
         profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
   }
+  const std::vector<std::string> warnings = run_warnings(c, summary);
+  summary["warnings"] = warnings;
   std::ofstream out(folder.summary());
   out << summary.dump(2) << '\n';
   if (!out.flush()) throw std::runtime_error("cannot write " + folder.summary().string());
   tell_passes(summary.at("passes"), reporter);
+  for (const std::string& warning : warnings) reporter.line("warning: " + warning);
 }
 
 std::string summary_status(const std::filesystem::path& summary) {

@@ -13,7 +13,8 @@ export function head(model) {
       run.cpu_s && `computed in ${duration(run.cpu_s)} of processor time`,
       run.seed !== undefined && `seed ${run.seed}`,
     ].filter(Boolean).join(' · '),
-    run.status && run.status !== 'complete' && `This run is ${run.status}: the figures are of the part that there is.`);
+    run.status && run.status !== 'complete' && `This run is ${run.status}: the figures are of the part that there is.`,
+    ...(run.warnings ?? []));
 }
 
 export function headline(model) {

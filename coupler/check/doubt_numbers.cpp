@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "common/angles.hpp"
+#include "common/seconds.hpp"
+#include "coupler/check/doubts.hpp"
+#include "coupler/deck/contact_table.hpp"
+
+namespace dipper::check {
+namespace {
+
+constexpr double kOtherUnit = 5;          ///< a mesh so many times too large or small is not in m
+constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger rocks bridge it
+constexpr double kShift_m = 0.5;
+constexpr double kHole_s = 3;       ///< between two rows of a motion in which drives go far
+constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
+
+void doubt_the_mesh(const CaseParts& parts, std::vector<Finding>& doubts) {
+  const Vector3d wanted = parts.machine.dipper.inside;  // without plates and teeth
+  const Box box = mesh::bounding_box(parts.dipper);
+  const Vector3d sides = box.sides_m();
+  const double scale = sides.maxCoeff() / wanted.maxCoeff();
+  const auto say = [&](const std::string& what) {
+    doubts.push_back(cases::finding_at(parts.c, "bodies.dipper", what));
+  };
+  if (scale > kOtherUnit || scale < 1 / kOtherUnit) {
+    const double factor = scale > 100 ? 0.001 : 1 / scale;
+    return say(fmt::format(
+        "the mesh is {:.4g} units long where {:g} m are wanted: in {}? scale it "
+        "by {:.3g}",
+        sides.maxCoeff(), wanted.maxCoeff(), scale > 100 ? "mm" : "another unit", factor));
+  }
+  const auto misfit = [&](const Vector3d& s) { return (s - wanted).cwiseAbs().sum(); };
+  const Vector3d y_up(sides.x(), sides.z(), sides.y());
+  if (misfit(y_up) + 1 < misfit(sides))
+    return say(
+        fmt::format("the mesh is {:.1f} x {:.1f} x {:.1f} m along x, y and z where about "
+                    "{:g} x {:g} x {:g} are wanted: is its y up? turn it so that z is",
+                    sides.x(), sides.y(), sides.z(), wanted.x(), wanted.y(), wanted.z()));
+  const Vector3d middle = 0.5 * (box.min_m + box.max_m);
+  if (std::abs(middle.y()) > kShift_m || std::abs(middle.z()) > kShift_m ||
+      std::abs(box.min_m.x()) > kShift_m)
+    say(
+        fmt::format("the mesh begins at x = {:.2f} m and its middle is at y = {:.2f}, z = {:.2f}; "
+                    "its origin should be in the middle of the rear opening (docs/frames.md)",
+                    box.min_m.x(), middle.y(), middle.z()));
+}
+
+void doubt_angles(const CaseParts& parts, std::vector<Finding>& doubts) {
+  const double rake = std::abs(parts.c.machine.rake_angle_deg);
+  if (rake > 0 && rake < 2)
+    doubts.push_back(cases::finding_at(
+        parts.c, "machine.rake_angle_deg",
+        fmt::format("{:g} degrees lay the dipper along its handle: is it in rad? {:.1f} degrees "
+                    "are",
+                    parts.c.machine.rake_angle_deg, degrees(parts.c.machine.rake_angle_deg))));
+  double swing = 0, door = 0;
+  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += 100'000'000) {
+    const machine::Drives d = parts.motion.value(t);
+    swing = std::max(swing, std::abs(d.swing));
+    door = std::max(door, std::abs(d.door));
+  }
+  const auto in_rad = [](double most) { return most > radians(0.3) && most < radians(3.2); };
+  for (const auto& [name, most] : {std::pair{"swing_deg", swing}, std::pair{"door_deg", door}})
+    if (in_rad(most))
+      doubts.push_back(
+          {parts.c.machine.motion, 0, name,
+           fmt::format("never goes beyond {:.2f} degrees: is it in rad?", degrees(most))});
+}
+
+/// A rigid body's largest principal moment is at most the sum of the other two.
+void doubt_inertia(const CaseParts& parts, std::vector<Finding>& doubts) {
+  const machine::MachineData& m = parts.machine;
+  for (const auto& [name, inertia] :
+       {std::pair{"handle.inertia", m.handle.inertia},
+        std::pair{"dipper.inertia", m.dipper.inertia}, std::pair{"door.inertia", m.door.inertia}}) {
+    const double most = inertia.maxCoeff();
+    if (most > 1.001 * (inertia.sum() - most))
+      doubts.push_back({parts.c.machine.model, 0, name,
+                        fmt::format("{:g} kg m2 is more than the other two together, which no body "
+                                    "has",
+                                    most)});
+  }
+}
+
+void doubt_the_rock(const CaseParts& parts, std::vector<Finding>& doubts) {
+  const cases::Case& c = parts.c;
+  double largest = 0;
+  for (const deck::RockClass& rock : deck::rock_classes(c))
+    largest = std::max(largest, 2 * rock.radius_m);
+  const double mouth = std::min(parts.machine.dipper.inside.y(), parts.machine.dipper.inside.z());
+  if (largest > kLargestRock * mouth)
+    doubts.push_back(cases::finding_at(
+        c, c.rock.coarse_graining > 1 ? "rock.coarse_graining" : "rock.classes",
+        fmt::format("rocks of {:.2f} m are larger than a third of the dipper's mouth of {:g} m and "
+                    "bridge it; write rock.coarse_graining_limit_m: {:.2g} or less",
+                    largest, mouth, kLargestRock * mouth)));
+  if (c.rock.bulk_density_kg_m3 > c.rock.density_kg_m3)
+    doubts.push_back(
+        cases::finding_at(c, "rock.bulk_density_kg_m3",
+                          fmt::format("{:g} kg/m3 is more than the solid rock's {:g}",
+                                      c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
+  const double wide = mesh::bounding_box(parts.dipper).sides_m().y();
+  if (c.pile.width_m < wide)
+    doubts.push_back(
+        cases::finding_at(c, "pile.width_m",
+                          fmt::format("a pile of {:g} m is narrower than the dipper, {:.1f} m",
+                                      c.pile.width_m, wide)));
+}
+
+void doubt_times(const CaseParts& parts, std::vector<Finding>& doubts) {
+  const double window_s = parts.c.coupling.sync_steps * parts.c.dem.timestep_s;
+  if (window_s > kWindow_s)
+    doubts.push_back(cases::finding_at(
+        parts.c, "coupling.sync_steps",
+        fmt::format("a window of {:.3g} s is long against the swing of the dipper on its ropes; "
+                    "{} steps or fewer keep the coupling stable (docs/coupling.md)",
+                    window_s, std::max(1.0, std::floor(kWindow_s / parts.c.dem.timestep_s)))));
+  for (std::int64_t t = parts.motion.start_ns(); t < parts.motion.end_ns();) {
+    const std::int64_t next = std::min(parts.motion.next_row_ns(t), parts.motion.end_ns());
+    const machine::Drives a = parts.motion.value(t), b = parts.motion.value(next);
+    if (seconds(next - t) > kHole_s &&
+        (std::abs(b.hoist - a.hoist) > 1 || std::abs(b.crowd - a.crowd) > 0.5)) {
+      doubts.push_back({parts.c.machine.motion, 0, "time_s",
+                        fmt::format("no row between {:.2f} and {:.2f} s, while the drives go far",
+                                    seconds(t), seconds(next))});
+      return;
+    }
+    t = next;
+  }
+}
+
+}  // namespace
+
+void doubt_numbers(const CaseParts& parts, std::vector<Finding>& doubts) {
+  doubt_the_mesh(parts, doubts);
+  doubt_angles(parts, doubts);
+  doubt_inertia(parts, doubts);
+  doubt_the_rock(parts, doubts);
+  doubt_times(parts, doubts);
+}
+
+}  // namespace dipper::check

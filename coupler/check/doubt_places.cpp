@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/mesh/signed_distance.hpp"
+#include "common/seconds.hpp"
+#include "coupler/case/bench_surface.hpp"
+#include "coupler/case/outline_file.hpp"
+#include "coupler/check/doubts.hpp"
+#include "coupler/deck/pile_shape.hpp"
+#include "machine/door.hpp"
+
+namespace dipper::check {
+namespace {
+
+constexpr double kDeep_m = 0.1;                   ///< overlap that is no matter of a facet
+constexpr std::int64_t kSample_ns = 100'000'000;  ///< the dipper goes some 0.3 m meanwhile
+
+/// Height of the bench's surface; the ground's 0 elsewhere.
+class Bench {
+ public:
+  explicit Bench(const cases::Case& c) : c_(c), outline_(deck::bench_outline(c)) {}
+
+  double height(const Vector3d& p) const {
+    if (std::abs(p.y()) > c_.pile.width_m / 2) return 0;
+    if (c_.pile.surface) return c_.pile.surface->height(p.x(), p.y());
+    return cases::outline_height(outline_, p.x());
+  }
+
+ private:
+  const cases::Case& c_;
+  cases::BenchOutline outline_;
+};
+
+double deepest_in(const Bench& bench, const mesh::TriangleMesh& mesh, const Pose& X) {
+  double deepest = 0;
+  for (const Vector3d& v : mesh.vertices) {
+    const Vector3d p = X * v;
+    deepest = std::max(deepest, bench.height(p) - p.z());
+  }
+  return deepest;
+}
+
+/// A body goes down into rock that is there already, and shoots it out.
+void doubt_the_start(const CaseParts& parts, std::vector<Finding>& doubts) {
+  const cases::Case& c = parts.c;
+  const Bench bench(c);
+  if (c.pile.clear_machine == "on") return;  // the rock there is removed, and told
+  const machine::ShovelPose at_start = parts.shovel.pose(parts.motion.value(0));
+  const double dipper = std::max(deepest_in(bench, parts.dipper, at_start.X_WB),
+                                 deepest_in(bench, parts.door, at_start.X_WD));
+  if (dipper > kDeep_m)
+    doubts.push_back(cases::finding_at(
+        c, "machine.motion",
+        fmt::format("the dipper stands {:.1f} m deep in the pile at the start, which throws the "
+                    "rock out; begin in front of the toe, or write pile.clear_machine: on",
+                    dipper)));
+  if (const double truck = deepest_in(bench, parts.truck, Pose{}); truck > kDeep_m)
+    doubts.push_back(cases::finding_at(
+        c, "truck.position_m",
+        fmt::format("the truck stands {:.1f} m deep in the pile, and its bed counts rock that was "
+                    "never dumped; move it, or the pile",
+                    truck)));
+}
+
+/// The corners of the dipper against the truck's solid parts, all along the motion.
+void doubt_the_way(const CaseParts& parts, std::vector<Finding>& doubts) {
+  const Box near = mesh::bounding_box(parts.truck);
+  double deepest = 0, at_s = 0;
+  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
+    const Pose X = parts.shovel.pose(parts.motion.value(t)).X_WB;
+    for (const Vector3d& v : parts.dipper.vertices) {
+      const Vector3d p = X * v;
+      if (!near.holds(p)) continue;
+      const double depth = mesh::signed_distance(parts.truck, p);
+      if (depth > deepest) deepest = depth, at_s = seconds(t);
+    }
+  }
+  if (deepest > kDeep_m)
+    doubts.push_back(cases::finding_at(
+        parts.c, "truck.position_m",
+        fmt::format("the dipper goes {:.1f} m deep through the truck at {:.1f} s; move the truck, "
+                    "or lift the dipper higher",
+                    deepest, at_s)));
+}
+
+/// Where the door is when it opens.
+void doubt_the_dump(const CaseParts& parts, std::vector<Finding>& doubts) {
+  const Box bed = mesh::bounding_box(parts.truck);
+  const bool starts_open = machine::door_is_open(parts.motion.value(0).door);
+  bool open = starts_open;
+  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
+    const machine::Drives drives = parts.motion.value(t);
+    const bool was_open = open;
+    open = machine::door_is_open(drives.door);
+    if (!open || was_open) continue;
+    const Vector3d p = parts.shovel.pose(drives).X_WB.p;
+    if (p.x() > bed.min_m.x() && p.x() < bed.max_m.x() && p.y() > bed.min_m.y() &&
+        p.y() < bed.max_m.y())
+      continue;
+    doubts.push_back(cases::finding_at(
+        parts.c, "truck.position_m",
+        fmt::format("no truck is under the dipper as its door opens at {:.1f} s: the door is at x "
+                    "= {:.1f}, y = {:.1f} m, the truck between x = {:.1f} and {:.1f}, y = {:.1f} "
+                    "and {:.1f} m",
+                    seconds(t), p.x(), p.y(), bed.min_m.x(), bed.max_m.x(), bed.min_m.y(),
+                    bed.max_m.y())));
+    return;
+  }
+}
+
+}  // namespace
+
+void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts) {
+  doubt_the_start(parts, doubts);
+  doubt_the_way(parts, doubts);
+  doubt_the_dump(parts, doubts);
+}
+
+}  // namespace dipper::check

@@ -1,0 +1,62 @@
+#include "coupler/run/run_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "common/input_error.hpp"
+#include "coupler/check/doubts.hpp"
+
+namespace dipper::run {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+constexpr double kMuchSlack = 0.05;     // of a dig: below, a dipper that is let down onto rock
+constexpr double kMuchResidual = 0.01;  // of the work
+constexpr double kLostMass_kg = 1000;
+constexpr double kHighPeak = 8;  // times the mean; whole digs have 3 to 5
+
+void warn_of_pass(const json& p, std::vector<std::string>& warnings) {
+  const int pass = p.at("pass").get<int>();
+  const auto number = [&](const char* key) { return p.value(key, 0.0); };
+  if (const double slack = number("dig_slack_share"); slack > kMuchSlack)
+    warnings.push_back(fmt::format(
+        "pass {}: the hoist ropes are slack in {:.0f} % of the dig, the teeth up to {:.1f} m off "
+        "their way: the dipper rides on rock (docs/motion.md)",
+        pass, 100 * slack, number("teeth_deviation_m")));
+  const double mean = number("dig_force_mean_N"), peak = number("dig_force_peak_N");
+  if (mean > 0 && peak > kHighPeak * mean)
+    warnings.push_back(fmt::format(
+        "pass {}: the dig force peaks at {:.0f} MN, {:.0f} times its mean, at {:.2f} s: a rock is "
+        "caught between the dipper and what does not give way, and drives without limits push on",
+        pass, peak * 1e-6, peak / mean, number("dig_force_peak_t_s")));
+  for (const auto& [key, where] :
+       {std::pair{"payload_kg", "dipper"}, std::pair{"truck_kg", "truck"}})
+    if (number(key) < -kLostMass_kg)
+      warnings.push_back(fmt::format(
+          "pass {}: {:.1f} t more leave the {} than come in: does it stand in the pile?", pass,
+          -1e-3 * number(key), where));
+}
+
+}  // namespace
+
+std::vector<std::string> run_warnings(const cases::Case& c, const json& summary) {
+  std::vector<std::string> warnings;
+  try {
+    for (const Finding& doubt : check::doubts(c)) warnings.push_back(to_string(doubt));
+  } catch (const InputError&) {  // a file has gone since the run began
+  }
+  for (const json& p : summary.at("passes")) warn_of_pass(p, warnings);
+  const json& coupling = summary.at("coupling");
+  const double residual = std::abs(coupling.at("energy_residual_J").get<double>()),
+               work = std::abs(coupling.at("interface_work_J").get<double>());
+  if (residual > kMuchResidual * work && work > 0)
+    warnings.push_back(fmt::format(
+        "the coupling's energy does not balance by {:.1f} % of the work of {:.0f} MJ; shorter "
+        "windows (coupling.sync_steps) make less (docs/coupling.md)",
+        100 * residual / work, work * 1e-6));
+  return warnings;
+}
+
+}  // namespace dipper::run

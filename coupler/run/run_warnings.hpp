@@ -1,0 +1,17 @@
+// What a user has to see of a run before believing its figures.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "coupler/case/case.hpp"
+
+namespace dipper::run {
+
+/// The doubts about the case (coupler/check/doubts.hpp) and about its figures: a residual of the
+/// energy, masses below nothing, peaks and slack ropes that are no dig's.
+/// \param summary  passes and coupling of summary.json
+std::vector<std::string> run_warnings(const cases::Case& c, const nlohmann::ordered_json& summary);
+
+}  // namespace dipper::run

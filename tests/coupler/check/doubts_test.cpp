@@ -1,0 +1,91 @@
+#include "coupler/check/doubts.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/mesh/stl.hpp"
+#include "coupler/check/check.hpp"
+#include "tests/common/mesh/shapes.hpp"
+#include "tests/coupler/case/checkout.hpp"
+
+namespace dipper::check {
+namespace {
+
+using test::Checkout;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// "key: message" of every doubt about `quick` with changes, whose own rock bridges its dipper.
+std::vector<std::string> doubts_of(const Checkout& checkout, std::vector<cases::Override> set = {},
+                                   bool limited = true) {
+  if (limited) set.push_back({"rock.coarse_graining_limit_m", "1"});
+  std::vector<Finding> findings;
+  const cases::Case c = cases::load_case(checkout.folder(), set, findings);
+  test::expect_findings(findings, {});
+  test::expect_findings(check_case(c), {});
+  std::vector<std::string> said;
+  for (const Finding& doubt : doubts(c)) said.push_back(doubt.key + ": " + doubt.message);
+  return said;
+}
+
+/// The dipper's mesh changed.
+template <typename Change>
+std::vector<std::string> with_dipper(const Change& change) {
+  const Checkout checkout;
+  std::vector<Finding> findings;
+  const auto file = cases::load_case(checkout.folder(), {}, findings).bodies.at("dipper");
+  mesh::TriangleMesh dipper = mesh::read_stl(file);
+  for (Vector3d& v : dipper.vertices) v = change(v);
+  test::write_text(checkout.folder() / "changed.stl", test::ascii_stl(dipper));
+  std::vector<Finding> loaded;
+  cases::Case c =
+      cases::load_case(checkout.folder(), {{"rock.coarse_graining_limit_m", "1"}}, loaded);
+  c.bodies.at("dipper") = checkout.folder() / "changed.stl";
+  std::vector<std::string> said;
+  for (const Finding& doubt : doubts(c)) said.push_back(doubt.key + ": " + doubt.message);
+  return said;
+}
+
+TEST(Doubts, SoundCaseHasNone) { EXPECT_THAT(doubts_of(Checkout(true)), ElementsAre()); }
+
+TEST(Doubts, MachineAndTruckInThePile) {
+  const Checkout checkout;
+  EXPECT_THAT(doubts_of(checkout, {{"pile.toe_x_m", "8"}}),
+              ElementsAre(HasSubstr("m deep in the pile at the start")));
+  EXPECT_THAT(doubts_of(checkout, {{"pile.toe_x_m", "8"}, {"pile.clear_machine", "on"}}),
+              ElementsAre());
+  EXPECT_THAT(doubts_of(checkout, {{"truck.position_m", "[16, 0, 0]"}}),
+              testing::Contains(HasSubstr("the truck stands")));
+}
+
+TEST(Doubts, TruckThatIsHitOrMissed) {
+  const Checkout checkout(true);
+  EXPECT_THAT(doubts_of(checkout, {{"truck.position_m", "[3.3, 18.6, 7]"}}),
+              ElementsAre(HasSubstr("deep through the truck at ")));
+  EXPECT_THAT(doubts_of(checkout, {{"truck.position_m", "[3.3, -18.6, 0]"}}),
+              ElementsAre(HasSubstr("no truck is under the dipper")));
+}
+
+TEST(Doubts, NumbersInAnotherUnit) {
+  const Checkout checkout;
+  EXPECT_THAT(doubts_of(checkout, {{"machine.rake_angle_deg", "1.0786"}}),
+              testing::Contains(HasSubstr("is it in rad? 61.8 degrees are")));
+  EXPECT_THAT(doubts_of(checkout, {{"coupling.sync_steps", "200"}}),
+              ElementsAre(HasSubstr("steps or fewer keep the coupling stable")));
+  EXPECT_THAT(doubts_of(checkout, {{"pile.width_m", "4"}}),
+              ElementsAre(HasSubstr("narrower than the dipper")));
+  EXPECT_THAT(doubts_of(checkout, {}, false),
+              ElementsAre(HasSubstr("a third of the dipper's mouth")));
+}
+
+TEST(Doubts, MeshesThatLookWrong) {
+  EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(1000 * v); }),
+              testing::Contains(HasSubstr("in mm? scale it by 0.001")));
+  EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x(), -v.z(), v.y()); }),
+              testing::Contains(HasSubstr("is its y up?")));
+  EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x() + 1, v.y(), v.z()); }),
+              testing::Contains(HasSubstr("docs/frames.md")));
+}
+
+}  // namespace
+}  // namespace dipper::check

@@ -1,0 +1,48 @@
+#include "coupler/run/run_warnings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/coupler/case/checkout.hpp"
+
+namespace dipper::run {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using json = nlohmann::ordered_json;
+
+/// Of a run in which nothing is wrong, with a change.
+std::vector<std::string> warnings(const std::vector<std::pair<std::string, double>>& pass,
+                                  double residual_J = 0) {
+  const test::Checkout checkout;
+  std::vector<Finding> findings;
+  const cases::Case c =
+      cases::load_case(checkout.folder(), {{"rock.coarse_graining_limit_m", "1"}}, findings);
+  json row = {{"pass", 1},
+              {"payload_kg", 7e4},
+              {"truck_kg", 7e4},
+              {"dig_force_mean_N", 3e6},
+              {"dig_force_peak_N", 12e6},
+              {"dig_force_peak_t_s", 5.5},
+              {"dig_slack_share", 0.01}};
+  for (const auto& [key, value] : pass) row[key] = value;
+  return run_warnings(
+      c, {{"passes", json::array({row})},
+          {"coupling", {{"energy_residual_J", residual_J}, {"interface_work_J", -1e8}}}});
+}
+
+TEST(RunWarnings, SoundRunHasNone) { EXPECT_THAT(warnings({}), ElementsAre()); }
+
+TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
+  EXPECT_THAT(warnings({{"dig_slack_share", 0.2}, {"teeth_deviation_m", 0.8}}),
+              ElementsAre(HasSubstr("slack in 20 % of the dig, the teeth up to 0.8 m")));
+  EXPECT_THAT(warnings({{"dig_force_peak_N", 343e6}}),
+              ElementsAre(HasSubstr("peaks at 343 MN, 114 times its mean, at 5.50 s")));
+  EXPECT_THAT(warnings({{"truck_kg", -28e3}}),
+              ElementsAre(HasSubstr("28.0 t more leave the truck")));
+  EXPECT_THAT(warnings({}, -2e6), ElementsAre(HasSubstr("by 2.0 % of the work of 100 MJ")));
+}
+
+}  // namespace
+}  // namespace dipper::run
