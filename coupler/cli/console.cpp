@@ -1,5 +1,6 @@
 #include "coupler/cli/console.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -11,6 +12,13 @@ namespace {
 void put(std::FILE* to, const std::string& text) {
   std::fputs(text.c_str(), to);
   std::fflush(to);
+}
+
+/// In bytes, which a progress line has one a column of; as much as wanted where no width is known.
+std::string cut_to_terminal(const std::string& text) {
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return text;
+  return text.substr(0, size.ws_col - 1U);  // the last column would begin a new line
 }
 
 }  // namespace
@@ -39,7 +47,7 @@ void Console::progress(const std::string& text) {
 }
 
 void Console::show(const std::string& text) {
-  put(stdout, terminal_ ? "\r" + text + "\033[K" : text + "\n");
+  put(stdout, terminal_ ? "\r" + cut_to_terminal(text) + "\033[K" : text + "\n");
   begun_ = terminal_;
   pending_.clear();
 }

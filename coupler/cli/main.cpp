@@ -1,5 +1,7 @@
 // dipper: the command. Exit status: 0 done; 2 bad usage or input; 3 a run failed; 4 interrupted.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "common/input_error.hpp"
@@ -12,6 +14,7 @@
 #include "coupler/cli/face_command.hpp"
 #include "coupler/cli/gap_command.hpp"
 #include "coupler/cli/motion_command.hpp"
+#include "coupler/cli/nearest_word.hpp"
 #include "coupler/cli/observe_command.hpp"
 #include "coupler/cli/page_command.hpp"
 #include "coupler/cli/phases_command.hpp"
@@ -21,6 +24,27 @@
 
 namespace dipper::cli {
 namespace {
+
+/// What the user may have meant by the first word that the program does not know; empty: no guess.
+std::string guess(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = nullptr;
+  std::vector<std::string> known;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known.push_back(sub->get_name());
+    if (!words.empty() && sub->get_name() == words.front()) command = sub;
+  }
+  if (words.empty()) return "";
+  if (command == nullptr) return nearest_word(words.front(), known);
+  known.clear();
+  for (const CLI::Option* option : command->get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (std::string word : words) {
+    word = word.substr(0, word.find('='));
+    if (word.rfind("--", 0) != 0 || std::count(known.begin(), known.end(), word) != 0) continue;
+    return nearest_word(word, known);
+  }
+  return "";
+}
 
 int command_line(int argc, char** argv, Reporter& reporter) {
   CLI::App app{"Dipper: a mining rope shovel and the rock it digs, co-simulated.", "dipper"};
@@ -42,7 +66,10 @@ int command_line(int argc, char** argv, Reporter& reporter) {
       if (*command.subcommand) return command.run();
     return 2;
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    if (app.exit(e) == 0) return 0;
+    if (const std::string meant = guess(app, {argv + 1, argv + argc}); !meant.empty())
+      reporter.error("did you mean " + meant + "?");
+    return 2;
   }
 }
 

@@ -2,9 +2,11 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <pty.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <string>
 
 namespace dipper::cli {
 namespace {
@@ -21,6 +23,29 @@ TEST(Console, OffATerminalShowsTheFirstAndTheLastProgressOfAShortWork) {
   }
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "begins\n10 %\n100 %\nends\n");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "dipper: fails\n");
+}
+
+TEST(Console, KeepsProgressWithinTheTerminalsWidth) {
+  std::fflush(stdout);
+  winsize narrow{};
+  narrow.ws_col = 40;
+  narrow.ws_row = 10;
+  int near = -1, far = -1;
+  ASSERT_EQ(openpty(&near, &far, nullptr, nullptr, &narrow), 0);
+  const int out = dup(STDOUT_FILENO);
+  dup2(far, STDOUT_FILENO);
+  {
+    Console console;
+    console.progress(std::string(92, '#'));
+  }
+  dup2(out, STDOUT_FILENO);
+  close(out);
+  char shown[256] = {};
+  const auto n = read(near, shown, sizeof shown - 1);
+  close(near);
+  close(far);
+  EXPECT_GT(n, 0);
+  EXPECT_EQ(std::string(shown), "\r" + std::string(39, '#') + "\033[K\r\n");
 }
 
 TEST(Console, AReaderThatHasGoneIsNoFault) {
