@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <vector>
 
 #include "common/angles.hpp"
@@ -107,6 +108,16 @@ MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
               g.number("length_at_zero_hoist", "m", kPositive)};
   }
   {
+    auto g = root.group("drives");
+    m.drives.hoist = {g.number("hoist_stall", "N", kPositive),
+                      g.number("hoist_power", "W", kPositive)};
+    m.drives.hoist_inertia = g.number("hoist_inertia", "kg", kPositive);
+    m.drives.crowd = {g.number("crowd_stall", "N", kPositive),
+                      g.number("crowd_power", "W", kPositive)};
+    m.drives.swing = {g.number("swing_stall", "N m", kPositive),
+                      g.number("swing_power", "W", kPositive)};
+  }
+  {
     auto g = root.group("limits");
     m.limits = {g.number("hoist_min", "m"),
                 g.number("hoist_max", "m"),
@@ -124,6 +135,12 @@ MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
 }
 
 }  // namespace
+
+DriveMode drive_mode_from(const std::string& word) {
+  if (word == "prescribed") return DriveMode::prescribed;
+  if (word == "limited") return DriveMode::limited;
+  throw std::invalid_argument("drives '" + word + "': prescribed or limited");
+}
 
 MachineData load_machine(const std::filesystem::path& file) {
   std::vector<Finding> findings;

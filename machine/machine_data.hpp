@@ -65,6 +65,18 @@ struct MachineData {
     double length_at_zero_hoist;  ///< m from there to the bail, unstretched
   } rope;
 
+  /// What the drives can do at most: force F at speed v within |F| <= min(stall, power / |v|).
+  struct DriveLimit {
+    double stall;  ///< N, swing N m
+    double power;  ///< W
+  };
+  struct DriveLimits {
+    DriveLimit hoist;      ///< of both ropes together, at the bail
+    double hoist_inertia;  ///< kg at the ropes: what the drum and its motors weigh there
+    DriveLimit crowd;
+    DriveLimit swing;
+  } drives;
+
   /// Not in the file: a new machine has none. A case sets them (machine.crowd_friction_N, ...).
   struct Losses {
     double crowd_friction = 0;  ///< N, of the crowd's slide, against its motion
@@ -81,6 +93,12 @@ struct MachineData {
     double saddle_min, saddle_max;  ///< rad above the horizontal
   } limits;
 };
+
+/// How the drives move: exactly as they are sent, whatever it takes, or as far as their limits let
+/// them.
+enum class DriveMode { prescribed, limited };
+/// Throws std::invalid_argument for another word.
+DriveMode drive_mode_from(const std::string& word);
 
 /// Reads the file. Every entry must be there as {value, unit, source} with the unit expected here;
 /// unknown keys, keys given twice and numbers out of their range are errors. Throws InputError with

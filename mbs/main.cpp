@@ -29,7 +29,9 @@ void run(const char* config_file) {
   condition.added_inertia_kg_m2 = vector_from(settings.at("added_inertia_kg_m2"));
   Shovel shovel(machine::in_condition(
                     machine::load_machine(settings.at("model").get<std::string>()), condition),
-                machine::Motion::load(settings.at("motion").get<std::string>()), X_W0, rake);
+                machine::Motion::load(settings.at("motion").get<std::string>()), X_W0, rake,
+                kLongestSubstep_ns,
+                machine::drive_mode_from(settings.value("drives", "prescribed")));
   const auto transport =
       transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::to_mbs);
   transport::serve(*transport, transport::Channels::to_mbs, transport::Channels::from_mbs, config,

@@ -20,7 +20,7 @@ struct Rope::Path {
   SimTK::Vec3 p_SC_G;  ///< sheave body's origin to the sheave's centre
 };
 
-Rope::Rope(RopeSpec spec, std::function<FreeLength(double)> free_length)
+Rope::Rope(RopeSpec spec, std::function<FreeLength(const SimTK::State&)> free_length)
     : spec_(std::move(spec)), free_length_(std::move(free_length)) {}
 
 Rope::Path Rope::path(const SimTK::State& state) const {
@@ -51,7 +51,7 @@ double Rope::stiffness(double free_length) const {
 RopeState Rope::evaluate(const SimTK::State& state) const { return evaluate(state, path(state)); }
 
 RopeState Rope::evaluate(const SimTK::State& state, const Path& rope) const {
-  const FreeLength free = free_length_(state.getTime());
+  const FreeLength free = free_length_(state);
   RopeState r{};
   // dl/dt: each end's velocity against the sheave's body, along the rope; moving the tangent
   // points does not change the length to first order.
@@ -71,14 +71,18 @@ RopeState Rope::evaluate(const SimTK::State& state, const Path& rope) const {
   r.tension = std::max(0.0, elastic + spec_.damping * r.stretch_rate);
   r.elastic_energy = 0.5 * elastic * r.stretch;
   r.dissipation = (r.tension - elastic) * r.stretch_rate;
-  r.winch_power = -(r.tension + 0.5 * elastic * r.stretch / free.length) * free.rate;
+  r.winch_pull = r.tension + 0.5 * elastic * r.stretch / free.length;
+  r.winch_power = -r.winch_pull * free.rate;
   return r;
 }
 
 void Rope::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
-                     SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const {
+                     SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector& mobility_forces) const {
   const Path rope = path(state);
-  const double tension = evaluate(state, rope).tension;
+  const RopeState now = evaluate(state, rope);
+  if (spec_.drum_radius > 0)
+    spec_.drum.applyOneMobilityForce(state, 0, spec_.drum_radius * now.winch_pull, mobility_forces);
+  const double tension = now.tension;
   if (tension <= 0) return;
   SimTK::Vec3 on_sheave(0);
   for (const End* e : {&rope.a, &rope.b}) {
@@ -92,7 +96,7 @@ void Rope::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec
 }
 
 double Rope::calcPotentialEnergy(const SimTK::State& state) const {
-  const double free = free_length_(state.getTime()).length;
+  const double free = free_length_(state).length;
   const double stretch = std::max(0.0, path(state).length - free);
   return 0.5 * stiffness(free) * stretch * stretch;
 }

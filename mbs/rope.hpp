@@ -19,9 +19,13 @@ struct RopeSpec {
   double axial_stiffness = 0;        ///< EA, N
   double elastic_fraction = 1;       ///< of the free length that stretches; the rest is rigid
   double damping = 0;                ///< N s/m on the rate of stretch, while taut
+  /// A drum that the rope turns by its pull, one unit of its coordinate a radius of rope; none
+  /// (radius 0) where the drum's motion is prescribed.
+  SimTK::MobilizedBody drum;
+  double drum_radius = 0;  ///< m
 };
 
-/// The rope's unstretched length and its rate at a time: a winch, or a constant.
+/// The rope's unstretched length and its rate: a winch, or a constant.
 struct FreeLength {
   double length;  ///< m
   double rate;    ///< m/s
@@ -34,6 +38,7 @@ struct RopeState {
   double tension;         ///< N, never negative
   double elastic_energy;  ///< J
   double dissipation;     ///< W, never negative
+  double winch_pull;      ///< N, of the rope on its winch, against the free length
   double winch_power;     ///< W the winch puts in by changing the free length
 };
 
@@ -47,7 +52,8 @@ struct RopeState {
 ///   P = -T dL/dt - s T_e / (2 L) dL/dt, and the dissipation is (T - T_e) ds/dt >= 0.
 class Rope : public SimTK::Force::Custom::Implementation {
  public:
-  Rope(RopeSpec spec, std::function<FreeLength(double t_s)> free_length);
+  /// \param free_length of time, and of joints' coordinates and speeds
+  Rope(RopeSpec spec, std::function<FreeLength(const SimTK::State&)> free_length);
 
   /// Stage: Velocity.
   RopeState evaluate(const SimTK::State& state) const;
@@ -65,7 +71,7 @@ class Rope : public SimTK::Force::Custom::Implementation {
   double stiffness(double free_length) const;
 
   RopeSpec spec_;
-  std::function<FreeLength(double)> free_length_;
+  std::function<FreeLength(const SimTK::State&)> free_length_;
 };
 
 }  // namespace dipper::mbs

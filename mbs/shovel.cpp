@@ -10,6 +10,7 @@
 #include "common/seconds.hpp"
 #include "machine/kinematics.hpp"
 #include "mbs/convert.hpp"
+#include "mbs/operator.hpp"
 #include "mbs/prescribed.hpp"
 #include "mbs/shovel_model.hpp"
 #include "mbs/snapshot.hpp"
@@ -36,10 +37,15 @@ struct DriveReport {
 
 struct Shovel::Impl {
   Impl(const machine::MachineData& machine_data, machine::Motion motion_in, const Pose& X_W0,
-       double rake, std::int64_t max_substep)
+       double rake, std::int64_t max_substep, machine::DriveMode mode)
       : machine(machine_data),
         motion(std::make_shared<const machine::Motion>(std::move(motion_in))),
-        model(machine, motion, X_W0, rake),
+        path(mode == machine::DriveMode::limited
+                 ? std::make_unique<Operator>(motion, machine.limits.crowd_min)
+                 : nullptr),
+        model(
+            machine, [this](double t_s) { return path ? path->sent(t_s) : motion->at(t_s); }, mode,
+            X_W0, rake),
         max_substep_ns(max_substep),
         scratch(model.initial) {
     if (max_substep_ns <= 0) throw std::invalid_argument("shovel: the sub-step must be positive");
@@ -60,7 +66,11 @@ struct Shovel::Impl {
 
   void remember(std::int64_t t_ns, const SimTK::Vector& works,
                 const std::array<Wrench, kBodies>& F_Bo_W) {
-    committed = {t_ns, scratch.getQ(), scratch.getU(), works, F_Bo_W};
+    committed = {t_ns, scratch.getQ(), scratch.getU(), works, {}, F_Bo_W};
+    if (path) {
+      const PathState at = path->at(seconds(t_ns));
+      committed.path = SimTK::Vector(SimTK::Vec4(at.time, at.rate, at.relief, at.relief_rate));
+    }
     scratch_is_committed = true;
   }
 
@@ -68,6 +78,11 @@ struct Shovel::Impl {
   /// what was realized from q and u stays.
   void restore(const Snapshot& snapshot) {
     hold(snapshot.F_Bo_W);
+    if (path) {
+      path->stand(seconds(snapshot.t_ns),
+                  {snapshot.path[0], snapshot.path[1], snapshot.path[2], snapshot.path[3]});
+      forget_forces();
+    }
     if (scratch_is_committed) return;
     scratch.setTime(seconds(snapshot.t_ns));
     scratch.updQ() = snapshot.q;
@@ -79,6 +94,28 @@ struct Shovel::Impl {
     for (std::size_t i = 0; i < kBodies; ++i) {
       model.rock.setOneBodyForce(scratch, body(i),
                                  SpatialVec(vec(F_Bo_W[i].torque), vec(F_Bo_W[i].force)));
+    }
+  }
+
+  /// What was realized with another stretch of the operator's way.
+  void forget_forces() { scratch.invalidateAllCacheAtOrAbove(SimTK::Stage::Dynamics); }
+
+  /// Integrates from t0 to t1.
+  void integrate(std::int64_t t0_ns, std::int64_t t1_ns, SimTK::Vector& works) {
+    const std::int64_t looks = (t1_ns - t0_ns + max_substep_ns - 1) / max_substep_ns;
+    for (std::int64_t k = 0, t_ns = t0_ns; t_ns < t1_ns; ++k) {
+      // Prescribed: one stretch for each piece of the motion, so that no jump of acceleration is
+      // inside a step. Limited: one for each look of the operator.
+      const std::int64_t next_ns = std::min(
+          t1_ns, path ? t0_ns + (t1_ns - t0_ns) * (k + 1) / looks : motion->next_row_ns(t_ns));
+      if (path) {
+        path->look(seconds(t_ns), [this] { return model.limited->overload(scratch); });
+        forget_forces();
+      }
+      advance(
+          model.system, scratch, t_ns, next_ns, max_substep_ns,
+          [this](const State& s) { return powers(s); }, works);
+      t_ns = next_ns;
     }
   }
 
@@ -94,6 +131,7 @@ struct Shovel::Impl {
   void find_equilibrium(const machine::ShovelKinematics& rigid) {
     hold({});
     const machine::Drives at_rest = motion->value(0);
+    lock_drives(at_rest);
     double high = rigid.saddle_angle(at_rest.hoist, at_rest.crowd);  // rope just slack: falls
     double low = high - 1e-3;
     while (saddle_acceleration(low) <= 0) {  // until the stretched rope pulls it up
@@ -107,7 +145,33 @@ struct Shovel::Impl {
       if (middle <= low || middle >= high) break;
       (saddle_acceleration(middle) > 0 ? low : high) = middle;
     }
+    unlock_drives();
     realize_at(model.system, scratch, 0.0);
+  }
+
+  std::array<SimTK::MobilizedBody*, 3> driven() {
+    return {&model.sheaves, &model.handle, &model.house};
+  }
+
+  /// Limited drives stand still where they will be at t = 0, as prescribed ones do by themselves.
+  void lock_drives(const machine::Drives& at) {
+    if (!path) return;
+    model.sheaves.setOneQ(scratch, 0, at.hoist / machine.boom.sheave_radius);
+    model.handle.setOneQ(scratch, 0, at.crowd);
+    model.house.setOneQ(scratch, 0, at.swing);
+    for (SimTK::MobilizedBody* joint : driven()) joint->lock(scratch);
+  }
+
+  /// From here on the motors hold them.
+  void unlock_drives() {
+    if (!path) return;
+    const SimTK::Vector tau = drive_forces(model.matter, scratch);
+    const auto of = [&](const SimTK::MobilizedBody& joint) {
+      return tau[joint.getFirstUIndex(scratch)];
+    };
+    model.limited->set_trims(
+        {of(model.sheaves) / machine.boom.sheave_radius, of(model.handle), of(model.house), 0});
+    for (SimTK::MobilizedBody* joint : driven()) joint->unlock(scratch);
   }
 
   DriveReport drives(const State& s) const {
@@ -123,8 +187,15 @@ struct Shovel::Impl {
     d.hoist_power =
         d.left.winch_power + d.right.winch_power + of(model.sheaves) * speed(model.sheaves);
     d.crowd_force = of(model.handle);
-    d.crowd_power = d.crowd_force * speed(model.handle);
     d.swing_torque = of(model.house);
+    if (model.limited != nullptr) {
+      const DriveEffort hoist = model.limited->hoist(s);
+      d.hoist_force = -hoist.force;
+      d.hoist_power = hoist.force * hoist.speed;
+      d.crowd_force = model.limited->crowd(s).force;
+      d.swing_torque = model.limited->swing(s).force;
+    }
+    d.crowd_power = d.crowd_force * speed(model.handle);
     d.swing_power = d.swing_torque * speed(model.house);
     d.door_torque = of(model.door);
     d.door_power = d.door_torque * speed(model.door);
@@ -161,6 +232,7 @@ struct Shovel::Impl {
 
   machine::MachineData machine;
   std::shared_ptr<const machine::Motion> motion;
+  std::unique_ptr<Operator> path;  ///< none: the drives are prescribed
   ShovelModel model;
   std::int64_t max_substep_ns;
   State scratch;
@@ -171,8 +243,8 @@ struct Shovel::Impl {
 };
 
 Shovel::Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0,
-               double rake, std::int64_t max_substep_ns)
-    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns)) {}
+               double rake, std::int64_t max_substep_ns, machine::DriveMode mode)
+    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns, mode)) {}
 
 Shovel::~Shovel() = default;
 
@@ -214,6 +286,15 @@ core::ServerInfo Shovel::info() const {
       {"dissipated_energy", "J", "-"},
       {"energy_residual", "J", "-"},
   };
+  if (impl_->path) {
+    info.channels.insert(info.channels.end(), {{"path_time", "s", "-"},
+                                               {"path_rate", "1", "-"},
+                                               {"crowd_relief", "m", "-"},
+                                               {"hoist_saturated", "1", "-"},
+                                               {"crowd_saturated", "1", "-"},
+                                               {"swing_saturated", "1", "-"},
+                                               {"ropes_slack", "1", "-"}});
+  }
   return info;
 }
 
@@ -226,7 +307,12 @@ core::MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& 
     out.bodies.push_back({pose(body(i).getBodyTransform(s)), {vec(V[0]), vec(V[1])}});
   }
   const DriveReport d = drives(s);
-  const machine::DriveState drive = motion->at(seconds(t_ns));
+  machine::DriveState drive = motion->at(seconds(t_ns));
+  if (model.limited != nullptr) {
+    drive = model.limited->where(s);
+    drive.position.door = model.door.getOneQ(s, 0);
+    drive.rate.door = model.door.getOneU(s, 0);
+  }
   const double kinetic = model.system.calcKineticEnergy(s);
   const double potential = model.system.calcPotentialEnergy(s);
   const double residual = kinetic + potential - energy_at_start - works[kDriveWork] -
@@ -261,6 +347,15 @@ core::MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& 
       works[kDissipated],
       residual,
   };
+  if (path) {
+    const PathState at = path->at(seconds(t_ns));
+    const auto yes = [](bool is) { return is ? 1.0 : 0.0; };
+    out.channels.insert(
+        out.channels.end(),
+        {at.time, at.rate, at.relief, yes(model.limited->hoist(s).saturated()),
+         yes(model.limited->crowd(s).saturated()), yes(model.limited->swing(s).saturated()),
+         yes(d.left.tension + d.right.tension == 0)});
+  }
   return out;
 }
 
@@ -295,14 +390,7 @@ core::MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>
   try {
     impl_->restore(from);
     impl_->scratch_is_committed = false;
-    // One stretch for each piece of the motion, so that no jump of acceleration is inside a step.
-    for (std::int64_t t_ns = t0_ns; t_ns < t_end_ns;) {
-      const std::int64_t next_ns = std::min(t_end_ns, impl_->motion->next_row_ns(t_ns));
-      advance(
-          impl_->model.system, impl_->scratch, t_ns, next_ns, impl_->max_substep_ns,
-          [this](const State& s) { return impl_->powers(s); }, works);
-      t_ns = next_ns;
-    }
+    impl_->integrate(t0_ns, t_end_ns, works);
   } catch (const std::exception& e) {
     impl_->fail(t0_ns, t_end_ns, e.what());
   }

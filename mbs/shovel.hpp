@@ -12,10 +12,13 @@
 
 namespace dipper::mbs {
 
+constexpr std::int64_t kLongestSubstep_ns = 2'000'000;
+
 /// Bodies "dipper" (frame B) and "door" (frame D); the pose of each is X_WB, X_WD.
 ///
 /// At construction the shovel stands still with the drives as at t = 0 and the saddle angle at
-/// which the stretched ropes carry the weight.
+/// which the stretched ropes carry the weight. Its drives are prescribed, or follow an operator
+/// (operator.hpp) within their limits (limited_drives.hpp); then more channels tell of both.
 ///
 /// Powers: a drive's is positive when it puts energy into the machine. Works (drive_work,
 /// interface_work, dissipated_energy) are integrated from t = 0 along with the motion, and
@@ -32,7 +35,8 @@ class Shovel : public core::Machine {
   /// \param max_substep_ns the longest integrator step; windows are cut into equal ones.
   ///        The stiffest mode, the empty dipper on the ropes, has a period of about 200 ms.
   Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0, double rake,
-         std::int64_t max_substep_ns = 2'000'000);
+         std::int64_t max_substep_ns = kLongestSubstep_ns,
+         machine::DriveMode mode = machine::DriveMode::prescribed);
   ~Shovel() override;
 
   core::ServerInfo info() const override;

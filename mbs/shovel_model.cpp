@@ -22,9 +22,8 @@ SimTK::MassProperties solid(double mass, const Vec3& center, const Vec3& central
 
 }  // namespace
 
-ShovelModel::ShovelModel(const machine::MachineData& m,
-                         std::shared_ptr<const machine::Motion> motion, const Pose& X_W0,
-                         double rake)
+ShovelModel::ShovelModel(const machine::MachineData& m, const Sent& sent, machine::DriveMode mode,
+                         const Pose& X_W0, double rake)
     : matter(system), forces(system) {
   forces.setNumberOfThreads(1);  // one order of summation, and nothing here is worth a thread
   const SimTK::Force::UniformGravity gravity(forces, matter, Vec3(0, 0, -kGravity_m_s2));
@@ -32,14 +31,23 @@ ShovelModel::ShovelModel(const machine::MachineData& m,
   house = SimTK::MobilizedBody::Pin(
       matter.Ground(), transform(X_W0),
       SimTK::Body::Rigid(solid(m.house.mass, Vec3(0), Vec3(m.house.swing_inertia))), Transform());
-  prescribe(house, motion, &machine::Drives::swing);
 
-  // The upper rope is rigid, so the sheaves turn with the rope paid out.
+  const bool prescribed = mode == machine::DriveMode::prescribed;
+  const double R = m.boom.sheave_radius;
+  const auto drive = [&](SimTK::MobilizedBody& joint, double machine::Drives::*which,
+                         double scale = 1) {
+    if (prescribed) prescribe(joint, sent, which, scale);
+  };
+  drive(house, &machine::Drives::swing);
+
+  // The upper rope is rigid, so the sheaves turn with the rope paid out, and drum and motors, which
+  // a prescribed hoist does not feel, with them.
+  const double drum = prescribed ? 0 : m.drives.hoist_inertia * R * R;
   sheaves = SimTK::MobilizedBody::Pin(
       house, Transform(z_to_y(), vec(m.boom.point)),
-      SimTK::Body::Rigid(solid(m.boom.sheave_mass, Vec3(0), Vec3(m.boom.sheave_inertia))),
+      SimTK::Body::Rigid(solid(m.boom.sheave_mass, Vec3(0), Vec3(m.boom.sheave_inertia + drum))),
       Transform(z_to_y()));
-  prescribe(sheaves, motion, &machine::Drives::hoist, 1 / m.boom.sheave_radius);
+  drive(sheaves, &machine::Drives::hoist, 1 / R);
 
   saddle = SimTK::MobilizedBody::Pin(
       house, Transform(z_to_minus_y(), vec(m.saddle.position)),
@@ -53,7 +61,7 @@ ShovelModel::ShovelModel(const machine::MachineData& m,
       SimTK::Body::Rigid(
           solid(m.handle.mass, Vec3(m.handle.mass_center, 0, 0), vec(m.handle.inertia))),
       Transform());
-  prescribe(handle, motion, &machine::Drives::crowd);
+  drive(handle, &machine::Drives::crowd);
 
   const Rotation R_EB(-rake, SimTK::YAxis);
   dipper = SimTK::MobilizedBody::Weld(
@@ -65,7 +73,12 @@ ShovelModel::ShovelModel(const machine::MachineData& m,
       dipper, Transform(z_to_y(), vec(m.door.hinge)),
       SimTK::Body::Rigid(solid(m.door.mass, vec(m.door.mass_center), vec(m.door.inertia))),
       Transform(z_to_y()));
-  prescribe(door, motion, &machine::Drives::door);
+  prescribe(door, sent, &machine::Drives::door);
+
+  if (!prescribed) {
+    limited = new LimitedDrives(m, sent, sheaves, handle, house);
+    const SimTK::Force::Custom motors(forces, limited);  // takes ownership
+  }
 
   const auto hang = [&](double side) {
     const Vec3 mirror(1, side, 1);
@@ -80,9 +93,14 @@ ShovelModel::ShovelModel(const machine::MachineData& m,
     spec.axial_stiffness = m.rope.axial_stiffness;
     spec.elastic_fraction = m.rope.elastic_fraction;
     spec.damping = m.rope.damping;
+    if (!prescribed) {
+      spec.drum = sheaves;
+      spec.drum_radius = R;
+    }
     const double at_zero = m.rope.length_at_zero_hoist;
-    auto* rope = new Rope(spec, [motion, at_zero](double t_s) {
-      const machine::DriveState s = motion->at(t_s);
+    auto* rope = new Rope(spec, [sent, at_zero, drives = limited](const SimTK::State& state) {
+      const machine::DriveState s =
+          drives != nullptr ? drives->where(state) : sent(state.getTime());
       return FreeLength{at_zero + s.position.hoist, s.rate.hoist};
     });
     const SimTK::Force::Custom force(forces, rope);  // takes ownership

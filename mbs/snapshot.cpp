@@ -10,9 +10,11 @@
 namespace dipper::mbs {
 namespace {
 
-// The file: these 8 bytes, the sizes of q, u and works, then time, q, u, works and wrenches as
+// The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, path and wrenches as
 // they are in memory: a checkpoint stays on the kind of machine that wrote it.
-constexpr char kMagic[] = "DIPMBS01";
+constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
+
+const char* magic_of(const Snapshot& s) { return s.path.size() == 0 ? kPrescribed : kLimited; }
 
 template <typename T>
 void put(std::ostream& out, const T& value) {
@@ -26,7 +28,7 @@ void get(std::istream& in, T& value) {
 /// Calls f with every number of the snapshot, in the file's order.
 template <typename S, typename F>
 void each_number(S& s, F f) {
-  for (auto* v : {&s.q, &s.u, &s.works}) {
+  for (auto* v : {&s.q, &s.u, &s.works, &s.path}) {
     for (int i = 0; i < v->size(); ++i) f((*v)[i]);
   }
   for (auto& F_Bo_W : s.F_Bo_W) {
@@ -50,7 +52,7 @@ bool is_finite(const SimTK::Vector& v) {
 
 void save(const Snapshot& s, const std::filesystem::path& file) {
   std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out.write(kMagic, 8);
+  out.write(magic_of(s), 8);
   put(out, sizes(s));
   put(out, s.t_ns);
   each_number(s, [&](const double& x) { put(out, x); });
@@ -66,8 +68,9 @@ Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like) 
   if (!in) fail("cannot be opened");
   char magic[8] = {};
   in.read(magic, sizeof magic);
-  if (!in || std::memcmp(magic, kMagic, sizeof magic) != 0) {
-    fail(fmt::format("is not a saved shovel: it does not begin with {}", kMagic));
+  if (!in || std::memcmp(magic, magic_of(like), sizeof magic) != 0) {
+    fail(fmt::format("is not a saved shovel with these drives: it does not begin with {}",
+                     magic_of(like)));
   }
   std::array<std::int64_t, 3> n{};
   get(in, n);

@@ -24,6 +24,8 @@ struct MachineCase {
   std::filesystem::path motion;  ///< drive curves (time_s, hoist_m, crowd_m, swing_deg, door_deg)
   Eigen::Vector3d base_position_m = Eigen::Vector3d::Zero();  ///< swing axis at ground level, in W
   double rake_angle_deg = 0;  ///< dipper against handle (paper, Fig. 4b)
+  /// "prescribed": exactly as the motion says; "limited": as far as they can (docs/drives.md).
+  std::string drives = "prescribed";
   /// "off": the dipper meets no rock from the truck back to the next dig (machine/return_legs.hpp).
   std::string contact_on_return = "on";
 
@@ -179,7 +181,7 @@ struct Case {
   std::string name;  ///< the folder's name
   std::string title;
   std::int64_t seed = 0;
-  double end_s = 0;  ///< simulated time; 0: the end of the motion
+  double end_s = 0;  ///< simulated time; 0: until the motion is done
   MachineCase machine;
   RockCase rock;
   ContactCase contact;

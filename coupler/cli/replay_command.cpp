@@ -28,6 +28,11 @@ int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
   const cases::Case changed = run::case_of_run(
       o.folder, o.case_folder, overrides_of(o.set, "effects.crowd_friction=100"), findings);
   if (findings.empty()) findings = check::check_case(changed);
+  if (findings.empty() && changed.machine.drives == "limited") {
+    findings.push_back({o.folder, 0, "machine.drives",
+                        "is limited: another machine moves otherwise, and the recorded rock is not "
+                        "what it would meet; run the case"});
+  }
   for (const Finding& f : findings) reporter.error(to_string(f));
   if (!findings.empty()) return 2;
   enter_own_network(reporter);

@@ -59,6 +59,7 @@ class Coupling {
   Window advance(std::int64_t n_steps);
 
   const CouplingState& state() const { return state_; }
+  const MachineState& machine_state() const { return machine_state_; }
   std::int64_t t_ns() const { return state_.dem_step * dt_ns_; }
 
  private:

@@ -67,7 +67,7 @@ RunStatus paired_run(const cases::Case& c, const RunFolder& folder, bool resume,
       throw InputError({{folder.checkpoints(), 0, "",
                          "holds no checkpoint of this complete run to go on from; run the case "
                          "anew into another --out"}});
-    if (from->coupling.dem_step >= end_step(c)) {
+    if (is_done(run_end(c), from->coupling.dem_step, folder.record())) {
       reporter.line("complete already: " + folder.summary().string());
       return RunStatus::complete;
     }

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "common/mesh/stl.hpp"
+#include "common/record/record.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/run/pile.hpp"
@@ -49,10 +50,20 @@ std::vector<dem::WallMemory> wall_memory(const core::CouplingState& state) {
 
 }  // namespace
 
-std::int64_t end_step(const cases::Case& c) {
-  const machine::Motion motion = machine::Motion::load(c.machine.motion);
-  const double end_s = c.end_s > 0 ? c.end_s : static_cast<double>(motion.end_ns()) * 1e-9;
-  return std::llround(end_s / c.dem.timestep_s);
+RunEnd run_end(const cases::Case& c) {
+  const double motion_s =
+      static_cast<double>(machine::Motion::load(c.machine.motion).end_ns()) * 1e-9;
+  const auto step = [&](double t_s) { return std::llround(t_s / c.dem.timestep_s); };
+  if (c.end_s > 0) return {step(c.end_s), std::nullopt};
+  if (c.machine.drives != "limited") return {step(motion_s), std::nullopt};
+  constexpr double kLongest = 2;  // of the motion's time: a cycle that takes longer has gone wrong
+  constexpr double kEarly_s = 1e-6;  // a path that was never slowed ends with the motion
+  return {step(kLongest * motion_s), motion_s - kEarly_s};
+}
+
+bool is_done(const RunEnd& end, std::int64_t dem_step, const fs::path& record) {
+  return dem_step >= end.step ||
+         (end.path_s && record::read_channel(record, "machine/path_time").back() >= *end.path_s);
 }
 
 sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
@@ -63,8 +74,10 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   write_decks(c, layers, folder.deck());
   write_identity(folder.root(), c);
 
-  const std::int64_t steps = end_step(c);
-  reporter.line(fmt::format("{}: {:.2f} s, {} windows of {} steps, {} rank{}", c.name,
+  const RunEnd end = run_end(c);
+  const std::int64_t steps = end.step;
+  reporter.line(fmt::format("{}: {}{:.2f} s, {} windows of {} steps, {} rank{}", c.name,
+                            end.path_s ? "at most " : "",
                             static_cast<double>(steps) * c.dem.timestep_s,
                             (steps + c.coupling.sync_steps - 1) / c.coupling.sync_steps,
                             c.coupling.sync_steps, c.dem.ranks, c.dem.ranks == 1 ? "" : "s"));

@@ -24,7 +24,7 @@ void Progress::window(const core::Window& w) {
   const int filled = static_cast<int>(share * kWidth);
   const double wall_s = std::chrono::duration<double>(Clock::now() - began_).count();
   const double factor = (t_s - start_s_) / std::max(wall_s, 1e-9);
-  const double left_s = factor > 0 ? (end_s_ - t_s) / factor : 0;
+  const double left_s = factor > 0 ? std::max(0.0, end_s_ - t_s) / factor : 0;
   reporter_.progress(fmt::format(
       "[{}{}] {:6.2f} / {:.2f} s  payload {:5.1f} t  {}:{:02d} left  {:.3f} x real time",
       std::string(static_cast<std::size_t>(filled), '#'),

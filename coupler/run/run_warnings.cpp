@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "common/input_error.hpp"
+#include "common/seconds.hpp"
 #include "coupler/check/doubts.hpp"
+#include "machine/motion.hpp"
 
 namespace dipper::run {
 namespace {
@@ -29,7 +31,7 @@ void warn_of_pass(const json& p, std::vector<std::string>& warnings) {
   if (mean > 0 && peak > kHighPeak * mean)
     warnings.push_back(fmt::format(
         "pass {}: the dig force peaks at {:.0f} MN, {:.0f} times its mean, at {:.2f} s: a rock is "
-        "caught between the dipper and what does not give way, and drives without limits push on",
+        "caught between the dipper and what does not give way",
         pass, peak * 1e-6, peak / mean, number("dig_force_peak_t_s")));
   for (const auto& [key, where] :
        {std::pair{"payload_kg", "dipper"}, std::pair{"truck_kg", "truck"}})
@@ -48,6 +50,15 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
   } catch (const InputError&) {  // a file has gone since the run began
   }
   for (const json& p : summary.at("passes")) warn_of_pass(p, warnings);
+  if (const auto drives = summary.find("drives"); drives != summary.end() && c.end_s == 0) {
+    const double path_s = drives->at("path_time_s").get<double>(),
+                 motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());
+    if (path_s < motion_s - 1e-3)
+      warnings.push_back(
+          fmt::format("the run ends at {:.1f} s of the motion's {:.1f} s: a drive "
+                      "stalls for good (docs/drives.md)",
+                      path_s, motion_s));
+  }
   const json& coupling = summary.at("coupling");
   const double residual = std::abs(coupling.at("energy_residual_J").get<double>()),
                work = std::abs(coupling.at("interface_work_J").get<double>());

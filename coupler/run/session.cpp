@@ -59,12 +59,19 @@ Session::Session(const cases::Case& c, const RunFolder& folder,
       coupling_(coupled(c, sides_, rock_, from)),
       record_(folder.record(), sides_.machine().info(), rock_.info(),
               attributes(c, sides_, setup.case_hash), from ? from->record : RecordPosition{}),
-      stepper_(coupling_, c.coupling.sync_steps, end_step(c)),
+      end_(run_end(c)),
+      stepper_(coupling_, c.coupling.sync_steps, end_.step),
       progress_(reporter, static_cast<double>(coupling_.t_ns()) * 1e-9,
-                static_cast<double>(end_step(c)) * c.dem.timestep_s,
+                end_.path_s.value_or(static_cast<double>(end_.step) * c.dem.timestep_s),
                 core::channel_index(rock_.info(), "mass_in_dipper")),
       checkpointer_(folder.checkpoints(), c.output.checkpoint_every_s,
                     {coupling_, sides_.machine(), rock_, record_, [this] { return cost(); }}) {
+  if (end_.path_s) {
+    const std::size_t path = core::channel_index(sides_.machine().info(), "path_time");
+    stepper_.end_when([path, end_s = *end_.path_s](const core::MachineState& machine) {
+      return machine.channels[path] >= end_s;
+    });
+  }
   stepper_.add(record_);
   stepper_.add(progress_);
   stepper_.add(checkpointer_);

@@ -8,6 +8,7 @@
 #include "coupler/case/case.hpp"
 #include "coupler/core/coupling.hpp"
 #include "coupler/run/checkpointer.hpp"
+#include "coupler/run/preparation.hpp"
 #include "coupler/run/progress.hpp"
 #include "coupler/run/run_folder.hpp"
 #include "coupler/run/run_record.hpp"
@@ -51,6 +52,7 @@ class Session {
   TimedRock rock_;
   core::Coupling coupling_;
   RunRecord record_;
+  RunEnd end_;
   Stepper stepper_;
   Progress progress_;
   Checkpointer checkpointer_;

@@ -19,17 +19,21 @@ const core::Window& Stepper::start() {
   return last_;
 }
 
+bool Stepper::at_end() const {
+  return coupling_.state().dem_step >= end_step_ || (done_ && done_(coupling_.machine_state()));
+}
+
 bool Stepper::run(const std::function<bool()>& stop) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
-  while (coupling_.state().dem_step < end_step_ && !stop()) {
+  while (!at_end() && !stop()) {
     core::Window w =
         coupling_.advance(std::min(window_steps_, end_step_ - coupling_.state().dem_step));
     wall_s_ = std::chrono::duration<double>(Clock::now() - began).count();
     tell(std::move(w));
   }
   for (Observer* o : observers_) o->end();
-  return coupling_.state().dem_step >= end_step_;
+  return at_end();
 }
 
 }  // namespace dipper::run

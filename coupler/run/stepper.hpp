@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "coupler/run/observer.hpp"
@@ -18,6 +19,9 @@ class Stepper {
   /// `observer` must live as long as this.
   void add(Observer& observer) { observers_.push_back(&observer); }
 
+  /// Ends a run before its last step, as soon as the machine is so; asked before each window.
+  void end_when(std::function<bool(const core::MachineState&)> done) { done_ = std::move(done); }
+
   /// The start of a new run; one that goes on from a checkpoint has none.
   const core::Window& start();
 
@@ -33,9 +37,11 @@ class Stepper {
 
  private:
   void tell(core::Window w);
+  bool at_end() const;
 
   core::Coupling& coupling_;
   std::int64_t window_steps_, end_step_;
+  std::function<bool(const core::MachineState&)> done_;
   std::vector<Observer*> observers_;
   core::Window last_;
   double wall_s_ = 0;

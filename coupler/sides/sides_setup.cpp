@@ -92,6 +92,7 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
 nlohmann::json mbs_settings(const cases::Case& c, const DipperLayers& layers) {
   return {{"model", c.machine.model.string()},
           {"motion", c.machine.motion.string()},
+          {"drives", c.machine.drives},
           {"base_position_m", json_of(c.machine.base_position_m)},
           {"rake_angle_deg", c.machine.rake_angle_deg},
           {"crowd_friction_N", c.machine.crowd_friction_N},

@@ -36,8 +36,8 @@ class Atwood {
     spec.body_b = b;
     spec.axial_stiffness = stiffness * free_length;  // k = EA / L
     spec.damping = damping;
-    rope = new Rope(spec, [this](double t) {
-      return FreeLength{length_at_start + winch_rate * t, winch_rate};
+    rope = new Rope(spec, [this](const SimTK::State& s) {
+      return FreeLength{length_at_start + winch_rate * s.getTime(), winch_rate};
     });
     SimTK::Force::Custom(forces, rope);
     length_at_start = free_length;
@@ -167,7 +167,7 @@ TEST(Rope, OnlyTheElasticPartStretches) {
   spec.body_b = body;
   spec.axial_stiffness = 2.5e8;
   spec.elastic_fraction = 0.3;
-  auto* rope = new Rope(spec, [](double) { return FreeLength{40, 0}; });
+  auto* rope = new Rope(spec, [](const SimTK::State&) { return FreeLength{40, 0}; });
   SimTK::Force::Custom(forces, rope);
   SimTK::State state = system.realizeTopology();
   const double straight = 20 + M_PI;

@@ -33,9 +33,15 @@ bool same(const core::MachineState& a, const core::MachineState& b) {
          std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
 }
 
-class ShovelState : public ShovelTest {
+class ShovelState : public ShovelTest, public testing::WithParamInterface<machine::DriveMode> {
  protected:
-  Shovel shovel{machine, quick(), Pose{}, rake};
+  /// With limited drives the hoist cannot lift the load: operator and stall take part.
+  Shovel another() {
+    machine::MachineData weak = machine;
+    weak.drives.hoist.stall = 6e5;
+    return Shovel(weak, quick(), Pose{}, rake, kLongestSubstep_ns, GetParam());
+  }
+  Shovel shovel = another();
 
   static std::vector<Wrench> load(int i) {
     return {Wrench{Vector3d(0, -1e5 - 100 * i, 0), Vector3d(-2e5, 1e3 * i, -3e5)},
@@ -48,7 +54,7 @@ class ShovelState : public ShovelTest {
   }
 };
 
-TEST_F(ShovelState, AnnouncesBodiesAndChannels) {
+TEST_P(ShovelState, AnnouncesBodiesAndChannels) {
   const core::ServerInfo info = shovel.info();
   EXPECT_THAT(info.bodies, ElementsAre("dipper", "door"));
   EXPECT_THAT(info.version, HasSubstr("Simbody 3.7"));
@@ -60,7 +66,7 @@ TEST_F(ShovelState, AnnouncesBodiesAndChannels) {
   for (const core::Channel& c : info.channels) EXPECT_EQ(++seen[c.name], 1) << c.name;
 }
 
-TEST_F(ShovelState, APredictionLeavesTheCommittedStateAsItWas) {
+TEST_P(ShovelState, APredictionLeavesTheCommittedStateAsItWas) {
   for (int i = 1; i <= 300; ++i) shovel.step(window(i), load(i), true);
   const core::MachineState before = shovel.state();
   shovel.step(window(301), load(-900), false);
@@ -68,8 +74,8 @@ TEST_F(ShovelState, APredictionLeavesTheCommittedStateAsItWas) {
   EXPECT_TRUE(same(shovel.state(), before));
 }
 
-TEST_F(ShovelState, PredictionsDoNotChangeTheRun) {
-  Shovel plain(machine, quick(), Pose{}, rake);
+TEST_P(ShovelState, PredictionsDoNotChangeTheRun) {
+  Shovel plain = another();
   for (int i = 1; i <= 600; ++i) {
     shovel.step(window(i), load(i + 3), false);
     const core::MachineState a = shovel.step(window(i), load(i), true);
@@ -78,17 +84,17 @@ TEST_F(ShovelState, PredictionsDoNotChangeTheRun) {
   }
 }
 
-TEST_F(ShovelState, APredictionWithTheSameWrenchIsTheCommit) {
+TEST_P(ShovelState, APredictionWithTheSameWrenchIsTheCommit) {
   for (int i = 1; i <= 200; ++i) {
     const core::MachineState predicted = shovel.step(window(i), load(i), false);
     ASSERT_TRUE(same(predicted, shovel.step(window(i), load(i), true))) << i;
   }
 }
 
-TEST_F(ShovelState, SaveAndLoadContinueBitIdentically) {
+TEST_P(ShovelState, SaveAndLoadContinueBitIdentically) {
   for (int i = 1; i <= 400; ++i) shovel.step(window(i), load(i), true);
   shovel.save(file("shovel.bin"));
-  Shovel other(machine, quick(), Pose{}, rake);
+  Shovel other = another();
   other.load(file("shovel.bin"));
   EXPECT_TRUE(same(shovel.state(), other.state()));
   for (int i = 401; i <= 800; ++i) {
@@ -97,7 +103,7 @@ TEST_F(ShovelState, SaveAndLoadContinueBitIdentically) {
 }
 
 // The door both rides on the dipper and is driven: its twist is checked against its poses.
-TEST_F(ShovelState, TwistIsTheRateOfThePose) {
+TEST_P(ShovelState, TwistIsTheRateOfThePose) {
   for (int i = 1; i <= 2000; ++i) shovel.step(2 * i * kMillisecond, load(0), true);
   const BodyState a = shovel.state().bodies[1];
   const BodyState b = shovel.step(4001 * kMillisecond, load(0), true).bodies[1];
@@ -106,7 +112,7 @@ TEST_F(ShovelState, TwistIsTheRateOfThePose) {
   EXPECT_LT((mean.w - 0.5 * (a.V_WB_W.w + b.V_WB_W.w)).norm(), 1e-5);
 }
 
-TEST_F(ShovelState, RefusesWhatIsNotFinite) {
+TEST_P(ShovelState, RefusesWhatIsNotFinite) {
   shovel.step(window(1), load(1), true);
   std::vector<Wrench> bad = load(1);
   bad[1].force.y() = std::numeric_limits<double>::quiet_NaN();
@@ -122,7 +128,7 @@ TEST_F(ShovelState, RefusesWhatIsNotFinite) {
   EXPECT_EQ(shovel.step(window(2), load(2), true).t_ns, window(2));
 }
 
-TEST_F(ShovelState, RefusesWrongCalls) {
+TEST_P(ShovelState, RefusesWrongCalls) {
   EXPECT_THROW(shovel.step(0, load(0), true), std::invalid_argument);
   EXPECT_THROW(shovel.step(window(1), {Wrench{}}, true), std::invalid_argument);
   EXPECT_THROW(Shovel(machine, quick(), Pose{}, rake, 0), std::invalid_argument);
@@ -130,7 +136,7 @@ TEST_F(ShovelState, RefusesWrongCalls) {
                std::invalid_argument);
 }
 
-TEST_F(ShovelState, RefusesAForeignOrBrokenFile) {
+TEST_P(ShovelState, RefusesAForeignOrBrokenFile) {
   EXPECT_THROW(shovel.load(file("not-there.bin")), std::runtime_error);
   std::ofstream(file("foreign.bin")) << "something else entirely";
   EXPECT_THAT([&] { shovel.load(file("foreign.bin")); },
@@ -144,6 +150,14 @@ TEST_F(ShovelState, RefusesAForeignOrBrokenFile) {
   EXPECT_THROW(shovel.load(file("short.bin")), std::runtime_error);
   EXPECT_EQ(shovel.state().t_ns, 0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Drives, ShovelState,
+                         testing::Values(machine::DriveMode::prescribed,
+                                         machine::DriveMode::limited),
+                         [](const auto& mode) {
+                           return mode.param == machine::DriveMode::limited ? "limited"
+                                                                            : "prescribed";
+                         });
 
 }  // namespace
 }  // namespace dipper::mbs

@@ -8,7 +8,7 @@ import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from . import run_cache
@@ -18,7 +18,7 @@ from .program import ask
 KEEPER = Path(__file__).with_name("keeper.py")
 JOBS = 2
 ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
-# What a replay of the machine against the recorded rock answers exactly: the dipper's motion is prescribed.
+# What a replay of the machine against the recorded rock answers exactly where the dipper's motion is prescribed.
 REPLAYED = {"machine.crowd_friction_N", "machine.hoist_loss"}
 # Records stay, pictures go: a few hundred runs must fit on a disk.
 QUIET = ("output.dump_every_s=100000", "output.checkpoint_every_s=0")
@@ -106,13 +106,20 @@ class DipperSimulator(Simulator):
         text += "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
         return self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
 
+    def _possible(self, r):
+        """With limited drives another machine moves otherwise: a run answers what a replay cannot."""
+        limited = self._told.get("values", {}).get("machine.drives") == "limited"
+        return replace(r, how="run") if limited and r.how == "replay" else r
+
     def plan(self, requests):
+        requests = [self._possible(r) for r in requests]
         need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
         kept = [r for r in need if self._kept(r)]
         took = [self._kept(r)["wall_s"] for r in kept]
         return len(need) - len(kept), len(kept), (sum(took) / len(took) if took else self._guess())
 
     def run(self, requests, say=print):
+        requests = [self._possible(r) for r in requests]
         need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
         todo = [r for r in need if not self._kept(r)]
         began, failures = time.monotonic(), []

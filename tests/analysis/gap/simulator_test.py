@@ -24,7 +24,8 @@ if words[0] == "check":
         case = pathlib.Path(words[2])
         said = (case / "case.yaml").read_bytes() + (case.parent / "rock.stl").read_bytes()
         print(json.dumps({"case_hash": hashlib.sha256(said).hexdigest(), "source_hash": (here / "sources").read_text(),
-                          "size": {"rocks": 1000, "steps": 9000, "settle_steps": 1000}}))
+                          "size": {"rocks": 1000, "steps": 9000, "settle_steps": 1000},
+                          "values": {"machine.drives": "limited" if b"limited" in said else "prescribed"}}))
     if "effects.fines=0.15" in words: print("too many fines"); sys.exit(2)
     sys.exit(0)
 log = here / "calls"
@@ -104,6 +105,15 @@ def test_runs_are_made_once_and_observations_reuse_them(world):
     assert len(calls(folder)) == before
     todo, kept, each = simulator().plan(asked)
     assert (todo, kept) == (0, 3) and each > 0
+
+
+def test_another_machine_needs_a_run_where_the_drives_are_limited(world):
+    simulator, catalogue, case, folder = world
+    (case / "case.yaml").write_text("machine: {drives: limited}\n")
+    asked = [request({"crowd_friction": 0.25}, 1, catalogue), request({"scale_gain": 0.1}, 1, catalogue)]
+    assert simulator().plan(asked)[:2] == (2, 0)
+    assert masses(simulator().run(asked, str)) == [81.25, 90]
+    assert not [c for c in calls(folder) if c.startswith("replay ")]
 
 
 def test_instruments_and_forces_together_need_no_run(world):

@@ -84,6 +84,23 @@ TEST(CheckCase, JsonTellsWhatAProgramAsks) {
   EXPECT_EQ(faults.count("case_hash"), 0U);
 }
 
+TEST(CheckCase, WhatGoesByTheMotionsTimesNeedsPrescribedDrives) {
+  const Checkout checkout(true);
+  const auto findings_with = [&](std::vector<cases::Override> set) {
+    set.push_back({"machine.drives", "limited"});
+    std::vector<Finding> findings;
+    const cases::Case c = cases::load_case(checkout.folder(), set, findings);
+    return findings.empty() ? check::check_case(c) : findings;
+  };
+  EXPECT_TRUE(findings_with({}).empty());
+  const auto contact = findings_with({{"machine.contact_on_return", "off"}});
+  ASSERT_EQ(contact.size(), 1U);
+  EXPECT_EQ(contact[0].key, "machine.contact_on_return");
+  const auto collapse = findings_with({{"collapse.height_m", "2"}});
+  ASSERT_EQ(collapse.size(), 1U);
+  EXPECT_EQ(collapse[0].key, "collapse.at_s");
+}
+
 TEST(CheckCase, EveryMissingFileAtOnce) {
   const Checkout checkout;
   for (const char* file : {"meshes/dipper.stl", "meshes/door.stl", "meshes/truck.stl",

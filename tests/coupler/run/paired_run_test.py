@@ -104,6 +104,29 @@ class PairedRun(RunTest):
         self.run_case(self.folder / "s", "--set", "coupling.scheme=serial", "--ranks", "1")
         self.assertEqual(self.summary(self.folder / "s")["coupling"]["scheme"], "serial")
 
+    def test_limited_drives_end_with_their_path_and_go_on_to_the_bit(self):
+        rows = (TINY.parents[3] / "cases/quick/motion.csv").read_text().splitlines(True)
+        motion = self.folder / "motion.csv"
+        motion.write_text("".join(r for r in rows if not r[0].isdigit() or float(r.split(",")[0]) <= 2))
+        settings = ["--set", "machine.drives=limited", "--set", f"machine.motion={motion}"]
+        run = self.folder / "limited"
+        self.run_case(run, *settings, "--set", "end_s=1.8")
+        self.run_case(run, *settings, "--set", "end_s=0", "--resume")
+        summary = self.summary(run)
+        self.assertEqual(summary["status"], "complete")
+        drives = summary["drives"]
+        self.assertAlmostEqual(drives["path_time_s"], 2, delta=0.01)
+        self.assertAlmostEqual(drives["path_time_s"] + drives["late_s"], summary["sim_s"], places=6)
+        with h5py.File(run / "record.h5") as f:
+            path = f["machine/path_time"][:]
+            self.assertTrue((np.diff(path) >= 0).all())
+            self.assertLess(np.abs(f["machine/crowd_force"][:]).max(), 1.4e6 + 1)
+        text = self.run_case(run, *settings, "--set", "end_s=0", "--resume")
+        self.assertIn("complete already", text[0] + text[1])
+        done = self.replay(run, "mbs")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("to the bit", done.stdout)
+
     def test_a_resumed_run_ends_like_an_uninterrupted_one(self):
         self.run_case(self.folder / "whole")
         whole, parts = self.folder / "whole", self.folder / "parts"

@@ -53,6 +53,13 @@ TEST_F(Stepping, StopsBetweenWindowsAndEndsInOrder) {
   EXPECT_THAT(pages, ElementsAre("a0", "b0", "a1", "b1", "a end", "b end"));
 }
 
+TEST_F(Stepping, EndsWhenTheMachineIsThere) {
+  stepper.end_when([](const core::MachineState& m) { return m.t_ns > 0; });
+  stepper.start();
+  EXPECT_TRUE(stepper.run([] { return false; }));
+  EXPECT_THAT(pages, ElementsAre("a0", "b0", "a1", "b1", "a end", "b end"));
+}
+
 TEST_F(Stepping, AFailureIsNoEnd) {
   stepper.start();
   first.fails_at = 2;

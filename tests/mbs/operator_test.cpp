@@ -1,0 +1,115 @@
+// The drive's limits and the operator by themselves.
+#include "mbs/operator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mbs/drive_limit.hpp"
+
+namespace dipper::mbs {
+namespace {
+
+TEST(LimitedDrive, GivesWhatIsWantedUpToItsStallForceAndItsPower) {
+  const LimitedDrive drive({2e6, 1e6}, 0.05, 1e5);
+  EXPECT_EQ(drive.most(0), 2e6);
+  EXPECT_EQ(drive.most(0.5), 2e6);  // the corner
+  EXPECT_EQ(drive.most(-2), 0.5e6);
+  EXPECT_EQ(drive.force(3e6, 0), 2e6);
+  EXPECT_EQ(drive.force(-3e6, 2), -0.5e6);
+  EXPECT_EQ(drive.force(1e5, 2), 1e5);
+}
+
+// At its limit it is `lag` behind, and m x'' + C x' + K x = 0 is damped critically.
+TEST(LimitedDrive, IsAsStiffAsItsLagSaysAndDampedCritically) {
+  LimitedDrive drive({2e6, 1e6}, 0.05, 1e5);
+  EXPECT_DOUBLE_EQ(drive.wanted(0.05, 0), 2e6);
+  const double K = drive.wanted(1, 0), C = drive.wanted(0, 1);
+  EXPECT_DOUBLE_EQ(C * C, 4 * K * 1e5);
+  drive.set_trim(-7e5);
+  EXPECT_DOUBLE_EQ(drive.wanted(0, 0), -7e5);
+}
+
+class OperatorTest : public testing::Test {
+ protected:
+  static constexpr double h = 2e-3;
+  std::shared_ptr<const machine::Motion> motion = std::make_shared<machine::Motion>(
+      machine::Motion::parse("time_s,hoist_m,crowd_m,swing_deg,door_deg\n"
+                             "0,0,-1,0,0\n10,-5,1,60,40\n20,-5,1,60,40\n",
+                             "m.csv"));
+  Operator path{motion, -1.7};
+
+  /// Goes on with an overload; where he then is.
+  PathState go(double& t_s, double for_s, const Overload& overload) {
+    const double end = t_s + for_s;
+    for (; t_s < end - h / 2; t_s += h) path.look(t_s, [&] { return overload; });
+    return path.at(t_s);
+  }
+};
+
+TEST_F(OperatorTest, KeepsTheMotionsTimeWhileTheDrivesFollow) {
+  double t = 0;
+  const PathState at = go(t, 5, {0.9, 1});
+  EXPECT_NEAR(at.time, 5, 1e-12);
+  EXPECT_EQ(at.rate, 1);
+  EXPECT_EQ(at.relief, 0);
+  const machine::DriveState sent = path.sent(t), told = motion->at(5);
+  EXPECT_NEAR(sent.position.crowd, told.position.crowd, 1e-12);
+  EXPECT_NEAR(sent.rate.hoist, told.rate.hoist, 1e-12);
+}
+
+TEST_F(OperatorTest, SlowsWhereADriveIsOverloadedAndNeverGoesBack) {
+  double t = 0;
+  EXPECT_NEAR(go(t, 4, {0, 1.25}).rate, 0.5, 1e-6);
+  double before = path.at(t).time;
+  for (int i = 0; i < 50; ++i) {
+    const double now = go(t, 0.1, {0, 7}).time;
+    EXPECT_GE(now, before);
+    before = now;
+  }
+  EXPECT_LT(path.at(t).rate, 1e-6);
+}
+
+// relief_rate is 0.1 m/s while the way stands; given out with about 2 s when it goes on.
+TEST_F(OperatorTest, LetsTheCrowdBackWhereItStandsAndOutAgainWhenItGoesOn) {
+  double t = 0;
+  go(t, 3, {});
+  const double early = go(t, 3, {0, 9}).relief;
+  EXPECT_NEAR(go(t, 2, {0, 9}).relief - early, 0.2, 1e-3);
+  const machine::DriveState told = motion->at(path.at(t).time);
+  EXPECT_NEAR(path.sent(t).position.crowd, told.position.crowd - path.at(t).relief, 1e-12);
+  go(t, 2, {});
+  const double then = path.at(t).relief;
+  EXPECT_NEAR(go(t, 2, {}).relief, then * std::exp(-1.0), 0.2 * then);
+  go(t, 60, {0, 9});  // not beyond the crowd's stop
+  EXPECT_NEAR(path.sent(t).position.crowd, -1.7, 0.03);
+}
+
+TEST_F(OperatorTest, LiftsOnWithACrowdThatStalls) {
+  double t = 0;
+  go(t, 3, {});
+  const PathState before = path.at(t);
+  const PathState after = go(t, 4, {1.45, 0.8});
+  EXPECT_NEAR(after.time - before.time, 4 * 0.325, 0.2);
+  EXPECT_NEAR(after.relief, 4 * 0.25, 0.06);
+}
+
+// Where he sends the drives has the speed that it says, also while he slows.
+TEST_F(OperatorTest, WhatHeSendsIsOneCurve) {
+  double t = 0;
+  go(t, 4, {1.2, 0.5});
+  path.look(t, [] { return Overload{3, 3}; });
+  constexpr double d = 1e-6;
+  const double at = t + 1e-3;
+  const machine::DriveState now = path.sent(at);
+  for (double machine::Drives::*which : {&machine::Drives::hoist, &machine::Drives::crowd,
+                                         &machine::Drives::swing, &machine::Drives::door}) {
+    const double a = path.sent(at - d).position.*which, b = path.sent(at + d).position.*which;
+    EXPECT_NEAR((b - a) / (2 * d), now.rate.*which, 1e-7);
+    const double u = path.sent(at - d).rate.*which, v = path.sent(at + d).rate.*which;
+    EXPECT_NEAR((v - u) / (2 * d), now.acceleration.*which, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace dipper::mbs
