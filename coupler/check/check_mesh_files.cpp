@@ -104,12 +104,16 @@ void check_tooth_wear(const cases::Case& c, const mesh::TriangleMesh& dipper, Fi
   }
 }
 
+mesh::TriangleMesh placed_truck(const cases::Case& c, mesh::TriangleMesh truck) {
+  const Eigen::AngleAxisd turn(radians(c.truck.heading_deg), Eigen::Vector3d::UnitZ());
+  for (Eigen::Vector3d& v : truck.vertices) v = c.truck.position_m + turn * v;
+  return truck;
+}
+
 void check_truck_in_domain(const cases::Case& c, const mesh::TriangleMesh& truck,
                            Findings& findings) {
-  mesh::TriangleMesh placed = truck;
-  const Eigen::AngleAxisd turn(radians(c.truck.heading_deg), Eigen::Vector3d::UnitZ());
-  for (Eigen::Vector3d& v : placed.vertices) v = c.truck.position_m + turn * v;
-  check_box(c, "truck.position_m", "the truck", mesh::bounding_box(placed), findings);
+  check_box(c, "truck.position_m", "the truck", mesh::bounding_box(placed_truck(c, truck)),
+            findings);
 }
 
 // The bench from the toe to its rear wall, and the rock above it before it falls.

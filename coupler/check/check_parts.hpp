@@ -29,6 +29,9 @@ void check_mesh_facts(const cases::Case& c, Findings& findings);
 /// Teeth long enough for machine.tooth_wear_m.
 void check_tooth_wear(const cases::Case& c, const mesh::TriangleMesh& dipper, Findings& findings);
 
+/// The truck's mesh where it stands, in W.
+mesh::TriangleMesh placed_truck(const cases::Case& c, mesh::TriangleMesh truck);
+
 /// Truck and pile inside the domain.
 void check_truck_in_domain(const cases::Case& c, const mesh::TriangleMesh& truck,
                            Findings& findings);

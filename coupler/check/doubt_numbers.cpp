@@ -7,7 +7,7 @@
 
 #include "common/angles.hpp"
 #include "common/seconds.hpp"
-#include "coupler/check/doubts.hpp"
+#include "coupler/check/doubt_parts.hpp"
 #include "coupler/deck/contact_table.hpp"
 
 namespace dipper::check {

@@ -7,7 +7,7 @@
 #include "common/seconds.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/case/outline_file.hpp"
-#include "coupler/check/doubts.hpp"
+#include "coupler/check/doubt_parts.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "machine/door.hpp"
 
@@ -45,8 +45,8 @@ double deepest_in(const Bench& bench, const mesh::TriangleMesh& mesh, const Pose
 /// A body goes down into rock that is there already, and shoots it out.
 void doubt_the_start(const CaseParts& parts, std::vector<Finding>& doubts) {
   const cases::Case& c = parts.c;
-  const Bench bench(c);
   if (c.pile.clear_machine == "on") return;  // the rock there is removed, and told
+  const Bench bench(c);
   const machine::ShovelPose at_start = parts.shovel.pose(parts.motion.value(0));
   const double dipper = std::max(deepest_in(bench, parts.dipper, at_start.X_WB),
                                  deepest_in(bench, parts.door, at_start.X_WD));
@@ -88,8 +88,7 @@ void doubt_the_way(const CaseParts& parts, std::vector<Finding>& doubts) {
 /// Where the door is when it opens.
 void doubt_the_dump(const CaseParts& parts, std::vector<Finding>& doubts) {
   const Box bed = mesh::bounding_box(parts.truck);
-  const bool starts_open = machine::door_is_open(parts.motion.value(0).door);
-  bool open = starts_open;
+  bool open = machine::door_is_open(parts.motion.value(0).door);
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
     const machine::Drives drives = parts.motion.value(t);
     const bool was_open = open;

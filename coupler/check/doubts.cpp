@@ -2,19 +2,10 @@
 
 #include "common/angles.hpp"
 #include "common/mesh/stl.hpp"
+#include "coupler/check/check_parts.hpp"
+#include "coupler/check/doubt_parts.hpp"
 
 namespace dipper::check {
-namespace {
-
-mesh::TriangleMesh placed_truck(const cases::Case& c) {
-  mesh::TriangleMesh truck = mesh::read_stl(c.truck.mesh);
-  const Eigen::AngleAxisd turn(radians(c.truck.heading_deg), Vector3d::UnitZ());
-  for (Vector3d& v : truck.vertices) v = c.truck.position_m + turn * v;
-  return truck;
-}
-
-}  // namespace
-
 CaseParts::CaseParts(const cases::Case& the_case)
     : c(the_case),
       machine(machine::load_machine(c.machine.model)),
@@ -22,7 +13,7 @@ CaseParts::CaseParts(const cases::Case& the_case)
       shovel(machine, Pose{Quaterniond::Identity(), c.machine.base_position_m},
              radians(c.machine.rake_angle_deg)),
       dipper(mesh::read_stl(c.bodies.at("dipper"))),
-      truck(placed_truck(c)) {
+      truck(placed_truck(c, mesh::read_stl(c.truck.mesh))) {
   if (const auto found = c.bodies.find("door"); found != c.bodies.end())
     door = mesh::read_stl(found->second);
 }

@@ -7,6 +7,7 @@
 
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
+#include "common/seconds.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/run/pile.hpp"
@@ -51,8 +52,7 @@ std::vector<dem::WallMemory> wall_memory(const core::CouplingState& state) {
 }  // namespace
 
 RunEnd run_end(const cases::Case& c) {
-  const double motion_s =
-      static_cast<double>(machine::Motion::load(c.machine.motion).end_ns()) * 1e-9;
+  const double motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());
   const auto step = [&](double t_s) { return std::llround(t_s / c.dem.timestep_s); };
   if (c.end_s > 0) return {step(c.end_s), std::nullopt};
   if (c.machine.drives != "limited") return {step(motion_s), std::nullopt};

@@ -73,7 +73,7 @@ struct Pass {
 constexpr int kTouching = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL | CONTACT_ROLLING_MODEL;
 constexpr int kBatch = 64;
 constexpr double kCloseness = 0.125;  ///< of the skin
-constexpr std::size_t kAhead = 32;    ///< pairs; memory takes as long as some ten of them
+constexpr std::size_t kAhead = 32;  ///< pairs ahead: memory answers while so many are gone through
 
 /// Contacts of spheres i and j, a number of each after the other, as the processor likes them. Of
 /// vectors, x, y and z. Most of the time goes into waiting for memory: so loads are made together,

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/frames.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/check/check.hpp"
 #include "tests/common/mesh/shapes.hpp"
@@ -15,6 +16,12 @@ using test::Checkout;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
+std::vector<std::string> told(const cases::Case& c) {
+  std::vector<std::string> said;
+  for (const Finding& doubt : doubts(c)) said.push_back(doubt.key + ": " + doubt.message);
+  return said;
+}
+
 /// "key: message" of every doubt about `quick` with changes, whose own rock bridges its dipper.
 std::vector<std::string> doubts_of(const Checkout& checkout, std::vector<cases::Override> set = {},
                                    bool limited = true) {
@@ -23,9 +30,7 @@ std::vector<std::string> doubts_of(const Checkout& checkout, std::vector<cases::
   const cases::Case c = cases::load_case(checkout.folder(), set, findings);
   test::expect_findings(findings, {});
   test::expect_findings(check_case(c), {});
-  std::vector<std::string> said;
-  for (const Finding& doubt : doubts(c)) said.push_back(doubt.key + ": " + doubt.message);
-  return said;
+  return told(c);
 }
 
 /// The dipper's mesh changed.
@@ -41,9 +46,7 @@ std::vector<std::string> with_dipper(const Change& change) {
   cases::Case c =
       cases::load_case(checkout.folder(), {{"rock.coarse_graining_limit_m", "1"}}, loaded);
   c.bodies.at("dipper") = checkout.folder() / "changed.stl";
-  std::vector<std::string> said;
-  for (const Finding& doubt : doubts(c)) said.push_back(doubt.key + ": " + doubt.message);
-  return said;
+  return told(c);
 }
 
 TEST(Doubts, SoundCaseHasNone) { EXPECT_THAT(doubts_of(Checkout(true)), ElementsAre()); }

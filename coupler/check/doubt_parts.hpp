@@ -1,0 +1,33 @@
+// The parts of doubts(), and what they look at. Internal to it.
+#pragma once
+
+#include <vector>
+
+#include "common/mesh/triangle_mesh.hpp"
+#include "coupler/case/case.hpp"
+#include "machine/kinematics.hpp"
+#include "machine/machine_data.hpp"
+#include "machine/motion.hpp"
+
+namespace dipper::check {
+
+/// A sound case with what its files hold.
+struct CaseParts {
+  explicit CaseParts(const cases::Case& c);
+
+  const cases::Case& c;
+  machine::MachineData machine;
+  machine::Motion motion;
+  machine::ShovelKinematics shovel;
+  mesh::TriangleMesh dipper, door;  ///< the door is empty when the case has none
+  mesh::TriangleMesh truck;         ///< in W
+};
+
+/// Where things are: machine and truck against the bench at the start, the dipper's way against the
+/// truck, the truck against the dump.
+void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts);
+
+/// Numbers that look as if in another unit, or of no such machine, mesh or pile.
+void doubt_numbers(const CaseParts& parts, std::vector<Finding>& doubts);
+
+}  // namespace dipper::check
