@@ -12,12 +12,12 @@
 #include "coupler/cli/effects_command.hpp"
 #include "coupler/cli/environment.hpp"
 #include "coupler/cli/face_command.hpp"
-#include "coupler/cli/gap_command.hpp"
 #include "coupler/cli/motion_command.hpp"
 #include "coupler/cli/nearest_word.hpp"
 #include "coupler/cli/observe_command.hpp"
 #include "coupler/cli/page_command.hpp"
 #include "coupler/cli/phases_command.hpp"
+#include "coupler/cli/python_command.hpp"
 #include "coupler/cli/replay_command.hpp"
 #include "coupler/cli/report_command.hpp"
 #include "coupler/cli/run_command.hpp"
@@ -57,9 +57,12 @@ int command_line(int argc, char** argv, Reporter& reporter) {
       add_effects_command(app, reporter), add_calibrate_command(app, reporter),
       add_face_command(app, reporter),    add_motion_command(app, reporter),
       add_page_command(app, reporter)};
-  auto* gap = app.add_subcommand("gap", "find and name the effect a case misses");
-  gap->prefix_command()->set_help_flag();  // its words are read by the program it becomes
-  commands.push_back({gap, [gap] { return gap_command(gap->remaining()); }});
+  const auto add_python = [&](const char* name, const char* package, const char* what) {
+    auto* sub = app.add_subcommand(name, what);
+    sub->prefix_command()->set_help_flag();  // its words are read by the program it becomes
+    commands.push_back({sub, [=] { return python_command(package, sub->remaining()); }});
+  };
+  add_python("gap", "dipper_gap", "find and name the effect a case misses");
   try {
     app.parse(argc, argv);
     for (const Command& command : commands)

@@ -14,17 +14,18 @@ from pathlib import Path
 
 import yaml
 
+from dipper_run.findings import BadInput, Findings
+from dipper_run.program import ProgramFailed, program
+from dipper_run.text_file import read_text
+
 from .effects import read_catalogue
-from .findings import BadInput, Findings
 from .gap_json import as_json, write_json
 from .measured import read_measured
 from .model import NEED_PASSES
 from .motion import compare_motion, read_motion
 from .patch import write_patched_case
-from .program import ProgramFailed, program
 from .report import write_report
 from .simulator import JOBS, DipperSimulator, RunFailed, check
-from .text_file import read_text
 from .workflow import analyse
 
 

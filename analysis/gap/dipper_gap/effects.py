@@ -5,8 +5,9 @@ and prior matter, and whether an effect is a nuisance: allowed within its prior,
 """
 from dataclasses import dataclass
 
-from .findings import BadInput
-from .program import ProgramFailed, ask
+from dipper_run.findings import BadInput
+from dipper_run.program import ProgramFailed, ask
+
 
 # Signatures are measured up to so many prior scales: strong, but not absurd, where the rock goes its own way; where it
 # does not, and chance hides nothing, near to how little is found, as not all effects are linear.

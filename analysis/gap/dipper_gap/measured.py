@@ -13,8 +13,9 @@ from pathlib import Path
 import numpy as np
 import yaml
 
-from .findings import Findings
-from .text_file import number, read_text, read_yaml, said
+from dipper_run.findings import Findings
+from dipper_run.text_file import number, read_text, read_yaml, said
+
 
 DRIVEN = "driven"
 RESPONSE = "response"

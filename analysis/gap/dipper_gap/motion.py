@@ -4,7 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from .findings import BadInput, Findings
+from dipper_run.findings import BadInput, Findings
+
 from .measured import MOTION, read_table
 from .model import NEED_PASSES
 from .phases import planned_passes

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import yaml
 
-from .findings import BadInput
+from dipper_run.findings import BadInput
 
 
 def overlay(effects):

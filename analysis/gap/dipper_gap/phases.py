@@ -3,7 +3,8 @@ import functools
 
 import numpy as np
 
-from .program import ask
+from dipper_run.program import ask
+
 
 PHASES = ("approach", "penetrate", "fill", "breakout", "swing", "dump", "return")
 DIG = PHASES[:3]

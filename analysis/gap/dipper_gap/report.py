@@ -3,12 +3,13 @@ from dataclasses import asdict
 
 import numpy as np
 
+from dipper_run.program import tell
+
 from .features import FEATURES
 from .isolability import CONFUSABLE
 from .match import strength
 from .measured import KNOWN
 from .phases import PHASES
-from .program import tell
 
 CELL_P = 0.05     # adjusted p up to which a cell of the heat map is framed
 DIGITS = 5        # of a number on the page

@@ -1,31 +1,22 @@
 """Runs of a case, as the workflow asks for them: by `dipper run`, two at a time, each kept and found again."""
 import hashlib
-import os
 import shutil
-import signal
 import subprocess
-import sys
-import threading
 import time
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from . import run_cache
-from .measured import read_measured
-from .program import ask
+from dipper_run import run_cache
+from dipper_run.kept_runs import QUIET, Job, KeptRuns, RunFailed
+from dipper_run.program import ask
 
-KEEPER = Path(__file__).with_name("keeper.py")
+from .measured import read_measured
+
 JOBS = 2
 ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
 # What a replay of the machine against the recorded rock answers exactly where the dipper's motion is prescribed.
 REPLAYED = {"machine.crowd_friction_N", "machine.hoist_loss"}
-# Records stay, pictures go: a few hundred runs must fit on a disk.
-QUIET = ("output.dump_every_s=100000", "output.checkpoint_every_s=0")
-
-
-class RunFailed(RuntimeError):
-    """A run did not end well; the message names it and where its log is."""
 
 
 @dataclass(frozen=True)
@@ -88,9 +79,7 @@ class DipperSimulator(Simulator):
         self.case, self.catalogue, self.program = Path(case), catalogue, str(program)
         self.cache = Path(cache)
         self._told = ask("check", "--json", self.case, of=self.program)
-        self._sound = {}  # {folder: what was said of it}
-        self._children, self._lock, self._stopped = {}, threading.Lock(), False
-        self._alive, self._held = os.pipe()  # ends when this process does, however it ends
+        self._runs = KeptRuns(self.program, JOBS)
 
     def case_hash(self):
         return self._told["case_hash"]
@@ -121,23 +110,18 @@ class DipperSimulator(Simulator):
     def run(self, requests, say=print):
         requests = [self._possible(r) for r in requests]
         need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
-        todo = [r for r in need if not self._kept(r)]
-        began, failures = time.monotonic(), []
-        with ThreadPoolExecutor(JOBS) as pool:
-            futures = {pool.submit(self._make, r): r for r in todo}
-            try:
-                for done, future in enumerate(as_completed(futures), 1):
-                    if isinstance(future.exception(), RunFailed):
-                        failures.append(str(future.exception()))
-                        continue
-                    future.result()
-                    left = (time.monotonic() - began) / done * (len(todo) - done)
-                    say(f"  run {done} of {len(todo)}: {futures[future]}; about {_minutes(left)} left")
-            except BaseException:
-                self._stop()
-                for future in futures:
-                    future.cancel()
-                raise
+        jobs = [self._job(r) for r in need if not self._kept(r)]
+        began, ended, failures = time.monotonic(), [], []
+
+        def on_end(job, error):
+            ended.append(job)
+            if error:
+                failures.append(str(error))
+                return
+            left = (time.monotonic() - began) / len(ended) * (len(jobs) - len(ended))
+            say(f"  run {len(ended)} of {len(jobs)}: {job.label}; about {_minutes(left)} left")
+
+        self._runs.make(jobs, on_end)
         if failures:
             raise RunFailed("\n".join(failures))
         with ThreadPoolExecutor(JOBS) as pool:
@@ -148,62 +132,11 @@ class DipperSimulator(Simulator):
                 raise
 
     def _kept(self, r):
-        """What was said of a run when it was kept; None where it is not, or is damaged. Looked at once."""
-        folder = self.folder(r)
-        if folder not in self._sound:
-            told = run_cache.facts(folder)
-            if told is None:
-                return None
-            self._sound[folder] = told
-        return self._sound[folder]
+        return self._runs.kept(self.folder(r))
 
-    def _make(self, r):
-        with run_cache.locked(self.folder(r), lambda: self._stopped) as lock:
-            if not (self._stopped or self._kept(r)):
-                self._make_alone(r, lock)
-
-    def _make_alone(self, r, lock):
-        folder = self.folder(r)
-        folder.mkdir(exist_ok=True)
-        run = folder / "run"
-        words = [self.program, "run", str(self.case), "--out", str(run), "--ranks", "1", "--seed", str(r.seed)]
-        words += [w for setting in QUIET for w in ("--set", setting)] + _settings(r.effects)
-        began = time.monotonic()
-        resumed = (run / "record.h5").exists() and any((run / "checkpoints").glob("*"))
-        status = self._call(words + ["--resume"], folder, lock) if resumed else None
-        if status != 0 and not self._stopped:
-            shutil.rmtree(run, ignore_errors=True)
-            status = self._call(words, folder, lock)
-        if self._stopped:
-            return
-        if status != 0:
-            raise RunFailed(f"run failed ({r}), status {status}; see {folder / 'run.log'}")
-        for heavy in ("dumps", "checkpoints", "events.lcmlog"):
-            path = run / heavy
-            shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
-        run_cache.seal(folder, {"effects": dict(r.effects), "seed": r.seed, "wall_s": time.monotonic() - began})
-
-    def _call(self, words, folder, lock):
-        with open(folder / "run.log", "w") as log:
-            with self._lock:
-                if self._stopped:
-                    return 4
-                shared = (self._alive, lock.fileno())
-                kept = [sys.executable, "-S", "-E", str(KEEPER), *map(str, shared), *words]
-                child = subprocess.Popen(kept, stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
-                                         pass_fds=shared)
-                self._children[child.pid] = child
-            status = child.wait()
-            with self._lock:
-                self._children.pop(child.pid, None)
-        return status
-
-    def _stop(self):
-        """Ends the runs under way; each leaves a checkpoint to go on from."""
-        with self._lock:
-            self._stopped = True
-            for child in self._children.values():
-                child.send_signal(signal.SIGINT)
+    def _job(self, r):
+        words = [str(self.case), "--ranks", "1", "--seed", str(r.seed), *QUIET, *_settings(r.effects)]
+        return Job(self.folder(r), tuple(words), str(r), facts={"effects": dict(r.effects), "seed": r.seed})
 
     def _again(self, r):
         """Words that look at the plain run once more, with other instruments or another machine."""
@@ -218,7 +151,7 @@ class DipperSimulator(Simulator):
         if r.how == "run":
             return read_measured(self.folder(r) / "run" / "observed", simulated=True)
         folder = self.folder(r)
-        with run_cache.locked(folder, lambda: self._stopped):
+        with run_cache.locked(folder, self._runs.stopped):
             if not self._kept(r):
                 shutil.rmtree(folder, ignore_errors=True)
                 folder.mkdir()

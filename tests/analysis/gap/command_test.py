@@ -11,9 +11,9 @@ import pytest
 
 import synthetic
 from dipper_gap.measured import write_measured
-from dipper_gap.program import program
+from dipper_run.program import program
 
-ANALYSIS = Path(__file__).resolve().parents[3] / "analysis/gap"
+ANALYSIS = Path(__file__).resolve().parents[3] / "analysis"
 SLOW = """#!/usr/bin/python3
 import os, pathlib, sys, time
 if sys.argv[1] in ("effects", "phases"): os.execv("REAL", sys.argv)
@@ -42,7 +42,7 @@ def words(tmp_path):
 
 
 def start(words, folder):
-    environment = {**os.environ, "PYTHONPATH": str(ANALYSIS), "DIPPER": str(folder / "dipper"),
+    environment = {**os.environ, "PYTHONPATH": f"{ANALYSIS}/gap:{ANALYSIS}/runs", "DIPPER": str(folder / "dipper"),
                    "XDG_CACHE_HOME": str(folder / "cache")}
     return subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 

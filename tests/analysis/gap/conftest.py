@@ -3,4 +3,4 @@ import pathlib
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parents[2] / "analysis/gap")]
+sys.path[:0] = [str(HERE), str(HERE.parents[2] / "analysis/gap"), str(HERE.parents[2] / "analysis/runs")]

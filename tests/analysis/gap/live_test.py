@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE / "blind"))
 import make  # noqa: E402
 import twin  # noqa: E402
-from dipper_gap.program import program  # noqa: E402
+from dipper_run.program import program  # noqa: E402
 from dipper_gap.baseline import LEAST_SEEDS  # noqa: E402
 from dipper_gap.effects import read_catalogue  # noqa: E402
 from dipper_gap.gap_json import as_json, write_json  # noqa: E402

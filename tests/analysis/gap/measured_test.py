@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 import synthetic
-from dipper_gap.findings import BadInput
+from dipper_run.findings import BadInput
 from dipper_gap.measured import read_measured, write_measured
 
 

@@ -4,15 +4,16 @@ import subprocess
 import sys
 from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[3] / "analysis/gap"
+ANALYSIS = Path(__file__).resolve().parents[3] / "analysis"
 
 
 def test_pip_installs_it(tmp_path):
-    shutil.copytree(SOURCE, tmp_path / "source")
-    made = subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps",
-                           "--no-build-isolation", "--target", str(tmp_path / "site"), str(tmp_path / "source")],
-                          capture_output=True, text=True)
-    assert made.returncode == 0, made.stderr
+    for name in ("runs", "gap"):
+        shutil.copytree(ANALYSIS / name, tmp_path / name)
+        made = subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps",
+                               "--no-build-isolation", "--target", str(tmp_path / "site"), str(tmp_path / name)],
+                              capture_output=True, text=True)
+        assert made.returncode == 0, made.stderr
     words = "from dipper_gap.next_experiment import propose; print(propose({'liners': 1, 'carry_back': 1}))"
     said = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, cwd=tmp_path,
                           env={"PYTHONPATH": str(tmp_path / "site")})

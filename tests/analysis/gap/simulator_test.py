@@ -9,7 +9,7 @@ import yaml
 from dipper_gap.__main__ import usable
 from dipper_gap.closure import closure
 from dipper_gap.effects import read_catalogue
-from dipper_gap.findings import BadInput
+from dipper_run.findings import BadInput
 from dipper_gap.next_experiment import propose
 from dipper_gap.patch import overlay, write_patched_case
 from dipper_gap.simulator import DipperSimulator, RunFailed, request

@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(ROOT / "analysis/gap"), str(ROOT / "tests/analysis/gap")]
+sys.path[:0] = [str(ROOT / "analysis/gap"), str(ROOT / "analysis/runs"), str(ROOT / "tests/analysis/gap")]
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from selenium.webdriver.common.by import By  # noqa: E402

@@ -126,7 +126,7 @@ class OneOfYourOwn(RunTest):
         self.assertIn(f"{told[1]}: {told[3]}", (case / "case.yaml").read_text())
         self.assertEqual(self.summary(self.folder / "run")["effects"], {file[2]: 0.2})
 
-        sys.path.insert(0, str(ROOT / "analysis/gap"))
+        sys.path[:0] = [str(ROOT / "analysis/gap"), str(ROOT / "analysis/runs")]
         from dipper_gap.effects import read_catalogue
         self.assertIn(file[2], read_catalogue(case))
 

@@ -13,7 +13,7 @@ import h5py
 import numpy as np
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-from runs import DIPPER, PATIENCE_S, RunTest
+from runs import DIPPER, PATIENCE_S, SOURCE, RunTest
 
 
 class Report(RunTest):
@@ -31,6 +31,7 @@ class Report(RunTest):
         self.check_tables(run, metrics)
         self.check_walls(run, metrics)
         self.check_paraview(run, metrics)
+        self.check_python(run, metrics)
         shutil.rmtree(run / "report")
         self.check_bad_input(run)
 
@@ -49,6 +50,19 @@ class Report(RunTest):
         self.assertAlmostEqual(metrics["dipper"]["struck_volume_m3"], 42, delta=0.42)
         self.assertEqual(one["dig_force_peak_N"], self.summary(run)["passes"][0]["dig_force_peak_N"])
         self.assertAlmostEqual(sum(s["pile_percent"] for s in metrics["sizes"]), 100, delta=1e-9)
+
+    def check_python(self, run, metrics):
+        """The snippet of docs/python.md as it stands there."""
+        snippet, = re.findall(r"^```python\n(.*?)^```$", (SOURCE / "docs/python.md").read_text(), re.M | re.S)
+        said = "print(payload_t, len(hoist_MN), max(in_dipper_kg), len(last['radius']))"
+        done = subprocess.run(["/usr/bin/python3", "-c", snippet.replace("runs/quick", str(run)) + said],
+                              env={"PYTHONPATH": str(SOURCE / "analysis/runs")}, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        summary = self.summary(run)
+        payload_t, rows, most_kg, spheres = map(float, done.stdout.split())
+        self.assertEqual(payload_t, summary["passes"][0]["payload_kg"] / 1000)
+        self.assertEqual(most_kg, max(metrics["frames"]["in_dipper_kg"]))
+        self.assertEqual((rows, spheres), (summary["coupling"]["syncs"] + 1, summary["dem"]["particles"]))
 
     def check_tables(self, run, metrics):
         for name in ("frames", "phases", "pile", "sizes", "passes"):

@@ -16,9 +16,10 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[3]
-sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis/gap")]
+sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis/gap"),
+                str(ROOT / "analysis/runs")]
 from dipper_gap.__main__ import cache_folder  # noqa: E402
-from dipper_gap.program import program  # noqa: E402
+from dipper_run.program import program  # noqa: E402
 from dipper_gap.decide import OMNIBUS_P, decide  # noqa: E402
 from dipper_gap.effects import read_catalogue  # noqa: E402
 from dipper_gap.localise import localise  # noqa: E402

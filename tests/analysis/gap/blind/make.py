@@ -20,7 +20,8 @@ import numpy as np
 import yaml
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent), str(HERE.parents[3] / "analysis/gap")]
+sys.path[:0] = [str(HERE), str(HERE.parent), str(HERE.parents[3] / "analysis/gap"),
+                str(HERE.parents[3] / "analysis/runs")]
 import otherwise  # noqa: E402
 import score  # noqa: E402
 import twin  # noqa: E402

@@ -1,8 +1,9 @@
-#include "coupler/cli/gap_command.hpp"
+#include "coupler/cli/python_command.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -15,16 +16,21 @@ namespace {
 
 // Debian's, which scripts/setup gives the packages; another python3 on the path may not have them.
 constexpr const char* kPython = "/usr/bin/python3";
+// Each holds one package.
+constexpr std::array kFolders = {"analysis/gap", "analysis/runs"};
 
 }  // namespace
 
-int gap_command(const std::vector<std::string>& words) {
-  setenv("PYTHONPATH", (data_folder() / "analysis/gap").c_str(), 1);
+int python_command(const std::string& package, const std::vector<std::string>& words) {
+  std::string path;
+  for (const char* folder : kFolders)
+    path += (path.empty() ? "" : ":") + (data_folder() / folder).string();
+  setenv("PYTHONPATH", path.c_str(), 1);
   setenv("DIPPER", installed_program("dipper").c_str(), 1);
   // The runs fill the cores by themselves; threads in the linear algebra would only be in their
   // way.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
-  std::vector<std::string> all = {kPython, "-B", "-m", "dipper_gap"};
+  std::vector<std::string> all = {kPython, "-B", "-m", package};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> argv;
   for (std::string& word : all) argv.push_back(word.data());

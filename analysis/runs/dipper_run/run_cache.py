@@ -71,7 +71,7 @@ def _move_aside(entry, name):
         os.rename(entry, aside)
     except FileNotFoundError:  # another process has
         return None
-    print(f"gap: {entry / name} is not as it was written; moved to {aside}, made again", file=sys.stderr, flush=True)
+    print(f"{entry / name} is not as it was written; moved to {aside}, made again", file=sys.stderr, flush=True)
     return None
 
 
