@@ -27,20 +27,6 @@ json round_to(const std::vector<double>& values, int digits) {
   return out;
 }
 
-json curves(const ReportInput& input) {
-  json out = {{"time_s", round_to(thin_times(input.time_s, kBins), 7)},
-              {"channels", json::object()}};
-  for (const auto& c : input.curves) {
-    if (c.values.size() != input.time_s.size()) {
-      throw std::invalid_argument("report: " + c.name + " has " + std::to_string(c.values.size()) +
-                                  " values for " + std::to_string(input.time_s.size()) + " times");
-    }
-    out["channels"][c.name] = {{"unit", c.unit},
-                               {"values", round_to(thin_values(c.values, kBins), 5)}};
-  }
-  return out;
-}
-
 json to_json(const Slice& s) {
   json out = {{"time_s", s.time_s}, {"spheres", json::array()}, {"walls", json::array()}};
   for (const auto& p : s.spheres) {
@@ -85,13 +71,27 @@ json slices(const ReportInput& input) {
 
 }  // namespace
 
+json curves_json(const ReportInput& input) {
+  json out = {{"time_s", round_to(thin_times(input.time_s, kBins), 7)},
+              {"channels", json::object()}};
+  for (const auto& c : input.curves) {
+    if (c.values.size() != input.time_s.size()) {
+      throw std::invalid_argument("report: " + c.name + " has " + std::to_string(c.values.size()) +
+                                  " values for " + std::to_string(input.time_s.size()) + " times");
+    }
+    out["channels"][c.name] = {{"unit", c.unit},
+                               {"values", round_to(thin_values(c.values, kBins), 5)}};
+  }
+  return out;
+}
+
 std::string report_page(const std::string& title, const ReportInput& input,
                         const ReplayLimits& limits) {
   json data = {{"kind", "run"},
                {"title", title},
                {"metrics", input.metrics},
                {"case_text", input.case_text},
-               {"curves", curves(input)},
+               {"curves", curves_json(input)},
                {"slices", slices(input)}};
   std::vector<std::vector<std::uint8_t>> blocks;
   if (input.replay && !input.replay->times_s().empty()) {

@@ -27,6 +27,10 @@ struct ReportInput {
   const ReplaySource* replay = nullptr;
 };
 
+/// Times and curves thinned out, as pages read them: {time_s, channels: {NAME: {unit, values}}}.
+/// Throws std::invalid_argument for a curve that has not one value a time.
+nlohmann::json curves_json(const ReportInput& input);
+
 /// The page's text. `title` goes into the browser's tab.
 std::string report_page(const std::string& title, const ReportInput& input,
                         const ReplayLimits& limits = {});

@@ -7,6 +7,7 @@
 
 #include "analysis/metrics/paraview_files.hpp"
 #include "analysis/metrics/report_files.hpp"
+#include "analysis/report/dry_page.hpp"
 #include "analysis/report/run_page.hpp"
 #include "analysis/run/run_folder.hpp"
 #include "common/input_error.hpp"
@@ -67,6 +68,12 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
         options.out.empty() ? fs::path(options.folder) / "report" : fs::path(options.out);
     if (!folder.has_filename()) folder = folder.parent_path();  // was given as "there/"
     refuse_unwritable(folder);
+    if (analysis::report::is_dry_run(options.folder)) {
+      fs::create_directories(folder);
+      analysis::report::write_dry_page(options.folder, folder / "report.html");
+      reporter.line((folder / "report.html").string());
+      return 0;
+    }
     analysis::run::RunData run = open_folder(options);
     const analysis::io::DumpFolder dumps =
         analysis::io::open_dump_folder(options.folder, options.timestep_s);

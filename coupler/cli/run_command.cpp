@@ -15,6 +15,7 @@
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/deck/liggghts_path.hpp"
+#include "coupler/dry/dry_run.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/paired_run.hpp"
@@ -31,6 +32,7 @@ struct RunOptions {
   int ranks = 0;
   std::optional<long> seed;
   bool resume = false;
+  std::string no_rock;  ///< "none" or "estimate"; empty: there is rock
 };
 
 /// The folder asked for, or runs/NAME, runs/NAME-2, ...: a result is never written over.
@@ -49,6 +51,8 @@ double resumed_from_s(const run::RunFolder& folder, const cases::Case& c) {
 }
 
 int run(const RunOptions& o, Reporter& reporter) {
+  if (o.resume && !o.no_rock.empty())
+    throw InputError({{{}, 0, "--resume", "a run without rock takes seconds and is begun anew"}});
   launch::catch_interrupts();  // from the first word on: who reads them may be gone
   std::vector<cases::Override> set = overrides_of(o.set, "coupling.scheme=serial");
   if (o.ranks > 0) set.push_back({"dem.ranks", std::to_string(o.ranks)});
@@ -76,6 +80,9 @@ int run(const RunOptions& o, Reporter& reporter) {
       reporter.error(fmt::format("not as in {}: {}", out.string(), line));
     if (!changed.empty()) return 2;
     enter_own_network(reporter);
+    if (!o.no_rock.empty())
+      return static_cast<int>(dry::dry_run(
+          *c, o.no_rock == "none" ? dry::Rock::none : dry::Rock::estimate, folder, reporter));
     return static_cast<int>(run::paired_run(*c, folder, o.resume, reporter));
   } catch (const InputError& e) {
     reporter.error(e.what());
@@ -95,6 +102,10 @@ Command add_run_command(CLI::App& app, Reporter& reporter) {
       ->check(whole_number_in({1, 4096}));
   sub->add_option("--seed", o->seed, "seed of the pile")->check(whole_number_in(kSeeds));
   sub->add_flag("--resume", o->resume, "continue from the last checkpoint");
+  sub->add_flag(
+         "--no-rock{none}", o->no_rock,
+         "the machine alone, in seconds; --no-rock=estimate: against an estimate of the rock")
+      ->check(CLI::IsMember({"none", "estimate"}));
   return {sub, [o, &reporter] { return run(*o, reporter); }};
 }
 

@@ -8,17 +8,13 @@
 #include "analysis/run/run_folder.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
-#include "common/installation.hpp"
 #include "common/record/columns.hpp"
 #include "common/record/record.hpp"
-#include "coupler/launch/failure_message.hpp"
-#include "coupler/launch/process.hpp"
+#include "coupler/run/lone_machine.hpp"
 #include "coupler/run/observed.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
 #include "coupler/transport/peer_config.hpp"
-#include "coupler/transport/remote.hpp"
-#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -41,47 +37,6 @@ class RecordedWrench {
  private:
   static std::string channel(const std::string& body) { return "bodies/" + body + "/wrench_mean"; }
   std::array<std::vector<double>, 6> columns_;
-};
-
-/// A shovel in a process of its own, for as long as this lives.
-class LoneMachine {
- public:
-  LoneMachine(transport::PeerConfig config, const fs::path& folder)
-      : log_(folder / "mbs.log"),
-        process_((transport::write_peer_config(folder / "mbs.json", config),
-                  std::vector<std::string>{installed_program("dipper-mbs"),
-                                           (folder / "mbs.json").string()}),
-                 log_),
-        transport_(
-            transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::from_mbs)),
-        link_("mbs", *transport_, transport::Channels::to_mbs, transport::Channels::from_mbs,
-              config.identity, options()),
-        machine_(link_) {}
-  ~LoneMachine() {
-    machine_.stop();
-    process_.wait(std::chrono::seconds(5));
-    process_.end();
-  }
-  LoneMachine(const LoneMachine&) = delete;
-  LoneMachine& operator=(const LoneMachine&) = delete;
-
-  core::Machine& machine() { return machine_; }
-
- private:
-  transport::LinkOptions options() {
-    transport::LinkOptions o;
-    o.watch = [this] {
-      if (process_.ended())
-        throw transport::PeerError("mbs", launch::failure_message(process_, log_));
-    };
-    return o;
-  }
-
-  fs::path log_;
-  launch::Process process_;
-  std::unique_ptr<transport::Transport> transport_;
-  transport::Link link_;
-  transport::RemoteMachine machine_;
 };
 
 }  // namespace

@@ -5,17 +5,13 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "analysis/run/run_folder.hpp"
-#include "analysis/signals/pass_phases.hpp"
 #include "common/record/record.hpp"
 #include "common/version.hpp"
-#include "coupler/deck/contact_table.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
 #include "coupler/run/drive_limits_met.hpp"
+#include "coupler/run/pass_rows.hpp"
 #include "coupler/run/run_warnings.hpp"
-#include "coupler/run/teeth_deviation.hpp"
-#include "coupler/sides/sides_setup.hpp"
 
 namespace dipper::run {
 namespace {
@@ -23,31 +19,8 @@ namespace {
 using json = nlohmann::ordered_json;
 
 json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::path& record) {
-  const double full_kg = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3 *
-                         sides::read_mesh_facts(c).dipper.struck_volume_m3;
-  const analysis::run::RunSignals signals = analysis::run::read_drive_signals(record);
-  json passes = json::array();
-  const TeethDeviation teeth(record, c);
-  for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
-    const auto& p = found.pass;
-    json row = {{"pass", p.pass},
-                {"t_start_s", p.t_start_s},
-                {"t_dig_s", p.t_dig_s},
-                {"t_dump_s", p.t_dump_s},
-                {"t_end_s", p.t_end_s},
-                {"payload_kg", p.payload_kg},
-                {"truck_kg", p.truck_kg},
-                {"fill_factor", p.payload_kg / full_kg},
-                {"dig_force_mean_N", p.dig_force_mean_N},
-                {"dig_force_peak_N", p.dig_force_peak_N},
-                {"dig_force_peak_t_s", p.dig_force_peak_t_s}};
-    if (found.dig_phases_force_mean_N)
-      row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
-    if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
-    if (const auto dig = found.dig()) row["teeth_deviation_m"] = teeth.most(*dig);
-    passes.push_back(row);
-  }
-  const double sim_s = signals.pass.time_s.empty() ? 0.0 : signals.pass.time_s.back();
+  const auto time_s = record::read_channel(record, "time_s");
+  const double sim_s = time_s.empty() ? 0.0 : time_s.back();
   const double cpu_s = f.cost.dem_cpu_s + f.cost.mbs_cpu_s;
   const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0.0; };
   json out = {
@@ -56,7 +29,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
       {"version", version()},
       {"status", f.status},
       {"effects", c.effects},
-      {"passes", passes},
+      {"passes", pass_rows(c, record)},
       {"coupling",
        {{"scheme", c.coupling.scheme},
         {"syncs", f.syncs},
@@ -120,16 +93,6 @@ json describe(const AchievedProfile& p) {
           {"below_profile_most_m", p.below_most_m},
           {"below_profile_most_x_m", p.below_most_x_m},
           {"face_deg", p.face_deg}};
-}
-
-void tell_passes(const json& passes, Reporter& reporter) {
-  for (const auto& p : passes) {
-    reporter.line(fmt::format(
-        "pass {}: payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN",
-        p.at("pass").get<int>(), p.at("payload_kg").get<double>() * 1e-3,
-        p.at("truck_kg").get<double>() * 1e-3, p.at("dig_force_mean_N").get<double>() * 1e-3,
-        p.at("dig_force_peak_N").get<double>() * 1e-3));
-  }
 }
 
 }  // namespace

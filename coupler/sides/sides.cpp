@@ -16,8 +16,6 @@
 namespace dipper::sides {
 namespace {
 
-constexpr const char* kLcmUrl = "udpm://239.255.76.67:7667?ttl=0";
-
 /// A log of messages that only its owner can read: it shows what the run computes.
 std::shared_ptr<lcm::LogFile> open_log(const std::filesystem::path& file) {
   const mode_t old = umask(077);
@@ -30,7 +28,7 @@ std::shared_ptr<lcm::LogFile> open_log(const std::filesystem::path& file) {
 }  // namespace
 
 Sides::Sides(const SidesSetup& setup) : setup_(setup) {
-  const std::string url = kLcmUrl;
+  const std::string url = transport::kLcmUrl;
   core::Envelope identity;
   identity.run_id = setup.run_id;
   identity.case_hash = setup.case_hash;

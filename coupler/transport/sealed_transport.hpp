@@ -30,6 +30,9 @@ class SealedTransport final : public Transport {
 /// 256 random bits, as hex digits. Throws std::runtime_error when the kernel has none to give.
 std::string random_secret();
 
+/// Where the processes of a run meet: on this machine, in a network of the run's own.
+inline constexpr const char* kLcmUrl = "udpm://239.255.76.67:7667?ttl=0";
+
 /// LCM at `url`, sealed with `secret`, that hears `channel`: how the processes of a run speak.
 std::unique_ptr<Transport> sealed_lcm(const std::string& url, const std::string& secret,
                                       const std::string& channel);

@@ -1,0 +1,171 @@
+#include "coupler/dry/dry_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "common/record/record.hpp"
+#include "common/version.hpp"
+#include "coupler/case/case_hash.hpp"
+#include "coupler/deck/pile_shape.hpp"
+#include "coupler/dry/estimated_rock.hpp"
+#include "coupler/dry/machine_limits.hpp"
+#include "coupler/launch/interrupt.hpp"
+#include "coupler/run/lone_machine.hpp"
+#include "coupler/run/pass_rows.hpp"
+#include "coupler/run/preparation.hpp"
+#include "coupler/run/progress.hpp"
+#include "coupler/run/run_record.hpp"
+#include "coupler/run/same_run.hpp"
+#include "coupler/run/stepper.hpp"
+#include "coupler/sides/dipper_layers.hpp"
+#include "coupler/sides/sides_setup.hpp"
+#include "coupler/transport/sealed_transport.hpp"
+
+namespace dipper::dry {
+namespace fs = std::filesystem;
+namespace {
+
+using json = nlohmann::ordered_json;
+
+constexpr double kSummaryTrim = 1e-3;  // m: of the faces' points, a page draws no finer
+
+transport::PeerConfig machine_config(const cases::Case& c, const run::RunFolder& folder) {
+  transport::PeerConfig config;
+  config.lcm_url = transport::kLcmUrl;
+  config.secret = transport::random_secret();
+  config.identity.run_id = folder.root().filename().string();
+  config.identity.case_hash = cases::case_hash(c);
+  config.checkpoints = folder.checkpoints();
+  config.settings =
+      sides::mbs_settings(c, sides::dipper_layers(c, sides::read_mesh_facts(c).dipper.cavity));
+  return config;
+}
+
+/// Steps to the end of the motion, or until interrupted. Whether the end is reached.
+bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& lone,
+                  const run::RunFolder& folder, Reporter& reporter) {
+  core::Coupling coupling(lone.machine(), rock, core::scheme_from(c.coupling.scheme));
+  const run::RunEnd end = run::run_end(c);
+  run::RunRecord record(folder.record(), lone.machine().info(), rock.info(),
+                        {{"case", c.text},
+                         {"case_folder", c.folder.string()},
+                         {"case_hash", cases::case_hash(c)},
+                         {"version", version()},
+                         {"machine_version", lone.machine().info().version},
+                         {"rock_version", rock.info().version}},
+                        run::RecordPosition{});
+  run::Stepper stepper(coupling, c.coupling.sync_steps, end.step);
+  run::Progress progress(reporter, 0,
+                         end.path_s.value_or(static_cast<double>(end.step) * c.dem.timestep_s),
+                         core::channel_index(rock.info(), "mass_in_dipper"));
+  if (end.path_s) {
+    const std::size_t path = core::channel_index(lone.machine().info(), "path_time");
+    stepper.end_when([path, end_s = *end.path_s](const core::MachineState& machine) {
+      return machine.channels[path] >= end_s;
+    });
+  }
+  stepper.add(record);
+  stepper.add(progress);
+  stepper.start();
+  const bool complete = stepper.run([] { return launch::interrupts() > 0; });
+  record.flush();
+  return complete;
+}
+
+json describe(const std::vector<LimitUse>& uses) {
+  json out = json::array();
+  for (const LimitUse& u : uses)
+    out.push_back({{"name", u.name},
+                   {"unit", u.unit},
+                   {"most", u.most},
+                   {"at_s", u.at_s},
+                   {"limit", u.limit},
+                   {"over_s", u.over_s}});
+  return out;
+}
+
+/// The bench in the plane of the boom where each pass digs: x from the swing axis.
+json faces(const cases::Case& c, const json& passes, const fs::path& record) {
+  const auto time_s = record::read_channel(record, "time_s"),
+             swing = record::read_channel(record, "machine/swing");
+  json out = json::array();
+  for (const json& pass : passes) {
+    const auto dig = std::lower_bound(time_s.begin(), time_s.end(), pass.at("t_dig_s"));
+    const double heading = swing.at(static_cast<std::size_t>(dig - time_s.begin()));
+    json face = {{"pass", pass.at("pass")}, {"out_m", json::array()}, {"up_m", json::array()}};
+    for (const auto& p : deck::bench_along_boom(c, heading)) {
+      face["out_m"].push_back(std::round(p.x() / kSummaryTrim) * kSummaryTrim);
+      face["up_m"].push_back(std::round(p.y() / kSummaryTrim) * kSummaryTrim);
+    }
+    out.push_back(std::move(face));
+  }
+  return out;
+}
+
+void tell_limits(const std::vector<LimitUse>& uses, Reporter& reporter) {
+  for (const LimitUse& u : uses)
+    if (u.over_s > 0)
+      reporter.line(
+          fmt::format("warning: {} reaches {:.3g} {} at {:.2f} s, the machine's limit is {:.3g}; "
+                      "above it for {:.2f} s",
+                      u.name, u.most, u.unit, u.at_s, u.limit, u.over_s));
+}
+
+json summarise(const cases::Case& c, Rock rock, const run::RunFolder& folder, double mbs_cpu_s) {
+  const auto time_s = record::read_channel(folder.record(), "time_s");
+  const double sim_s = time_s.empty() ? 0 : time_s.back();
+  const json passes = run::pass_rows(c, folder.record());
+  return {
+      {"case", c.name},
+      {"seed", c.seed},
+      {"version", version()},
+      {"rock_model", rock == Rock::none ? "none" : "estimate"},
+      {"passes", passes},
+      {"limits", describe(limit_uses(folder.record(), machine::load_machine(c.machine.model)))},
+      {"faces", faces(c, passes, folder.record())},
+      {"base_m", {c.machine.base_position_m.x(), c.machine.base_position_m.y()}},
+      {"mbs", {{"cpu_s", mbs_cpu_s}, {"realtime_factor", mbs_cpu_s > 0 ? sim_s / mbs_cpu_s : 0.0}}},
+      {"sim_s", sim_s}};
+}
+
+}  // namespace
+
+run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& folder,
+                       Reporter& reporter) {
+  DiggingEstimate estimate = digging_estimate(c);
+  estimate.there_is_rock = rock == Rock::estimate;
+  run::write_identity(folder.root(), c);
+  bool complete = false;
+  double mbs_cpu_s = 0;
+  try {
+    EstimatedRock estimated(CutBench(c), estimate, c.dem.timestep_s);
+    run::LoneMachine lone(machine_config(c, folder), folder.logs());
+    complete = step_through(c, estimated, lone, folder, reporter);
+    mbs_cpu_s = lone.cpu_s();
+  } catch (const launch::Interrupted&) {
+  } catch (const std::exception& e) {
+    reporter.error(e.what());
+    return run::RunStatus::failed;
+  }
+  for (const fs::path& unused : {folder.deck(), folder.dumps(), folder.checkpoints()})
+    fs::remove(unused);
+  if (!complete) {
+    reporter.error("interrupted; a run without rock is not resumed: it is begun anew");
+    return run::RunStatus::interrupted;
+  }
+  json summary = summarise(c, rock, folder, mbs_cpu_s);
+  summary["status"] = "complete";
+  std::ofstream out(folder.summary());
+  out << summary.dump(2) << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write " + folder.summary().string());
+  run::tell_passes(summary.at("passes"), reporter);
+  tell_limits(limit_uses(folder.record(), machine::load_machine(c.machine.model)), reporter);
+  reporter.line(folder.summary().string());
+  return run::RunStatus::complete;
+}
+
+}  // namespace dipper::dry

@@ -1,0 +1,22 @@
+// The machine alone, in seconds: a path tried before rock is computed.
+#pragma once
+
+#include "common/reporter.hpp"
+#include "coupler/case/case.hpp"
+#include "coupler/run/paired_run.hpp"
+#include "coupler/run/run_folder.hpp"
+
+namespace dipper::dry {
+
+enum class Rock {
+  none,     ///< the machine moves in the air
+  estimate  ///< as EstimatedRock
+};
+
+/// Runs the machine's process through the case's motion and leaves record.h5 and summary.json,
+/// which `dipper report` makes a page of. Tells the passes, and what of the machine's limits was
+/// reached. A run that was interrupted cannot go on: it is begun anew. Throws InputError.
+run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& folder,
+                       Reporter& reporter);
+
+}  // namespace dipper::dry

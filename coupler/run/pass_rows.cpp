@@ -1,0 +1,53 @@
+#include "coupler/run/pass_rows.hpp"
+
+#include <fmt/format.h>
+
+#include "analysis/run/run_folder.hpp"
+#include "analysis/signals/pass_phases.hpp"
+#include "coupler/deck/contact_table.hpp"
+#include "coupler/run/teeth_deviation.hpp"
+#include "coupler/sides/sides_setup.hpp"
+
+namespace dipper::run {
+
+using json = nlohmann::ordered_json;
+
+json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
+  const double full_kg = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3 *
+                         sides::read_mesh_facts(c).dipper.struck_volume_m3;
+  const analysis::run::RunSignals signals = analysis::run::read_drive_signals(record);
+  json passes = json::array();
+  const TeethDeviation teeth(record, c);
+  for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
+    const auto& p = found.pass;
+    json row = {{"pass", p.pass},
+                {"t_start_s", p.t_start_s},
+                {"t_dig_s", p.t_dig_s},
+                {"t_dump_s", p.t_dump_s},
+                {"t_end_s", p.t_end_s},
+                {"payload_kg", p.payload_kg},
+                {"truck_kg", p.truck_kg},
+                {"fill_factor", p.payload_kg / full_kg},
+                {"dig_force_mean_N", p.dig_force_mean_N},
+                {"dig_force_peak_N", p.dig_force_peak_N},
+                {"dig_force_peak_t_s", p.dig_force_peak_t_s}};
+    if (found.dig_phases_force_mean_N)
+      row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
+    if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
+    if (const auto dig = found.dig()) row["teeth_deviation_m"] = teeth.most(*dig);
+    passes.push_back(row);
+  }
+  return passes;
+}
+
+void tell_passes(const json& passes, Reporter& reporter) {
+  for (const auto& p : passes) {
+    reporter.line(fmt::format(
+        "pass {}: payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN",
+        p.at("pass").get<int>(), p.at("payload_kg").get<double>() * 1e-3,
+        p.at("truck_kg").get<double>() * 1e-3, p.at("dig_force_mean_N").get<double>() * 1e-3,
+        p.at("dig_force_peak_N").get<double>() * 1e-3));
+  }
+}
+
+}  // namespace dipper::run

@@ -1,0 +1,18 @@
+// A run's passes, as summary.json has them.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "common/reporter.hpp"
+#include "coupler/case/case.hpp"
+
+namespace dipper::run {
+
+/// One row a pass that is found in the record. Throws std::runtime_error naming file and dataset.
+nlohmann::ordered_json pass_rows(const cases::Case& c, const std::filesystem::path& record);
+
+/// A line a pass.
+void tell_passes(const nlohmann::ordered_json& passes, Reporter& reporter);
+
+}  // namespace dipper::run

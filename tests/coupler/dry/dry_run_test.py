@@ -1,0 +1,82 @@
+"""`dipper run --no-rock`: the machine alone, and against an estimate of the rock."""
+
+import json
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, __file__.rsplit("/tests/", 1)[0] + "/tests/coupler/run")
+sys.path.insert(0, __file__.rsplit("/tests/", 1)[0] + "/tests/analysis/report")
+from browser import Browser
+from runs import DIPPER, SOURCE, TINY, RunTest
+
+QUICK = SOURCE / "cases" / "quick"
+COARSE = ("--set", "coupling.sync_steps=20")  # the machine is as exact, and three times as fast
+
+
+class DryRun(RunTest):
+    def report(self, run):
+        subprocess.run([DIPPER, "report", run], check=True, capture_output=True)
+        return run / "report" / "report.html"
+
+    def test_machine_in_the_air(self):
+        out = self.folder / "air"
+        text, _ = self.run_case(out, "--no-rock", *COARSE, case=QUICK)
+        summary = self.summary(out)
+        self.assertEqual(summary["status"], "complete")
+        self.assertEqual(summary["rock_model"], "none")
+        self.assertEqual([p["payload_kg"] for p in summary["passes"]], [0])
+        self.assertNotIn("above it", text, "an empty dipper asks no drive for too much")
+        self.assertFalse((out / "dumps").exists(), "no rock, no frames")
+        with h5py.File(out / "record.h5") as record:
+            self.assertEqual(np.abs(record["bodies/dipper/wrench_mean"][:]).max(), 0)
+            energy = record["machine/energy_residual"][:]
+            self.assertLess(np.abs(energy).max(), 1e-4 * np.abs(record["machine/drive_work"][:]).max())
+
+    def test_against_the_estimate(self):
+        out = self.folder / "rock"
+        text, _ = self.run_case(out, "--no-rock=estimate", *COARSE, case=QUICK)
+        summary = self.summary(out)
+        (first,) = summary["passes"]
+        # The struck volume at the pile's density, as the teeth sweep more than that.
+        self.assertAlmostEqual(first["payload_kg"], 42 * 1903, delta=500)
+        self.assertAlmostEqual(first["truck_kg"], 42 * 1903, delta=500)
+        # LIGGGHTS's rock: 3.2 MN (README); a path is designed by a force that is right by a third.
+        self.assertGreater(first["dig_phases_force_mean_N"], 2.2e6)
+        self.assertLess(first["dig_phases_force_mean_N"], 4.3e6)
+        limits = {row["name"]: row for row in summary["limits"]}
+        self.assertGreater(limits["crowd_force"]["over_s"], 1)
+        self.assertIn("warning: crowd_force reaches", text)
+        with h5py.File(out / "record.h5") as record:
+            force = np.abs(record["machine/crowd_force"][:])
+            self.assertAlmostEqual(limits["crowd_force"]["most"], force.max())
+
+        page = self.report(out)
+        with Browser() as browser:
+            browser.open(page)
+            self.assertEqual(browser.run("return document.querySelectorAll('figure.way').length"), 1)
+            drawn = browser.run("return document.querySelector('.way .teeth').getBBox().width")
+            self.assertGreater(drawn, 8, "the teeth go some metres out")
+            rows = browser.run("return document.querySelectorAll('#limits tbody tr').length")
+            self.assertEqual(rows, len(summary["limits"]))
+            self.assertEqual(browser.run("return document.querySelectorAll('#forces figure').length"), 5)
+
+    def test_is_begun_anew(self):
+        out = self.folder / "none"
+        _, said = self.run_case(out, "--no-rock", "--resume", status=2)
+        self.assertIn("--resume", said)
+        self.assertFalse(out.exists())
+        _, said = self.run_case(out, "--no-rock=sand", status=2)
+        self.assertIn("none,estimate", said.replace(" ", "").replace("{", "").replace("}", ""))
+        self.run_case(out, "--no-rock", case=TINY)
+        before = json.loads((out / "summary.json").read_text())
+        _, said = self.run_case(out, "--no-rock", case=TINY, status=2)
+        self.assertIn("holds a run already", said)
+        self.assertEqual(json.loads((out / "summary.json").read_text()), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
