@@ -63,6 +63,7 @@ int command_line(int argc, char** argv, Reporter& reporter) {
     commands.push_back({sub, [=] { return python_command(package, sub->remaining()); }});
   };
   add_python("gap", "dipper_gap", "find and name the effect a case misses");
+  add_python("study", "dipper_study", "runs of a case over parameters and seeds");
   try {
     app.parse(argc, argv);
     for (const Command& command : commands)

@@ -5,7 +5,6 @@ command goes on from the runs already made.
 """
 import argparse
 import hashlib
-import os
 import signal
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -14,6 +13,7 @@ from pathlib import Path
 
 import yaml
 
+from dipper_run import run_cache
 from dipper_run.findings import BadInput, Findings
 from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
@@ -36,11 +36,6 @@ def arguments(words):
                         help="channels.yaml, passes.csv and signals.csv of the mine")
     parser.add_argument("--out", metavar="DIR", type=Path, help="where the answer goes (default: runs/gap-CASE)")
     return parser.parse_args(words)
-
-
-def cache_folder():
-    base = os.environ.get("XDG_CACHE_HOME")
-    return (Path(base) if base else Path.home() / ".cache") / "dipper" / "gap"
 
 
 def read_case(folder):
@@ -105,7 +100,7 @@ def main(words=None):
         signal.signal(number, signal.default_int_handler)
     out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
     try:
-        simulator = DipperSimulator(args.case, catalogue, program(), cache_folder())
+        simulator = DipperSimulator(args.case, catalogue, program(), run_cache.cache_folder("gap"))
         catalogue, left_out = usable(catalogue, simulator)
         out = analyse(measured, simulator, catalogue, int(data.get("seed", 1)), say)
         out = replace(out, warnings=(*left_out, *out.warnings))

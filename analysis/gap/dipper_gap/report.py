@@ -1,8 +1,7 @@
 """What the page of an analysis shows, as JSON; analysis/report/web draws it (docs/report.md)."""
 from dataclasses import asdict
 
-import numpy as np
-
+from dipper_run.page_data import plain
 from dipper_run.program import tell
 
 from .features import FEATURES
@@ -12,7 +11,6 @@ from .measured import KNOWN
 from .phases import PHASES
 
 CELL_P = 0.05     # adjusted p up to which a cell of the heat map is framed
-DIGITS = 5        # of a number on the page
 
 
 def write_report(out, answer, catalogue, file, case_name):
@@ -22,7 +20,7 @@ def write_report(out, answer, catalogue, file, case_name):
 
 def page(out, answer, catalogue, case_name):
     """The page's data; `answer` is gap.json. Only finite numbers: what is none is null."""
-    shown = _plain({
+    shown = plain({
         "effects": {n: {"title": e.title, "parameter": e.parameter, "unit": e.unit, "signature": e.signature,
                         "low": e.low, "high": e.high} for n, e in catalogue.items()},
         "passes": {"training": out.look.training.passes, "holdout": out.look.holdout.passes},
@@ -83,14 +81,3 @@ def _ranking(out, catalogue):
         rows.append({"effect": s.name, "probability": m.presence(s.name), "low": low, "high": high,
                      "estimate": out.effects.get(s.name, middle)})
     return rows
-
-
-def _plain(x):
-    """Arrays as lists, numbers with the digits a page can show, None for what is no number."""
-    if isinstance(x, dict):
-        return {k: _plain(v) for k, v in x.items()}
-    if isinstance(x, (list, tuple, np.ndarray)):
-        return [_plain(v) for v in x]
-    if isinstance(x, (float, np.floating)):
-        return float(f"{x:.{DIGITS}g}") if np.isfinite(x) else None
-    return x.item() if isinstance(x, np.generic) else x

@@ -34,3 +34,15 @@ def tell(*words, given=None, of=None):
     if made.returncode != 0:
         raise ProgramFailed(made.stderr.strip())
     return made.stdout
+
+
+def check_json(case, *words, of=None):
+    """What `dipper check --json` tells of a case with these words: findings, and of a sound one hash, size, values."""
+    of = of or program()
+    try:
+        made = subprocess.run([of, "check", "--json", str(case), *words], capture_output=True, text=True)
+        return json.loads(made.stdout)
+    except OSError as e:
+        raise ProgramFailed(f"{of}: {e.strerror}; build it, or set DIPPER to it") from e
+    except ValueError as e:
+        raise ProgramFailed(made.stderr.strip() or f"{of} check --json: {e}") from e

@@ -10,9 +10,16 @@ import os
 import sys
 import time
 from contextlib import contextmanager
+from pathlib import Path
 
 MANIFEST = "manifest.json"
 WAIT_S = 0.5  # between looks at an entry that another process makes
+
+
+def cache_folder(kind):
+    """Where entries of a kind ("gap", "study") are."""
+    base = os.environ.get("XDG_CACHE_HOME")
+    return (Path(base) if base else Path.home() / ".cache") / "dipper" / kind
 
 
 @contextmanager

@@ -9,17 +9,17 @@ const FONT = '12px "IBM Plex Sans", system-ui, sans-serif';
 const PAPER = 700; // px: as wide as a sheet of A4 has room
 const TIME = 'time (s)';
 
-/// lines: [{label, values, colour, width, dash, fill, stepped, gaps, dots, around}]; x and values are arrays of the
+/// lines: [{label, values, colour, width, dash, fill, stepped, gaps, dots, around, unnamed}]; x and values are arrays of the
 /// same length. colour: a name of style.css. fill: how much of it shows below the line, 0 to 1. gaps: null
-/// values are not drawn over. dots: no line. around: [low, high], two more arrays, a band about the line.
+/// values are not drawn over. dots: no line. unnamed: no key. around: [low, high], two more arrays, a band about the line.
 /// options: title, unit, height, bands [{name, from, to}], clock, together (name of the plots whose cursors go
-/// together), logX, logY, xLabel, xRange, yRange, xTicks (where labels stand).
+/// together), logX, logY, xLabel, xRange, yRange, xTicks (where labels stand), xNames (what they say, from x = 0 on).
 export function curve(x, lines, options) {
   const given = { xLabel: options.clock && TIME, together: options.clock && 'time', ...options };
   const box = h('div.plot', { role: 'img', 'aria-label': describe(x, lines, given) });
   const keys = lines.map((line) => ({ line, value: h('span.value', '') }));
   const head = h('figcaption', h('span.title', given.title, given.unit && h('span.unit', given.unit)),
-    h('span.keys', keys.map(({ line, value }) => h('span.key', mark(line), line.label, value))));
+    h('span.keys', keys.filter(({ line }) => !line.unnamed).map(({ line, value }) => h('span.key', mark(line), line.label, value))));
   const showValues = (plot, index) => keys.forEach(({ value }, k) => {
     value.textContent = index === null || index === undefined ? '' : number(plot.data[k + 1][index], 3);
   });
@@ -45,7 +45,7 @@ function mark(line) {
 /// What the picture shows, in words: each line's least and largest value, and where.
 function describe(x, lines, { title, unit, xLabel }) {
   const at = (k) => `${number(x[k], 3)}`;
-  const said = lines.map(({ label, values }) => {
+  const said = lines.filter((line) => !line.unnamed).map(({ label, values }) => {
     let [low, high] = [-1, -1];
     values.forEach((v, k) => {
       if (!Number.isFinite(v)) return;
@@ -80,7 +80,8 @@ function settings(lines, around, options, width, showValues) {
       y: { distr: options.logY ? 3 : 1, range: options.yRange ? () => options.yRange : undefined },
     },
     axes: [
-      { ...axis, size: 26, label: options.xLabel, labelSize: options.xLabel ? 20 : 0, labelGap: 0, space: 56, values: labels,
+      { ...axis, size: 26, label: options.xLabel, labelSize: options.xLabel ? 20 : 0, labelGap: 0, space: 56,
+        values: options.xNames ? (_plot, ticks) => ticks.map((k) => options.xNames[k] ?? '') : labels,
         splits: options.xTicks && (() => options.xTicks), filter: options.xTicks && ((_plot, ticks) => ticks) },
       { ...axis, size: 48, space: 34, values: labels, splits: options.logY && decades },
     ],

@@ -1,0 +1,14 @@
+// Names and numbers of a study, as a reader says them.
+import { number } from '../../format.js';
+
+/// "dig_force_mean_MN" as ["dig force mean", "MN"].
+export function columnName(column) {
+  const at = column.lastIndexOf('_');
+  const unit = at < 0 ? '' : column.slice(at + 1);
+  return ['t', 'MN', 'MJ', 's'].includes(unit) ? [column.slice(0, at).replaceAll('_', ' '), unit] : [column.replaceAll('_', ' '), ''];
+}
+
+/// "61.2 (58.0 to 64.4)": a mean and its 90 % interval.
+export function meanText({ mean, low, high }) {
+  return low === null ? number(mean) : `${number(mean)} (${number(low)} to ${number(high)})`;
+}

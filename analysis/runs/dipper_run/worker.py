@@ -1,0 +1,41 @@
+"""python3 -m dipper_run.worker JOBS.json NUMBER: makes one job of a list; a queue of a cluster starts it.
+
+The file holds {"program", "jobs": [{folder, words, label, drop, report, facts}]}. What it ends
+with is told in NUMBER.json beside it: {"error": null or the message}. Without that file the job was lost (a node, a
+time limit), not failed.
+"""
+import json
+import os
+import signal
+import sys
+from pathlib import Path
+
+from .kept_runs import Job, KeptRuns
+
+
+def job_of(told):
+    return Job(Path(told["folder"]), tuple(told["words"]), told["label"], tuple(told["drop"]), told["report"],
+               told["facts"])
+
+
+def main(file, number):
+    told = json.loads(Path(file).read_text())
+    errors = []
+    for kind in (signal.SIGINT, signal.SIGTERM):  # the queue's warning before a limit: leave a checkpoint
+        signal.signal(kind, signal.default_int_handler)
+    try:
+        KeptRuns(told["program"], 1).make([job_of(told["jobs"][number])], lambda _, error: errors.append(error))
+    except KeyboardInterrupt:
+        print("interrupted; it goes on from its checkpoint", flush=True)
+        return 4
+    error = errors[0] if errors else None
+    answer = Path(file).parent / f"{number}.json"
+    part = answer.with_suffix(".part")
+    part.write_text(json.dumps({"error": error and str(error)}))
+    os.replace(part, answer)
+    print(error or "done", flush=True)
+    return 3 if error else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], int(sys.argv[2])))

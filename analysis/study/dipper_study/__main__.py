@@ -1,0 +1,149 @@
+"""dipper study STUDY.yaml [--out DIR]
+
+Exit status: 0 done; 2 bad input, nothing started; 3 a run failed (the others are made and told); 4 interrupted: the
+same command goes on from the runs already made.
+"""
+import argparse
+import os
+import signal
+import sys
+from pathlib import Path
+
+from dipper_run.findings import BadInput
+from dipper_run.program import ProgramFailed, program
+from dipper_run.run_cache import cache_folder
+
+from .executor import executor_of
+from .optimise import search
+from .plan import Planner
+from .progress import Progress
+from .report import write_page
+from .results import row_of, write_csv, write_hdf5
+from .slurm import Detached
+from .statement import statement
+from .study_file import read_study
+
+
+def arguments(words):
+    parser = argparse.ArgumentParser(prog="dipper study", description=__doc__.split("\n")[0])
+    parser.add_argument("study", metavar="STUDY.yaml", type=Path, help="case, seeds, parameters: docs/study.md")
+    parser.add_argument("--out", metavar="DIR", type=Path, help="where the answer goes (default: runs/study-STUDY)")
+    parser.add_argument("--detach", action="store_true", help="with Slurm: submit and end; the same command collects")
+    parser.add_argument("--cancel", action="store_true", help="with Slurm: end what an earlier call has submitted")
+    return parser.parse_args(words)
+
+
+def say(text):
+    print(text, flush=True)
+
+
+class Session:
+    """A study under way: makes runs, and writes what is known of all runs asked for so far."""
+
+    def __init__(self, study, planner, executor, out):
+        self.study, self.planner, self.executor, self.out = study, planner, executor, out
+        self.runs, self.failed = {}, {}  # {folder: PlannedRun}, {folder: what was said}
+
+    def make(self, runs):
+        """Makes what is not kept of these runs, after telling what that takes; rows of all of them."""
+        self.runs.update((r.job.folder, r) for r in runs)
+        todo = [r for r in runs if not self.executor.kept(r.job.folder, r.job.drop)]
+        say(statement(self.study, self.planner, self.executor, runs, todo))
+        if todo:
+            progress = Progress(len(runs), len(runs) - len(todo), self.planner.seconds(todo[0]),
+                                self.executor.at_once)
+            try:
+                failures = self.executor.make([r.job for r in todo], progress)
+            finally:
+                progress.close()
+            self.failed.update((job.folder, str(error)) for job, error in failures)
+        return [self._row(r) for r in runs]
+
+    def _row(self, run):
+        facts = self.executor.kept(run.job.folder, run.job.drop)
+        return row_of(run, self.study.names, facts, self.failed.get(run.job.folder))
+
+    def write(self, answer=None):
+        """study.csv, study.h5, report.html and links to the runs; returns the rows."""
+        self.out.mkdir(parents=True, exist_ok=True)
+        rows, names = [self._row(r) for r in self.runs.values()], self.study.names
+        write_csv(rows, names, self.out / "study.csv")
+        write_hdf5(rows, names, self.out / "study.h5", self.study.file.read_text())
+        for run, row in zip(self.runs.values(), rows):
+            if row["status"] == "complete":
+                _link(self.out / "runs" / run.name, run.folder)
+        write_page(self.study, rows, [f"{self.runs[f]}: {text}" for f, text in self.failed.items()], answer,
+                   self.out / "report.html")
+        return rows
+
+
+def _link(link, to):
+    link.parent.mkdir(exist_ok=True)
+    if not link.is_symlink() or os.readlink(link) != str(to):
+        link.unlink(missing_ok=True)
+        link.symlink_to(to)
+
+
+def main(words=None):
+    args = arguments(words)
+    out = args.out or Path("runs") / f"study-{args.study.stem}"
+    try:
+        study = read_study(args.study)
+        planner = Planner(study, program(), cache_folder("study"))
+        points = study.points() if not study.optimise else [study.point_at(c) for c in corners(study.optimise)]
+        planner.check(points)
+        executor = executor_of(study, program(), out)
+        if (args.detach or args.cancel) and study.executor != "slurm":
+            raise BadInput([f"{study.file}: --detach and --cancel are for executor: slurm"])
+    except BadInput as e:
+        print("\n".join(e.findings), file=sys.stderr)
+        print(f"{len(e.findings)} error{'s' * (len(e.findings) > 1)}", file=sys.stderr)
+        return 2
+    except ProgramFailed as e:
+        print(f"study: {e}", file=sys.stderr)
+        return 2
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # also where the shell has them ignored
+        signal.signal(number, signal.default_int_handler)
+    return conduct(Session(study, planner, executor, out), points, args)
+
+
+def corners(optimise):
+    """The ends of every range, the others in the middle: what `check` is asked before an optimisation starts."""
+    middle = [(r.low + r.high) / 2 for r in optimise.ranges]
+    found = [middle]
+    for k, r in enumerate(optimise.ranges):
+        found += [[*middle[:k], end, *middle[k + 1:]] for end in (r.low, r.high)]
+    return found
+
+
+def conduct(session, points, args):
+    study = session.study
+    try:
+        if args.cancel:
+            say(f"study: {session.executor.cancel()} jobs cancelled")
+            return 0
+        session.executor.detach = args.detach
+        answer = None
+        if study.optimise:
+            answer = search(session, say)
+        else:
+            session.make(session.planner.runs(points, study.seeds))
+        session.write(answer)
+    except Detached as e:
+        say(f"study: {e}; the same command without --detach watches and collects")
+        return 0
+    except KeyboardInterrupt:
+        session.write()
+        print("study: interrupted; the same command goes on from the runs already made", file=sys.stderr)
+        return 4
+    except ProgramFailed as e:
+        print(f"study: {e}", file=sys.stderr)
+        return 3
+    say(f"study: {session.out / 'report.html'}, {session.out / 'study.csv'}, {session.out / 'study.h5'}")
+    for folder, text in session.failed.items():
+        print(f"study: {session.runs[folder]}: {text}", file=sys.stderr)
+    return 3 if session.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

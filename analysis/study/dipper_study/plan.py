@@ -1,0 +1,117 @@
+"""From points and seeds to runs: every point is checked by `dipper check`, and every run has its place in the cache."""
+import hashlib
+import os
+import re
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+from dipper_run.findings import BadInput
+from dipper_run.kept_runs import HEAVY, QUIET, Job
+from dipper_run.program import check_json
+
+ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
+# What a study removes of a run, by `keep`. A run's own page and its figures stay always.
+DROPPED = {"all": (), "record": HEAVY, "summary": (*HEAVY, "record.h5", "observed", "deck")}
+# Sizes, about: docs/study.md has what they are fitted on.
+RECORD_BYTES, RECORD_BYTES_A_WINDOW, MESSAGE_BYTES_A_WINDOW = 4.0e6, 0.75e3, 3.2e3
+DUMP_BYTES_A_ROCK, PAGE_BYTES = 400.0, 2e6
+
+
+@dataclass(frozen=True)
+class PlannedRun:
+    """A point with a seed. `job` makes it; its run is in job.folder/run."""
+
+    point: object
+    seed: int
+    job: Job
+
+    @property
+    def folder(self):
+        return self.job.folder / "run"
+
+    @property
+    def name(self):
+        """Of the link to it in the study's folder."""
+        values = "_".join(re.sub(r"[^\w.+-]+", "-", v.name) for v in self.point.values)
+        return f"{values or 'case'}_s{self.seed}"
+
+    def __str__(self):
+        return f"{self.point}, seed {self.seed}"
+
+
+class Planner:
+    """Checks points, once each, and makes the runs of them."""
+
+    def __init__(self, study, program, cache):
+        self.study, self.program, self.cache = study, program, cache
+        self._told = {}  # {point: what check told}
+
+    def check(self, points):
+        """Raises BadInput with what `dipper check` has against any of them, each finding once."""
+        new = [p for p in dict.fromkeys(points) if p not in self._told]
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            told = list(pool.map(self._ask, new))
+        wrong = {}
+        for point, said in zip(new, told):
+            for finding in said["findings"]:
+                wrong.setdefault(self._line(point, finding), None)
+        if wrong:
+            raise BadInput(wrong)
+        self._told.update(zip(new, told))
+
+    def runs(self, points, seeds):
+        """The runs of checked points, seed by seed within a point."""
+        return [self._run(point, seed) for point in points for seed in seeds]
+
+    def seconds(self, run):
+        """What a run may take on one core, guessed from its size."""
+        size = self._told[run.point]["size"]
+        return size["rocks"] * (size["steps"] + size["settle_steps"]) / ROCK_STEPS_PER_S / self.study.ranks
+
+    def disk(self, run):
+        """(bytes that stay, bytes more while it goes on), about."""
+        told = self._told[run.point]
+        size, keep = told["size"], self.study.keep
+        record = RECORD_BYTES + RECORD_BYTES_A_WINDOW * size["windows"]
+        dumps = DUMP_BYTES_A_ROCK * size["rocks"]
+        if keep == "all":
+            dumps *= size["simulated_s"] / float(told["values"].get("output.dump_every_s") or size["simulated_s"])
+        heavy = dumps + MESSAGE_BYTES_A_WINDOW * size["windows"]
+        stays = PAGE_BYTES + {"summary": 0, "record": record, "all": record + heavy}[keep]
+        return stays, PAGE_BYTES + record + heavy - stays
+
+    def _words(self, point):
+        return [word for s in point.settings for word in ("--set", str(s))]
+
+    def _ask(self, point):
+        words = [*self._words(point), "--set", f"dem.ranks={self.study.ranks}", "--set", "seed=1"]
+        return check_json(self.study.case, *words, of=self.program)
+
+    def _line(self, point, finding):
+        """A finding about a --set is one about the line of the study that says so."""
+        place = f"{finding['file']}:{finding['line']}" if finding["line"] else finding["file"]
+        if finding["file"] == "--set":
+            lines = [s.line for s in point.settings if s.key == finding["key"] or s.key == "" or
+                     finding["key"].startswith(s.key + ".") or s.key.startswith(finding["key"] + ".")]
+            place = f"{self.study.file}:{lines[0]}" if lines else str(self.study.file)
+        return f"{place}: {finding['key']}: {finding['message']}"
+
+    def _run(self, point, seed):
+        told, study = self._told[point], self.study
+        text = f"{told['case_hash']}\n{told['source_hash']}\n{seed}\n"
+        folder = self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
+        # Through Slurm a run may end at any time: it goes on from the case's own checkpoints.
+        quiet = () if study.keep == "all" else QUIET[:2] if study.executor == "slurm" else QUIET
+        words = [str(study.case.resolve()), "--ranks", str(study.ranks), "--seed", str(seed), *quiet,
+                 *self._words(point)]
+        facts = {"settings": [str(s) for s in point.settings], "seed": seed}
+        return PlannedRun(point, seed, Job(folder, tuple(words), f"{point}, seed {seed}", DROPPED[study.keep], True,
+                                           facts))
+
+
+def free_bytes(folder):
+    """Free on the disk that a folder is, or will be, on."""
+    while not folder.exists():
+        folder = folder.parent
+    return shutil.disk_usage(folder).free

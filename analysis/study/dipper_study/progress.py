@@ -1,0 +1,57 @@
+"""One line that tells how far a study is."""
+import sys
+import time
+
+PLAIN_EVERY_S = 30.0
+
+
+class Progress:
+    """On a terminal the line is written over; elsewhere it is a line each time a run ends, or every half minute."""
+
+    def __init__(self, total, kept, guess_s, at_once, stream=sys.stdout):
+        self.total, self.done, self.failed, self.at_once = total, kept, 0, at_once
+        self._made, self._guess_s, self._began = 0, guess_s, time.monotonic()
+        self._stream, self._tty, self._told = stream, stream.isatty(), 0.0
+
+    def ended(self, error=None):
+        """A run has ended."""
+        self._made += 1
+        self.done += error is None
+        self.failed += error is not None
+        self.show(force=True)
+
+    def left_s(self):
+        """Remaining time, from the runs made so far; before the first from their size."""
+        todo = self.total - self.done - self.failed
+        if self._made:
+            return (time.monotonic() - self._began) / self._made * todo
+        return self._guess_s * todo / self.at_once
+
+    def show(self, more="", force=False):
+        now = time.monotonic()
+        if not self._tty and not force and now - self._told < PLAIN_EVERY_S:
+            return
+        self._told = now
+        text = f"study: {self.done} of {self.total} runs done, {self.failed} failed{more}"
+        if self.done + self.failed < self.total:
+            text += f"; about {minutes(self.left_s())} left"
+        self._stream.write(f"\r{text:<79.79}" if self._tty else text + "\n")
+        self._stream.flush()
+
+    def close(self):
+        if self._tty:
+            self._stream.write("\n")
+
+
+def minutes(seconds):
+    if seconds < 100:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"
+
+
+def size_text(amount):
+    for unit in ("B", "kB", "MB", "GB"):
+        if amount < 1000:
+            return f"{amount:.3g} {unit}"
+        amount /= 1000
+    return f"{amount:.3g} TB"

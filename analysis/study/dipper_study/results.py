@@ -1,0 +1,73 @@
+"""A study's table: a row a run, as CSV and HDF5."""
+import csv
+import os
+
+import h5py
+import numpy as np
+
+import dipper_run
+
+from .goal import COLUMNS
+
+FIGURES = (*COLUMNS, "passes", "cpu_s", "wall_s")
+
+
+def row_of(planned, names, facts, failure=None):
+    """{column: value} of a run; a failed one has its values, seed and status only."""
+    row = {"run": planned.name, **{n: v.name for n, v in zip(names, planned.point.values)}, "seed": planned.seed,
+           "status": "failed" if failure else "complete" if facts else "not made"}
+    if facts and not failure:
+        row |= figures(dipper_run.read(planned.folder)) | {"wall_s": facts.get("wall_s", float("nan"))}
+    return row
+
+
+def figures(run):
+    """What a run is compared by: means over its passes, the largest for peaks. nan where there is no such figure."""
+    passes, worked = run.summary["passes"], run.metrics["passes"]
+    mean = lambda rows, key, unit: float(np.mean([r.get(key, np.nan) for r in rows])) / unit if rows else np.nan
+    return {"payload_t": mean(passes, "payload_kg", 1e3), "truck_t": mean(passes, "truck_kg", 1e3),
+            "fill_factor": mean(passes, "fill_factor", 1),
+            "dig_force_mean_MN": mean(passes, "dig_force_mean_N", 1e6),
+            "dig_phases_force_mean_MN": mean(passes, "dig_phases_force_mean_N", 1e6),
+            "dig_force_peak_MN": max((p["dig_force_peak_N"] for p in passes), default=np.nan) / 1e6,
+            "dig_work_MJ": mean(worked, "dig_work_J", 1e6), "passes": len(passes),
+            "cpu_s": run.summary["dem"]["cpu_s"] + run.summary["mbs"]["cpu_s"]}
+
+
+def write_csv(rows, names, file):
+    columns = ["run", *names, "seed", "status", *FIGURES]
+    part = file.with_suffix(".csv.part")
+    with open(part, "w", newline="") as f:
+        table = csv.writer(f, lineterminator="\n")
+        table.writerow(columns)
+        table.writerows([_text(row.get(c)) for c in columns] for row in rows)
+    os.replace(part, file)
+
+
+def write_hdf5(rows, names, file, study_text):
+    """A dataset a column, in the order of the CSV; columns that are no numbers are text, missing figures nan."""
+    part = file.with_suffix(".h5.part")
+    with h5py.File(part, "w") as f:
+        f.attrs["study"] = study_text
+        for column in ("run", "status"):
+            f.create_dataset(column, data=[row[column] for row in rows], dtype=h5py.string_dtype())
+        for name in names:
+            _column(f.require_group("parameters"), name, [row[name] for row in rows])
+        f["seed"] = np.array([row["seed"] for row in rows])
+        for column in FIGURES:
+            f[column] = np.array([row.get(column, np.nan) for row in rows], float)
+            f[column].attrs["unit"] = {"fill_factor": "1", "passes": "1"}.get(column, column.rsplit("_", 1)[-1])
+    os.replace(part, file)
+
+
+def _column(group, name, cells):
+    try:
+        group[name] = np.array([float(c) for c in cells])
+    except ValueError:
+        group.create_dataset(name, data=cells, dtype=h5py.string_dtype())
+
+
+def _text(value):
+    if value is None or isinstance(value, float) and not np.isfinite(value):
+        return ""
+    return f"{value:.6g}" if isinstance(value, float) else value

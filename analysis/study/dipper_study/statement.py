@@ -1,0 +1,24 @@
+"""What a study will take, told before it starts."""
+from .plan import free_bytes
+from .progress import minutes, size_text
+
+
+def statement(study, planner, executor, runs, todo):
+    """Two lines: runs and time; disk."""
+    points = len({r.point for r in runs})
+    seeds = len({r.seed for r in runs})
+    said = (f"study: {points} points x {seeds} seeds of {study.case}: {len(runs)} runs, "
+            f"{len(runs) - len(todo)} of them kept")
+    if not todo:
+        return said
+    seconds = sum(map(planner.seconds, todo)) / executor.at_once
+    sizes = [planner.disk(r) for r in todo]
+    stays, more = sum(s for s, _ in sizes), max(m for _, m in sizes) * min(executor.at_once, len(todo))
+    cache = todo[0].job.folder.parent
+    free = free_bytes(cache)
+    said += (f"; {executor.statement}; about {minutes(seconds)}, guessed from their size\n"
+             f"study: keep {study.keep}: about {size_text(stays)} of disk in {cache}, {size_text(more)} more while it "
+             f"goes on; {size_text(free)} free")
+    if stays + more > free:
+        said += ": NOT ENOUGH"
+    return said

@@ -1,0 +1,52 @@
+"""Mean, spread and interval over seeds; two settings compared with paired seeds."""
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import stats
+
+LEVEL = 0.9  # of every interval
+
+
+@dataclass(frozen=True)
+class Summary:
+    """Of n values: mean, standard deviation, the 90 % interval of the mean (Student's t); nan where n is too small."""
+
+    n: int
+    mean: float
+    sd: float
+    low: float
+    high: float
+
+
+def summary(values):
+    x = np.asarray([v for v in values if np.isfinite(v)], float)
+    n = len(x)
+    if n < 2:
+        return Summary(n, float(x[0]) if n else np.nan, np.nan, np.nan, np.nan)
+    half = stats.t.ppf(0.5 + LEVEL / 2, n - 1) * x.std(ddof=1) / np.sqrt(n)
+    return Summary(n, float(x.mean()), float(x.std(ddof=1)), float(x.mean() - half), float(x.mean() + half))
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """b less a, over the seeds both have. confidence: that the true difference has this sign."""
+
+    difference: Summary
+    confidence: float
+
+    @property
+    def shown(self):
+        """Whether the 90 % interval leaves out zero."""
+        return bool(self.difference.low > 0 or self.difference.high < 0)
+
+
+def compare(a, b):
+    """a and b: {seed: value}."""
+    both = sorted(set(a) & set(b))
+    d = summary([b[s] - a[s] for s in both])
+    if d.n < 2:
+        return Comparison(d, np.nan)
+    error = d.sd / np.sqrt(d.n)
+    # Without any spread the sign is known, and of no difference nothing is.
+    confidence = stats.t.cdf(abs(d.mean) / error, d.n - 1) if error else 1.0 if d.mean else 0.5
+    return Comparison(d, float(confidence))

@@ -1,0 +1,124 @@
+"""`dipper study` as a command: what it writes, makes once, tells, and what ends it. The simulator is a stand-in."""
+import signal
+import time
+
+import h5py
+import numpy as np
+import pytest
+
+from dipper_study.goal import COLUMNS
+from dipper_study.report import page
+from dipper_study.study_file import read_study
+from world import STUDY, World
+
+NAMED = """case: case
+seeds: [1, 2, 3, 4]
+parameters:
+  bucket:
+    plain: {}
+    wide: {bodies.dipper: wide.stl}
+"""
+
+
+@pytest.fixture
+def world(tmp_path):
+    return World(tmp_path)
+
+
+def test_a_study_leaves_a_table_a_page_and_its_runs(world):
+    said = world.study()
+    assert "3 points x 3 seeds" in said and "9 runs, 0 of them kept" in said and "1 rank each" in said
+    assert "keep record: about" in said and "free" in said and "9 of 9 runs done, 0 failed" in said
+    rows = world.rows()
+    asked = [(r["machine.rake_angle_deg"], r["seed"]) for r in rows]
+    assert asked == [(rake, seed) for rake in ("60", "62", "64") for seed in "123"]
+    assert all(r["status"] == "complete" and float(r["payload_t"]) > 50 for r in rows)
+    with h5py.File(world.out / "study.h5") as f:
+        assert f["payload_t"].attrs["unit"] == "t" and f.attrs["study"] == STUDY
+        np.testing.assert_array_equal(f["parameters/machine.rake_angle_deg"], np.repeat([60, 62, 64], 3))
+        np.testing.assert_allclose(f["payload_t"], [float(r["payload_t"]) for r in rows], rtol=1e-5)
+    run = world.out / "runs" / rows[0]["run"]
+    assert (run / "record.h5").exists() and (run / "report/report.html").exists() and not (run / "dumps").exists()
+    assert (world.out / "report.html").stat().st_size > 100_000
+
+
+def test_nothing_is_run_twice(world):
+    world.study()
+    before = world.calls()
+    assert len(before) == 9 and "9 of them kept" in world.study()
+    world.study(STUDY.replace("[1, 2, 3]", "[2, 3, 4]").replace("64]", "64, 66]"))
+    assert len(world.calls()) == 9 + 4 + 2
+    world.study(STUDY.replace("rake_angle_deg: [60, 62, 64]", "rake_angle_deg: [62.0]"))
+    assert len(world.calls()) == 15 + 3  # 62.0 is said otherwise; the stand-in's hash sees it
+
+
+def test_what_is_kept_is_a_setting_and_more_is_made_again(world):
+    study = STUDY.replace("[60, 62, 64]", "[60]")
+    world.study("keep: summary\n" + study)
+    run = world.out / "runs" / world.rows()[0]["run"]
+    assert not (run / "record.h5").exists() and (run / "report/metrics.json").exists()
+    world.study("keep: summary\n" + study)
+    assert len(world.calls()) == 3
+    world.study("keep: all\n" + study)
+    assert len(world.calls()) == 6 and (run / "dumps").exists() and "dump_every_s" not in world.calls()[-1]
+    world.study(study)
+    assert len(world.calls()) == 6
+
+
+def test_failures_are_kept_apart_and_told_at_the_end(world):
+    world.say("fail", "2")
+    said = world.study(status=3)
+    assert said.count("status 3; see") == 3 and "6 of 9 runs done, 3 failed" in said
+    assert [r["status"] for r in world.rows()] == ["complete", "failed", "complete"] * 3
+    world.say("fail", "")
+    world.study()
+    assert len(world.calls()) == 12 and all(r["status"] == "complete" for r in world.rows())
+
+
+def test_every_point_is_checked_before_anything_starts(world):
+    said = world.study(STUDY.replace("64]", "640]") + "  pile.toe_y_m: [1, 2]\n", status=2)
+    assert "study.yaml:4: machine.rake_angle_deg: 640 is out of range" in said
+    assert "study.yaml:5: pile.toe_y_m: unknown key" in said and "2 errors" in said
+    assert not world.calls() and not world.out.exists()
+
+
+def test_bad_usage_is_2(world):
+    world.study("case: case\n", status=2)
+    world.study(STUDY, "--outt", status=2)
+    assert "for executor: slurm" in world.study(STUDY, "--detach", status=2)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_an_end_from_outside_leaves_no_run_and_the_same_command_goes_on(world, number):
+    world.say("slow", "0.4")
+    study = world.start()
+    until = time.monotonic() + 60
+    while len(world.calls()) < 3:
+        assert study.poll() is None and time.monotonic() < until
+        time.sleep(0.02)
+    study.send_signal(number)
+    out, err = study.communicate(timeout=30)
+    until = time.monotonic() + 20
+    while world.left():
+        assert time.monotonic() < until
+        time.sleep(0.1)
+    if number != signal.SIGKILL:
+        assert study.returncode == 4 and "goes on from the runs already made" in err
+        assert {r["status"] for r in world.rows()} == {"complete", "not made"}
+    begun = len(world.calls())
+    assert begun < 9
+    world.say("slow", "0")
+    world.study()
+    assert 9 <= len(world.calls()) <= 9 + 2 and len(world.rows()) == 9
+
+
+def test_two_settings_are_compared_seed_by_seed(world):
+    world.study(NAMED)
+    rows = [{k: float(v) if k in COLUMNS else v for k, v in r.items()} for r in world.rows()]
+    data = page(read_study(world.folder / "study.yaml"), rows)
+    payload = next(c for c in data["comparisons"] if c["column"] == "payload_t")
+    # The seeds scatter by 3 t, their pairs by 0.7 t.
+    assert payload["shown"] and payload["low"] < 5 < payload["high"] and payload["sd"] < 1.5
+    assert payload["confidence"] > 0.99
+    force = next(c for c in data["comparisons"] if c["column"] == "dig_force_mean_MN")
+    assert not force["shown"] and force["confidence"] == 0.5

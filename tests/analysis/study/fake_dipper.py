@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+"""Stands in for `dipper`: checks and runs a case in which payload, force and work are a known function of rake, toe
+and seed. Beside it: `calls` (a line a run that began), `fail` (seeds whose runs fail), `slow` (seconds a run takes),
+`real` (the program that writes pages)."""
+import hashlib
+import json
+import os
+import pathlib
+import random
+import sys
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+KEYS = {"machine.rake_angle_deg": (0, 90), "pile.toe_x_m": (-100, 100), "seed": (0, 2**31), "dem.ranks": (1, 64),
+        "output.dump_every_s": (0, 1e9), "output.checkpoint_every_s": (0, 1e9), "flat": (0, 1)}
+
+
+def read(name, otherwise):
+    file = HERE / name
+    return file.read_text().strip() if file.exists() else otherwise
+
+
+def settings(words):
+    return dict(words[k + 1].split("=", 1) for k, w in enumerate(words) if w == "--set")
+
+
+def check(words):
+    told, findings = settings(words), []
+    for key, value in told.items():
+        if key == "bodies.dipper":
+            continue
+        low, high = KEYS.get(key, (1, 0))
+        if key not in KEYS:
+            findings.append((key, "unknown key"))
+        elif not low <= float(value) <= high:
+            findings.append((key, f"{value} is out of range; allowed is {low} ... {high}"))
+    case = pathlib.Path(words[words.index("--json") + 1]) / "case.yaml"
+    text = case.read_text() + json.dumps(told, sort_keys=True)
+    print(json.dumps({"findings": [{"file": "--set", "line": 0, "key": k, "message": m} for k, m in findings],
+                      "case_hash": hashlib.sha256(text.encode()).hexdigest(), "source_hash": "s", "values": {},
+                      "size": {"rocks": 1000, "steps": 9000, "settle_steps": 1000, "windows": 900, "simulated_s": 9}}))
+    return 2 if findings else 0
+
+
+def model(told, seed):
+    """(payload_t, dig_force_peak_MN, dig_work_MJ): best rake 64 and toe 1, where a seed moves all points alike."""
+    rake, toe = float(told.get("machine.rake_angle_deg", 60)), float(told.get("pile.toe_x_m", 0))
+    shared, own = random.Random(seed), random.Random(f"{seed} {rake:.6f} {toe:.6f} {told.get('bodies.dipper')}")
+    payload = 70 + shared.gauss(0, 3) + own.gauss(0, 0.5) + (5 if told.get("bodies.dipper") == "wide.stl" else 0)
+    if float(told.get("flat", 0)) == 0:
+        payload -= 0.5 * (rake - 64) ** 2 + 2 * (toe - 1) ** 2
+    return payload, 8 + 0.5 * (rake - 60) + own.gauss(0, 0.1), 20.0
+
+
+def run(words):
+    out, seed = pathlib.Path(words[words.index("--out") + 1]), int(words[words.index("--seed") + 1])
+    with open(HERE / "calls", "a") as f:
+        f.write(f"{seed} {' '.join(words)}\n")
+    try:
+        time.sleep(float(read("slow", "0")))
+    except KeyboardInterrupt:
+        return 4
+    if str(seed) in read("fail", "").split():
+        print("no rock")
+        return 3
+    payload, peak, work = model(settings(words), seed)
+    (out / "dumps").mkdir(parents=True)
+    (out / "dumps/rocks_0.dump").write_text("x" * 1000)
+    (out / "record.h5").write_text("a record")
+    one = {"payload_kg": payload * 1e3, "truck_kg": payload * 990, "fill_factor": 0.8, "dig_force_mean_N": 2.5e6,
+           "dig_phases_force_mean_N": 3e6, "dig_force_peak_N": peak * 1e6}
+    (out / "summary.json").write_text(json.dumps({"passes": [one], "dem": {"cpu_s": 5}, "mbs": {"cpu_s": 1}}))
+    (out / "work").write_text(str(work))
+    return 0
+
+
+def report(words):
+    out = pathlib.Path(words[0])
+    (out / "report").mkdir()
+    work = float((out / "work").read_text())
+    (out / "report/metrics.json").write_text(json.dumps({"passes": [{"dig_work_J": work * 1e6}]}))
+    (out / "report/report.html").write_text("a page")
+    return 0
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "page":
+        os.execv(read("real", ""), sys.argv)
+    sys.exit({"check": check, "run": run, "report": report}[sys.argv[1]](sys.argv[2:]))
