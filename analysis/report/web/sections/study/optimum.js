@@ -10,7 +10,8 @@ export function optimum(data) {
   if (!a) return null;
   const best = a.parameters.map((name, k) => `${name} ${number(a.best[k], 4)}`).join(', ');
   return h('section', { id: 'optimum', 'aria-label': 'Best setting' },
-    h('div', { class: `verdict ${a.improved ? 'named' : 'no-gap'}` }, h('p.head', a.improved ? `Better than the base: ${best}` : 'No better than the base is shown'), h('p', a.says)),
+    h('div', { class: `verdict ${a.improved ? 'named' : 'no-gap'}` },
+      h('p.head', a.improved ? `Better than the base: ${best}` : 'No better than the base is shown'), h('p', a.says)),
     facts([
       [a.objective, `${meanText(a.confirmed)} with fresh seeds`], ['Base', meanText(a.base)], ['Difference, paired', meanText(a.difference)],
       ['Confidence', percent(a.confidence, 1)], ['Best setting', best],
