@@ -1,4 +1,4 @@
-// Tables of numbers in text, with commas between them.
+// Tables of numbers in text, with commas, semicolons or tabs between them.
 #pragma once
 
 #include <filesystem>
@@ -17,11 +17,13 @@ struct CsvRow {
 };
 
 /// Reads a table whose first line names `columns`, these and no others, in this order, and whose
-/// every other line has a number (common/numbers.hpp) for each. A byte-order mark, carriage
-/// returns, blanks round names and numbers, blank lines, and lines that begin with # are left out
-/// of account. Each fault is appended to `findings` with its line and column: a wrong header, after
-/// which nothing is read, too many or too few columns, a field that is no number. The result has
-/// the rows that are sound. `file` is for the findings only.
+/// every other line has a number (common/numbers.hpp) for each. What parts the names parts the
+/// numbers; with semicolons or tabs these may have decimal commas, all of them. A byte-order mark,
+/// carriage returns, quotes and blanks round names and numbers, blank lines, and lines that begin
+/// with # are left out of account. Faults are appended to `findings` with line and column: a wrong
+/// header, after which nothing is read, too many or too few columns, a field that is no number; one
+/// of a kind stands for all where they are many. The result has the rows that are sound. `file` is
+/// for the findings only.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& columns,
                               std::vector<Finding>& findings);

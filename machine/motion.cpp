@@ -38,6 +38,7 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
   const auto fault = [&](int line, const std::string& message) {
     faults.push_back({file, line, "", message, 1});
   };
+  std::size_t not_later = 0, first_not_later = 0;  // a clock that was set back is one fault
   for (const CsvRow& row : rows) {
     const auto& v = row.values;
     if (std::abs(v[0]) > kLongest_s) {
@@ -46,13 +47,19 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
     }
     const std::int64_t t_ns = std::llround(v[0] * 1e9);
     if (!t_ns_.empty() && t_ns <= t_ns_.back()) {
-      fault(row.line, fmt::format("time_s is {}, not after the row before ({} s)", v[0],
-                                  seconds(t_ns_.back())));
+      if (++not_later == 1) {
+        first_not_later = faults.size();
+        fault(row.line, fmt::format("time_s is {}, not after the row before ({} s)", v[0],
+                                    seconds(t_ns_.back())));
+      }
       continue;
     }
     t_ns_.push_back(t_ns);
     position_.push_back({v[1], v[2], radians(v[3]), radians(v[4])});
   }
+  if (not_later > 1)
+    faults[first_not_later].message +=
+        fmt::format(", and so in {} more rows; dipper import sorts a log", not_later - 1);
   if (faults.empty() && t_ns_.size() < 2)
     faults.push_back(
         {file, 0, "", fmt::format("{} row(s); a motion needs at least 2", t_ns_.size())});

@@ -34,15 +34,53 @@ TEST(CsvTable, EveryFaultHasItsLineAndColumn) {
   const Read r = read("x_m,z_m\n1,2\n1,\n1;2\n1,2,3\n5,nan\n7,8\n");
   EXPECT_THAT(r.faults, ElementsAre("t.csv:3:3: z_m is \"\"; it must be a finite number",
                                     "t.csv:4:4: 1 columns; each row has 2: x_m,z_m",
-                                    "t.csv:5:6: 3 columns; each row has 2: x_m,z_m",
+                                    "t.csv:5:6: 3 columns; each row has 2: x_m,z_m; with decimal "
+                                    "commas, semicolons part the columns",
                                     "t.csv:6:3: z_m is \"nan\"; it must be a finite number"));
   ASSERT_EQ(r.rows.size(), 2U);
   EXPECT_EQ(r.rows[1].line, 7);
 }
 
+TEST(CsvTable, SemicolonsOrTabsPartColumnsToo) {
+  const Read r = read("\"x_m\" ; \"z_m\"\r\n1;\"2\"\r\n-3.5;4e1\r\n");
+  EXPECT_THAT(r.faults, ElementsAre());
+  ASSERT_EQ(r.rows.size(), 2U);
+  EXPECT_THAT(r.rows[0].values, ElementsAre(1, 2));
+  EXPECT_THAT(r.rows[1].values, ElementsAre(-3.5, 40));
+  EXPECT_THAT(read("x_m\tz_m\n0,5\t2\n").rows.at(0).values, ElementsAre(0.5, 2));
+}
+
+TEST(CsvTable, DecimalCommasWhereNoCommaPartsColumns) {
+  const Read r = read("x_m;z_m\n1;2\n-0,25;4,5e1\n");
+  EXPECT_THAT(r.faults, ElementsAre());
+  EXPECT_THAT(r.rows.at(1).values, ElementsAre(-0.25, 45));
+  EXPECT_THAT(read("x_m;z_m\n0,5;2.5\n1,234.5;1\n").faults,
+              ElementsAre("t.csv:2:5: z_m is \"2.5\"; it must be a finite number, with a decimal "
+                          "comma as elsewhere in the file",
+                          "t.csv:3:1: x_m is \"1,234.5\"; it must be a finite number, with a "
+                          "decimal comma as elsewhere in the file"));
+  EXPECT_EQ(read("x_m;z_m\n0.5;2,5\n").faults.size(), 1U);
+}
+
+TEST(CsvTable, OneCauseIsOneLine) {
+  std::string commas = "x_m,z_m\n", stamps = "x_m,z_m\n";
+  for (int i = 0; i < 114; ++i) {
+    commas += "0,5,1,5\n";
+    stamps += "2026-03-14T06:12:00.5Z,1\n";
+  }
+  EXPECT_THAT(read(commas).faults,
+              ElementsAre("t.csv:2:8: 4 columns, and so in 113 more lines; each row has 2: "
+                          "x_m,z_m; with decimal commas, semicolons part the columns"));
+  EXPECT_THAT(read(stamps).faults,
+              ElementsAre("t.csv:2:1: x_m is \"2026-03-14T06:12:00.5Z\", and so in 113 more "
+                          "lines; it must be a finite number; dipper import reads time stamps"));
+  EXPECT_THAT(read(std::string_view("x\0_\0m\0", 6)).faults,
+              ElementsAre("t.csv: is UTF-16, or no text; save it as plain text in UTF-8"));
+}
+
 TEST(CsvTable, AfterAWrongHeaderNothingIsRead) {
-  EXPECT_THAT(read("x_m;z_m\n1;2\n").faults,
-              ElementsAre("t.csv:1:1: header is \"x_m;z_m\"; it must be \"x_m,z_m\""));
+  EXPECT_THAT(read("x_m z_m\n1 2\n").faults,
+              ElementsAre("t.csv:1:1: header is \"x_m z_m\"; it must be \"x_m,z_m\""));
   EXPECT_THAT(read("x_m,z_m,y_m\n").faults,
               ElementsAre("t.csv:1:1: header is \"x_m,z_m,y_m\"; it must be \"x_m,z_m\""));
   EXPECT_THAT(read("# nothing\n").faults,

@@ -13,9 +13,9 @@ from pathlib import Path
 import numpy as np
 import yaml
 
+from dipper_run.csv_text import cells_of, decimal_number, find_decimal, find_delimiter, read_stamp, stamp_seconds
 from dipper_run.findings import Findings
 from dipper_run.text_file import number, read_text, read_yaml, said
-
 
 DRIVEN = "driven"
 RESPONSE = "response"
@@ -43,6 +43,7 @@ MASS = "truck_mass_t"
 MOTION = ("hoist_m", "crowd_m", "swing_rad")
 PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
 TRUCK = "truck"
+TIMES = ("time_s", "t_start_s", "t_end_s")
 LONGEST_SHOWN = 40  # characters of a cell that is no number
 LEAST_SAMPLES = 10  # a pass with fewer readings cannot be cut into phases
 
@@ -172,26 +173,27 @@ def _channel(file, key, node, found):
 
 
 def _rows(file, found):
-    """Header and rows of a CSV, each with its line number; `#` starts a comment line."""
+    """Line and cells of the header, and of each row, of a CSV; `#` starts a comment line."""
     text = read_text(file, found)
     if text is None:
-        return 0, [], []
+        return 0, [], [], ","
     lines = [(i, line) for i, line in enumerate(text.split("\n"), 1)
              if line.strip() and not line.lstrip().startswith("#")]
     if not lines:
         found.add(file, 1, "file", "empty", "a header and a row a reading")
-        return 0, [], []
-    first, header = lines[0]
-    if ";" in header and "," not in header:
-        found.add(file, first, "columns", "are parted by semicolons", "commas, and points in numbers")
-        return 0, [], []
-    parsed = [(i, [c.strip().strip('"') for c in line.split(",")]) for i, line in lines]
-    return parsed[0][0], parsed[0][1], parsed[1:]
+        return 0, [], [], ","
+    delimiter = find_delimiter(lines[0][1])
+    (header_line, header), *rows = [(i, cells_of(line, delimiter)) for i, line in lines]
+    return header_line, header, rows, delimiter
 
 
 def read_table(file, need, found, allowed=None):
-    """Columns of numbers by name, and the line of each row; unreadable cells are findings."""
-    header_line, header, rows = _rows(file, found)
+    """Columns of numbers by name, and the line of each row; unreadable cells are findings.
+
+    Columns parted by semicolons or tabs may have decimal commas. A column of TIMES may hold ISO 8601 stamps: they
+    become seconds since 1970.
+    """
+    header_line, header, rows, delimiter = _rows(file, found)
     if not header:
         return {}, []
     for name in need:
@@ -206,20 +208,50 @@ def read_table(file, need, found, allowed=None):
         if allowed is not None and name not in allowed:
             found.add(file, header_line, name, "unknown channel",
                       "declare it in channels.yaml, as one of " + ", ".join(KNOWN))
-    values = {name: [] for name in header}
-    for line, row in rows:
-        if len(row) != len(header):
-            found.add(file, line, "row", f"{len(row)} values", f"{len(header)}, as in the header")
-            row = (row + [""] * len(header))[:len(header)]
-        for name, text in zip(header, row):
-            value = number(text)
-            if value is None:
-                found.add(file, line, name, f"is '{text[:LONGEST_SHOWN]}'", "a finite number")
-                value = math.nan
-            elif name in KNOWN and abs(value) > KNOWN[name].largest:
-                found.add(file, line, name, f"is {value:g}", f"in {KNOWN[name].unit} ({KNOWN[name].hint})")
-            values[name].append(value)
-    return {k: np.array(v) for k, v in values.items()}, [line for line, _ in rows]
+    faults = [(line, "row", f"{len(row)} values", _right_number(len(row), len(header), delimiter))
+              for line, row in rows if len(row) != len(header)]
+    lines = [line for line, _ in rows]
+    rows = [(row + [""] * len(header))[:len(header)] for _, row in rows]
+    decimal = find_decimal(cell for row in rows for cell in row)
+    values = {}
+    for name, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
+        read = _stamps if name in TIMES and cells and read_stamp(cells[0]) else _numbers
+        values[name] = read(name, cells, lines, decimal, faults)
+    broken = {line for line, what, _, _ in faults if what == "row"}  # what stands in their cells means nothing
+    faults = [f for f in faults if f[1] == "row" or f[0] not in broken]
+    found.add_rows(file, faults)
+    return values, lines
+
+
+def _right_number(has, needs, delimiter):
+    hint = ": with decimal commas, part the columns by semicolons" if delimiter == "," and has > needs else ""
+    return f"{needs}, as in the header{hint}"
+
+
+def _numbers(name, cells, lines, decimal, faults):
+    right = "a finite number" + (" with a decimal comma, as elsewhere in the file" if decimal == "," else "")
+    column = []
+    for line, text in zip(lines, cells):
+        value = decimal_number(text, decimal)
+        if value is None:
+            faults.append((line, name, f"is '{text[:LONGEST_SHOWN]}'", right))
+            value = math.nan
+        elif name in KNOWN and abs(value) > KNOWN[name].largest:
+            faults.append((line, name, f"is {value:g}", f"in {KNOWN[name].unit} ({KNOWN[name].hint})"))
+        column.append(value)
+    return np.array(column)
+
+
+def _stamps(name, cells, lines, _, faults):
+    stamps = [read_stamp(text) for text in cells]
+    column = []
+    for line, text, stamp in zip(lines, cells, stamps):
+        sound = stamp is not None and (stamp.tzinfo is None) == (stamps[0].tzinfo is None)
+        if not sound:
+            faults.append((line, name, f"is '{text[:LONGEST_SHOWN]}'",
+                           f"a time stamp as in the first row, '{cells[0]}'"))
+        column.append(stamp_seconds(stamp) if sound else math.nan)
+    return np.array(column)
 
 
 def _passes(file, channels, need_passes, found):
@@ -283,8 +315,9 @@ def _signals(file, channels, passes, found):
             found.add(file, 0, name, "not declared in channels.yaml",
                       "the phases of a pass are found from hoist, crowd and swing")
     time = table["time_s"]
-    for k in np.flatnonzero(~(np.diff(time) > 0)):
-        found.add(file, lines[k + 1], "time_s", f"is {time[k + 1]:g} after {time[k]:g}", "later times only")
+    back = np.flatnonzero(np.diff(time) <= 0)  # no time at all has been told
+    found.add_rows(file, [(lines[k + 1], "time_s", f"is {time[k + 1]:g} after {time[k]:g}", "later times only")
+                          for k in back])
     for p in passes:
         inside = _readings(time, p)
         if inside < LEAST_SAMPLES:
@@ -310,10 +343,12 @@ def write_measured(m, folder):
         for c in m.channels.values():
             f.write(f"{c.name}: {{unit: {c.unit}, role: {c.role}, sigma: {c.sigma:g}, "
                     f"common_sigma: {c.common_sigma:g}}}\n")
+    weighed = MASS in m.channels
     with open(folder / "passes.csv", "w") as f:
-        f.write(",".join(PASS_COLUMNS + (TRUCK,)) + "\n")
+        f.write(",".join((PASS_COLUMNS if weighed else PASS_COLUMNS[:3]) + (TRUCK,)) + "\n")
         for p in m.passes:
-            f.write(f"{p.number},{p.t_start_s:.3f},{p.t_end_s:.3f},{p.truck_mass_t:.3f},{p.truck}\n")
+            mass = f",{p.truck_mass_t:.3f}" if weighed else ""
+            f.write(f"{p.number},{p.t_start_s:.3f},{p.t_end_s:.3f}{mass},{p.truck}\n")
     if m.signals:
         with open(folder / "signals.csv", "w") as f:
             f.write(",".join(["time_s"] + list(m.signals)) + "\n")

@@ -1,4 +1,6 @@
 """Reading a measured folder: a sound one round-trips; each fault is found, at its line, all at once."""
+from datetime import datetime, timedelta, timezone
+
 import numpy as np
 import pytest
 
@@ -162,16 +164,58 @@ def test_lists_where_numbers_belong(folder, new, what):
     assert any("channels.yaml:5: " + what in f for f in all_of_it), all_of_it
 
 
-def test_deep_yaml_and_repeated_columns_and_semicolons(folder):
+def test_deep_yaml_and_repeated_columns(folder):
     text = (folder / "channels.yaml").read_text()
     (folder / "channels.yaml").write_text("a: " + "[" * 3000)
     assert any("channels.yaml: YAML: lists within lists" in f for f in findings(folder))
     (folder / "channels.yaml").write_text(text)
     change(folder / "signals.csv", "hoist_m", "time_s")
     assert any("signals.csv:1: time_s: column given twice" in f for f in findings(folder))
-    passes = folder / "passes.csv"
-    passes.write_text(passes.read_text().replace(",", ";"))
-    assert any("passes.csv:1: columns: are parted by semicolons" in f for f in findings(folder))
+
+
+def as_a_spreadsheet_writes_it(text):
+    return "\ufeff" + text.replace(",", "; ").replace(".", ",").replace("\n", "\r\n")
+
+
+def test_semicolons_decimal_commas_blanks_byte_order_mark_and_carriage_returns(folder):
+    first = read_measured(folder)
+    for file in ("passes.csv", "signals.csv"):
+        (folder / file).write_text(as_a_spreadsheet_writes_it((folder / file).read_text()), newline="")
+    again = read_measured(folder)
+    assert again.passes == first.passes and np.array_equal(again.time_s, first.time_s)
+    assert all(np.array_equal(again.signals[n], first.signals[n]) for n in first.signals)
+
+
+def test_iso_time_stamps(folder):
+    first = read_measured(folder)
+
+    def stamp(seconds):
+        return (datetime(2026, 3, 14, 23, 59, tzinfo=timezone.utc) + timedelta(seconds=float(seconds))).isoformat()
+
+    for file, columns in (("passes.csv", (1, 2)), ("signals.csv", (0,))):
+        header, *rows = [line.split(",") for line in (folder / file).read_text().splitlines()]
+        for row in rows:
+            for k in columns:
+                row[k] = stamp(row[k])
+        (folder / file).write_text("\n".join(",".join(r) for r in [header] + rows))
+    again = read_measured(folder)
+    assert np.allclose(np.diff(again.time_s), np.diff(first.time_s), atol=1e-6)
+    assert np.allclose([p.t_start_s - again.time_s[0] for p in again.passes],
+                       [p.t_start_s - first.time_s[0] for p in first.passes], atol=1e-6)
+    change(folder / "signals.csv", stamp(5.0), "2026-03-14T23:59:05")  # without its zone
+    assert any("signals.csv:7: time_s: is '2026-03-14T23:59:05'; a time stamp as in the first row" in f
+               for f in findings(folder))
+
+
+def test_one_cause_is_one_line(folder):
+    rows = (folder / "signals.csv").read_text().splitlines()
+    (folder / "signals.csv").write_text("\n".join(rows[:1] + [r.replace(".", ",") for r in rows[1:]]))
+    told = [f for f in findings(folder) if "signals.csv" in f and "readings within" not in f]
+    assert len(told) == 1 and f"and so in {len(rows) - 2} more lines" in told[0]
+    assert "with decimal commas, part the columns by semicolons" in told[0]
+    (folder / "signals.csv").write_text("\n".join(rows[:1] + list(reversed(rows[1:]))))
+    told = [f for f in findings(folder) if "later times only" in f]
+    assert len(told) == 1 and f"and so in {len(rows) - 3} more lines" in told[0]
 
 
 PIECES = [b"", b"[", b"{", b": ", b",", b"\n", b"\0", b"\xff", b"nan", b"1e999", b"&a *a", b"\"", b"- ", b"\x85"]
