@@ -8,7 +8,7 @@ install(TARGETS dipper-dem dipper-mbs dipper-liggghts bench-cut
 set(data ${CMAKE_INSTALL_DATADIR}/dipper)
 install(DIRECTORY dem_in meshes cases DESTINATION ${data})
 install(DIRECTORY mbs DESTINATION ${data} FILES_MATCHING PATTERN "*.yaml")
-install(DIRECTORY analysis/effects analysis/gap analysis/runs analysis/study DESTINATION ${data}/analysis
+install(DIRECTORY analysis/effects analysis/gap analysis/logs analysis/runs analysis/study DESTINATION ${data}/analysis
         PATTERN "__pycache__" EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
@@ -21,5 +21,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # libraries; below, what is started by name
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-    "liggghts, openmpi-bin, python3, python3-numpy, python3-scipy, python3-sklearn, python3-h5py, python3-yaml")
+    "liggghts, openmpi-bin, python3, python3-numpy, python3-scipy, python3-sklearn, python3-h5py, python3-yaml, python3-matplotlib")
 include(CPack)

@@ -64,6 +64,7 @@ int command_line(int argc, char** argv, Reporter& reporter) {
   };
   add_python("gap", "dipper_gap", "find and name the effect a case misses");
   add_python("study", "dipper_study", "runs of a case over parameters and seeds");
+  add_python("import", "dipper_import", "motion.csv and a measured folder of a mine's logger file");
   try {
     app.parse(argc, argv);
     for (const Command& command : commands)

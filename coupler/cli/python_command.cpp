@@ -17,7 +17,8 @@ namespace {
 // Debian's, which scripts/setup gives the packages; another python3 on the path may not have them.
 constexpr const char* kPython = "/usr/bin/python3";
 // Each holds one package.
-constexpr std::array kFolders = {"analysis/gap", "analysis/runs", "analysis/study"};
+constexpr std::array kFolders = {"analysis/gap", "analysis/logs", "analysis/runs",
+                                 "analysis/study"};
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-"""The docs' own promises: the commands of docs/tutorial_first_case.md as they stand there; links."""
+"""The docs' own promises: the commands of the tutorials as they stand there; links."""
 import json
 import os
 import re
@@ -9,7 +9,6 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs/tutorial_first_case.md"
 
 
 def commands(page):
@@ -17,18 +16,23 @@ def commands(page):
     return re.findall(r"^```sh\n(.*?)^```$", page.read_text(), re.M | re.S)
 
 
-class FirstCase(unittest.TestCase):
-    def test_every_command_works_and_leaves_what_the_page_says(self):
+class Tutorials(unittest.TestCase):
+    def follow(self, page, here, *parts):
+        """Runs every command of a page in a folder with these parts of the repository; what they print."""
+        for part in ("meshes", "mbs", *parts):
+            shutil.copytree(ROOT / part, here / part)
+        program = Path(os.environ["DIPPER"]).resolve().parent
+        (here / "build/release").mkdir(parents=True)
+        (here / "build/release/bin").symlink_to(program)
+        script = "set -eu\n" + "\n".join(commands(ROOT / "docs" / page))
+        run = subprocess.run(["bash", "-c", script], cwd=here, capture_output=True, text=True, timeout=500)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        return run.stdout + run.stderr
+
+    def test_every_command_of_the_first_case_leaves_what_the_page_says(self):
         with tempfile.TemporaryDirectory() as folder:
             here = Path(folder) / "dipper"
-            for part in ("cases/quick", "meshes", "mbs"):
-                shutil.copytree(ROOT / part, here / part)
-            program = Path(os.environ["DIPPER"]).resolve().parent
-            (here / "build/release").mkdir(parents=True)
-            (here / "build/release/bin").symlink_to(program)
-            script = "set -eu\n" + "\n".join(commands(PAGE))
-            run = subprocess.run(["bash", "-c", script], cwd=here, capture_output=True, text=True, timeout=500)
-            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+            self.follow("tutorial_first_case.md", here, "cases/quick")
             summaries = [json.loads((here / f"mine/{name}/summary.json").read_text()) for name in ("look", "wide")]
             for summary in summaries:
                 self.assertEqual(summary["status"], "complete")
@@ -37,6 +41,20 @@ class FirstCase(unittest.TestCase):
             self.assertGreater(page.stat().st_size, 100_000)
             self.assertTrue((here / "mine/look/report/metrics.json").exists())
             self.assertTrue((here / "mine/look/report/run.pvd").exists())
+
+    def test_every_command_of_the_import_says_what_the_page_says(self):
+        with tempfile.TemporaryDirectory() as folder:
+            here = Path(folder) / "dipper"
+            said = self.follow("tutorial_import.md", here, "cases/screening", "docs/data/import")
+            page = (ROOT / "docs/tutorial_import.md").read_text()
+            told = [line for line in re.findall(r"^    (.*)$", page, re.M)
+                    if line.strip() and not line.startswith(("dipper ", "Shovel ", "Date;"))]
+            self.assertGreater(len(told), 10)
+            for line in told:
+                self.assertIn(line, said)
+            for file in ("motion.csv", "import.png", "import.txt", "measured/signals.csv"):
+                self.assertTrue((here / "mine/shift" / file).exists())
+            self.assertFalse((here / "mine/wrong").exists())
 
 
 class Links(unittest.TestCase):

@@ -20,7 +20,8 @@ def cells_of(line, delimiter):
     """The cells of a line, without quotes and the blanks round them."""
     if '"' in line:
         try:
-            return [c.strip() for c in next(csv.reader([line.rstrip("\r")], delimiter=delimiter, skipinitialspace=True))]
+            read = csv.reader([line.rstrip("\r")], delimiter=delimiter, skipinitialspace=True)
+            return [c.strip() for c in next(read)]
         except csv.Error:  # a carriage return within the line
             pass
     return [c.strip() for c in line.split(delimiter)]

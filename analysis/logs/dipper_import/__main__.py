@@ -1,0 +1,100 @@
+"""dipper import LOG --map MAP.yaml [--out DIR] [--dry]
+
+Exit status: 0 done; 2 bad input, nothing written.
+"""
+import argparse
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from dipper_run.findings import BadInput, Findings
+from dipper_gap.measured import read_measured, write_measured
+from dipper_run.program import ProgramFailed
+
+from .build import build, motion_text
+from .clock import order_rows
+from .import_map import read_map
+from .log_file import read_log
+from .report import plot, words
+
+EXAMPLE = "example: dipper import shift.csv --map shift.yaml --out mine/shift --dry"
+
+
+def arguments(given):
+    parser = argparse.ArgumentParser(
+        prog="dipper import", epilog=EXAMPLE,
+        description="Makes motion.csv, and a measured folder where the log has forces or masses, of a mine's logger "
+                    "file. Says what it did to the data; docs/import.md explains the map.")
+    parser.add_argument("log", metavar="LOG", type=Path, help="the logger's CSV")
+    parser.add_argument("--map", metavar="MAP.yaml", type=Path, required=True,
+                        help="which column is which channel, in what unit, and the machine's limits")
+    parser.add_argument("--out", metavar="DIR", type=Path,
+                        help="where motion.csv, measured/, import.png and import.txt go (default: named as LOG)")
+    parser.add_argument("--dry", action="store_true",
+                        help="write nothing but DIR/import.png, and say what would be done")
+    return parser.parse_args(given)
+
+
+def read(log, map_file):
+    """(Imported, ImportMap, report lines); throws BadInput."""
+    what = read_map(map_file)
+    found, notes = Findings(), []
+    raw = read_log(log, what, found, notes)
+    found.raise_if_any()
+    rows = order_rows(raw, what, log, found, notes)
+    found.raise_if_any()
+    made = build(rows, what, log, found, notes)
+    found.raise_if_any()
+    return made, what, words(made, what, log, notes)
+
+
+def write(made, what, said, log, out, dry):
+    """Writes into a folder beside `out` first: a fault of the measured folder leaves nothing behind."""
+    out.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".import-", dir=out.parent) as folder:
+        folder = Path(folder)
+        if made.measured:
+            write_measured(made.measured, folder / "measured")
+            try:
+                read_measured(folder / "measured")
+            except BadInput as e:
+                raise BadInput([f.replace(str(folder), str(out)) for f in e.findings]) from e
+        plot(made, what, log.name, folder / "import.png")
+        if dry:
+            shutil.rmtree(folder / "measured", ignore_errors=True)
+        else:
+            (folder / "motion.csv").write_text(motion_text(made, what, log.name))
+            (folder / "import.txt").write_text("\n".join(said) + "\n")
+        out.mkdir(exist_ok=True)
+        for made_file in sorted(folder.rglob("*")):
+            if made_file.is_file():
+                target = out / made_file.relative_to(folder)
+                target.parent.mkdir(exist_ok=True)
+                shutil.copyfile(made_file, target)
+                print(f"import: {target}")
+
+
+def main(given=None):
+    args = arguments(given)
+    out = args.out or Path(args.log.stem)
+    try:
+        made, what, said = read(args.log, args.map)
+        print("\n".join(said), flush=True)
+        write(made, what, said, args.log, out, args.dry)
+    except BadInput as e:
+        for finding in e.findings:
+            print(finding, file=sys.stderr)
+        print(f"{len(e.findings)} error{'s' if len(e.findings) > 1 else ''}", file=sys.stderr)
+        return 2
+    except OSError as e:
+        print(f"{e.filename}: {e.strerror}", file=sys.stderr)
+        return 2
+    except ProgramFailed as e:
+        print(f"import: {e}", file=sys.stderr)
+        return 3
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,119 @@
+"""From the rows of a log to what is written: the motion, and what a mine's instruments have measured of it."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from dipper_gap.measured import DRIVEN, MASS, MOTION, RESPONSE, Channel, Measured, Pass
+from dipper_gap.phases import find_phases, planned_passes
+
+from .fit import fit_drive
+from .log_file import some_rows
+from .readings import row_gaps, sound_readings
+from .units import CHANNELS, DRIVES, FORCES, TRUCK_MASS
+
+WEIGHED_S = 1.0  # readings of the truck's scale that are averaged
+
+
+@dataclass(frozen=True)
+class Imported:
+    rows: object        # clock.Rows
+    readings: dict      # {drive: readings.Readings}
+    fits: dict          # {drive: fit.Fit}
+    grid: np.ndarray    # s, the rows of motion.csv
+    gaps: list          # (start, end) without rows
+    spans: tuple        # (start, end) in s of the passes that end with a dump
+    measured: object    # dipper_gap.measured.Measured, or None
+
+
+def build(rows, what, path, found, notes):
+    """None after a finding."""
+    gaps = row_gaps(rows, what, path, found, notes)
+    readings = {name: sound_readings(rows, name, what.channels[name], what.limits[name], what, path, found, notes)
+                for name in DRIVES}
+    if found.all:
+        return None
+    end = rows.time_s[-1]
+    if end < 2 * what.sample_s:
+        found.add(path, int(rows.lines[0]), "time", f"{end:g} s of log", "more than two of sample_s")
+        return None
+    grid = what.sample_s * np.arange(int(np.floor(end / what.sample_s + 1e-9)) + 1)
+    fits = {}
+    for name in DRIVES:
+        try:
+            fits[name] = fit_drive(readings[name], grid, what.limits[name], what.channels[name].switch)
+        except ValueError as e:
+            found.add(what.path, what.channels[name].line, f"channels.{name}", str(e), "limits that the log can keep")
+    if found.all:
+        return None
+    spans = planned_passes(grid, np.radians(fits["door"].value))
+    if not spans:
+        notes.append("no pass: the door never opens")
+    measured = _measured(rows, readings, fits, grid, spans, what, path, found, notes) if what.measured() else None
+    return None if found.all else Imported(rows, readings, fits, grid, gaps, spans, measured)
+
+
+def motion_text(made, what, source):
+    """motion.csv (docs/motion.md)."""
+    lines = [f"# Made of {source} by dipper import, with {what.path.name}.",
+             "time_s,hoist_m,crowd_m,swing_deg,door_deg"]
+    columns = [made.fits[name].value for name in DRIVES]
+    for k, t in enumerate(made.grid):
+        lines.append(f"{t:.6g}," + ",".join(f"{c[k] + 0.0:.6f}" for c in columns))
+    return "\n".join(lines) + "\n"
+
+
+def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
+    """The log's own readings, not the curves; rows in which a channel has no sound one are left out."""
+    names = [n for n in CHANNELS if CHANNELS[n].measured and n in what.channels and n != TRUCK_MASS]
+    whole = np.all([readings[n].kept if n in readings else np.isfinite(rows.values[n]) for n in names], axis=0)
+    if (~whole).any():
+        notes.append(f"signals.csv: {some_rows(rows.lines[~whole])} in which a channel has no reading, left out")
+    if not spans:
+        found.add(path, 0, "passes", "none ends with a dump",
+                  "a door that opens, or no forces and masses in the map")
+        return None
+    signals = {CHANNELS[n].measured: rows.values[n][whole] * CHANNELS[n].factor for n in names}
+    masses = [np.nan] * len(spans)
+    if TRUCK_MASS in what.channels:
+        masses = _masses(rows, fits, grid, spans, what.channels[TRUCK_MASS], path, found)
+    channels = {}
+    for n in (*names, *([TRUCK_MASS] if TRUCK_MASS in what.channels else [])):
+        kind, channel = CHANNELS[n], what.channels[n]
+        channels[kind.measured] = Channel(kind.measured, kind.measured.rsplit("_", 1)[1],
+                                          DRIVEN if kind.measured in MOTION else RESPONSE,
+                                          channel.sigma * kind.factor, channel.common_sigma * kind.factor)
+    if not any(n in channels for n in (MASS, *(CHANNELS[f].measured for f in FORCES))):
+        return None
+    passes = tuple(Pass(k + 1, a, b, m) for k, ((a, b), m) in enumerate(zip(spans, masses)))
+    return Measured(channels, passes, rows.time_s[whole], signals)
+
+
+def _masses(rows, fits, grid, spans, channel, path, found):
+    """What each pass brought to the truck, t, by its scale."""
+    mass, there = rows.values[TRUCK_MASS], np.isfinite(rows.values[TRUCK_MASS])
+    phases = find_phases(grid, fits["crowd"].value, np.radians(fits["swing"].value), spans)
+    out = []
+    for number, ((start, end), found_phases) in enumerate(zip(spans, phases), 1):
+        dump = found_phases.get("dump", (end, end))[0]
+        after = _scale(rows.time_s, mass, there, end - WEIGHED_S, end)
+        empty = max(start, dump - WEIGHED_S)
+        before = 0.0 if channel.reads == "pass" else _scale(rows.time_s, mass, there, empty, dump)
+        if after is None or before is None or after < before:
+            line = int(rows.lines[np.searchsorted(rows.time_s, end, side="right") - 1])
+            found.add(path, line, channel.column,
+                      f"pass {number} ({start:.4g} to {end:.4g} s) "
+                      + ("has no reading before or after its dump" if after is None or before is None
+                         else f"brings {after - before:.4g} t"),
+                      "0 t or more; reads: total is a scale that goes up with each pass, reads: pass one a pass")
+            return [np.nan] * len(spans)
+        out.append(after - before)
+    return out
+
+
+def _scale(time, mass, there, start, end):
+    """Median of the readings between two times; the last one before them where there is none; None without any."""
+    inside = there & (time >= start) & (time <= end)
+    if inside.any():
+        return float(np.median(mass[inside]))
+    earlier = np.flatnonzero(there & (time < start))
+    return float(mass[earlier[-1]]) if len(earlier) else None

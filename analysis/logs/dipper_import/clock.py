@@ -1,0 +1,150 @@
+"""The rows of a log in order: what came late is sorted in, what came twice goes, a clock that was set is undone."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .log_file import some_rows
+
+DAY_S = 86400.0
+DOUBLED = 1.5      # rows for each interval of the log: from so many on, two stretches lie over one another
+SAME_TIME = 0.05   # of the rows may share their time with another one that has other readings
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Rows by time, from 0, each time once."""
+
+    time_s: np.ndarray
+    lines: np.ndarray
+    values: dict
+    interval_s: float   # between two rows, the median
+    first_stamp: str
+    last_stamp: str
+
+
+def order_rows(log, what, path, found, notes):
+    """As the map `what` says. None after a finding."""
+    index, stamp = _downwards(log, notes)
+    if what.time.spread:
+        stamp = _spread(stamp)
+    steps = np.diff(stamp)
+    if not (steps > 0).any():
+        found.add(path, int(log.lines[0]), "time", "does not rise", "rows at two times or more")
+        return None
+    interval = float(np.median(steps[steps > 0]))
+    if not log.has_date:
+        stamp = stamp + DAY_S * np.cumsum(np.append(0, steps < -DAY_S / 2))
+    time = _merge(log, index, stamp, interval, what, notes)
+    order = np.argsort(time, kind="stable")
+    late = index[time < np.maximum.accumulate(time)]
+    kept = _each_time_once(log, index[order], time[order], path, found, notes)
+    if kept is None:
+        return None
+    index, time = kept
+    late = np.intersect1d(late, index)
+    if len(late):
+        notes.append(f"{some_rows(log.lines[late])}: out of order, sorted in")
+    return Rows(time - time[0], log.lines[index], {n: v[index] for n, v in log.values.items()}, interval,
+                log.stamps[index[0]], log.stamps[index[-1]])
+
+
+def _downwards(log, notes):
+    """Row numbers and stamps, turned round where the newest row stands first."""
+    index = np.arange(len(log.stamp_s))
+    steps = np.diff(log.stamp_s)
+    if (steps < 0).sum() > (steps > 0).sum():
+        notes.append("the newest row stands first: read from the bottom up")
+        index = index[::-1]
+    return index, log.stamp_s[index]
+
+
+def _spread(stamp):
+    """Rows of one stamp, evenly up to the next; those of the last one as those of the one before."""
+    starts = np.flatnonzero(np.append(True, np.diff(stamp) != 0))
+    counts = np.diff(np.append(starts, len(stamp)))
+    steps = np.diff(stamp[starts]) / counts[:-1]
+    steps = np.append(steps, steps[-1:] if len(steps) else 0.0)
+    steps[steps < 0] = np.median(steps[steps > 0]) if (steps > 0).any() else 0.0
+    return stamp + np.repeat(steps, counts) * (np.arange(len(stamp)) - np.repeat(starts, counts))
+
+
+def goes_on(values, drives, rows):
+    """Whether each drive goes from the second to the third of four rows as between the first two and the last two, and
+    one of them moves: no time has passed there."""
+    rows, moves = list(rows), False
+    for name in drives:
+        all_of_it = values[name]
+        if rows[0] < 0 or rows[-1] >= len(all_of_it) or not np.isfinite(all_of_it[rows]).all():
+            return False
+        before, across, after = np.diff(all_of_it[rows])
+        usual = np.nanpercentile(np.abs(np.diff(all_of_it)), 90)
+        if abs(across - 0.5 * (before + after)) > 0.5 * usual:
+            return False
+        moves |= abs(before) > 0.2 * usual
+    return moves
+
+
+def _merge(log, index, stamp, interval, what, notes):
+    """The time of each row when every setting of the clock is undone.
+
+    Where the stamps step back, either rows come late, and fit between those before them; or the clock was set back.
+    Then its second count of the same minutes lies over the first, and there are twice the rows there should be; or it
+    was set to before the log, and the drives go on as if nothing had happened.
+    """
+    line, clock_set_at = log.lines[index], what.time.clock_set_at
+    time = stamp.copy()
+    shift = 0.0
+    starts = np.flatnonzero(np.append(True, (np.diff(stamp) < 0) | np.isin(line[1:], list(clock_set_at))))
+    for start, end in zip(starts, np.append(starts[1:], len(stamp))):
+        time[start:end] += shift
+        if start == 0:
+            continue
+        known, new = time[:start], time[start:end]
+        last = known.max()
+        told = int(line[start]) in clock_set_at
+        if new[-1] < known.min():
+            set_back = goes_on(log.values, what.smooth(), index[start - 2:start + 2])
+        else:
+            set_back = new[0] < last and _doubled(log, index, known, new, last, interval)
+        if told or set_back:
+            by = last + interval - new[0]
+            notes.append(f"the clock is set {'back' if by > 0 else 'forward'} by {abs(by):.6g} s at line {line[start]}"
+                         f"{' (clock_set_at)' if told else ''}: that row is taken to follow the one before by "
+                         f"{interval:.3g} s")
+            shift += by
+            time[start:end] += by
+    return time
+
+
+def _doubled(log, index, known, new, last, interval):
+    first = max(new[0], known.min())
+    old_rows = np.flatnonzero(known >= first)
+    new_rows = np.flatnonzero((new >= first) & (new <= last))
+    at = {}
+    for k in old_rows:
+        at.setdefault(round(known[k], 6), []).append(index[k])
+    again = sum(any(_same(log, a, index[len(known) + k]) for a in at.get(round(new[k], 6), ())) for k in new_rows)
+    return len(old_rows) + len(new_rows) - again > DOUBLED * ((last - first) / interval + 1)
+
+
+def _same(log, a, b):
+    return all(v[a] == v[b] or (np.isnan(v[a]) and np.isnan(v[b])) for v in log.values.values())
+
+
+def _each_time_once(log, index, time, path, found, notes):
+    """(index, time) without rows whose time has been seen; None after a finding."""
+    keep = np.append(True, np.diff(time) > 1e-9)
+    first = np.maximum.accumulate(np.where(keep, np.arange(len(time)), 0))
+    again = np.flatnonzero(~keep)
+    same = [k for k in again if _same(log, index[first[k]], index[k])]
+    other = sorted(set(again) - set(same))
+    if len(other) > SAME_TIME * len(time):
+        found.add(path, int(log.lines[index[other[0]]]), "time",
+                  f"{len(other)} of {len(time)} rows have the time of another row, and other readings",
+                  "a time with fractions of a second, or time.same_stamp: spread (evenly up to the next stamp)")
+        return None
+    for rows, words in ((same, "twice in the file, left out"),
+                        (other, "at the time of another row, with other readings, left out")):
+        if rows:
+            notes.append(f"{some_rows(log.lines[index[rows]])}: {words}")
+    return index[keep], time[keep]

@@ -1,0 +1,101 @@
+"""A drive's curve through its readings: as smooth as their scatter asks, within the limits of the machine.
+
+The curve is a smoothing spline whose strength is found by generalised cross-validation (scipy's make_smoothing_spline).
+Where that asks more of the drive than it can do, the nearest rows (least sum of changes) within position, speed and
+acceleration take its place: a linear programme.
+"""
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline, make_smoothing_spline
+from scipy.optimize import linprog
+from scipy.sparse import bmat, diags, identity
+
+ROUNDS = 8        # of drawing the speed in until the curve between the rows keeps it, too
+TOLERANCE = 1e-4  # of the largest acceleration: the rows are rounded when written
+
+
+@dataclass(frozen=True)
+class Fit:
+    value: np.ndarray     # a row each
+    speed: float          # largest, of the curve between the rows too
+    acceleration: float   # largest, of the rows: second difference by the square of their interval
+    limited: bool         # whether a limit had to be drawn in
+    change: np.ndarray    # curve less reading, a reading each
+
+
+def fit_drive(readings, grid, limits, switch):
+    """The curve of a drive at the times `grid`, evenly spaced from rest to rest. ValueError: none keeps the limits."""
+    target = _switched(readings, grid, limits) if switch else _smoothed(readings, grid)
+    step = grid[1] - grid[0]
+    value, speed_most = target, limits.speed
+    for _ in range(ROUNDS):
+        curve = motion_curve(grid, value)
+        speed, acceleration = top_speed(curve), top_acceleration(value, step)
+        if speed <= limits.speed and acceleration <= limits.acceleration * (1 + TOLERANCE) and \
+                limits.min <= value.min() and value.max() <= limits.max:
+            return Fit(value, speed, acceleration, value is not target, curve(readings.time_s) - readings.value)
+        if value is not target:
+            speed_most *= min(1.0, limits.speed / speed) * 0.999
+        value = _nearest_within(target, step, limits, speed_most)
+    raise ValueError("no curve within the limits was found")
+
+
+def motion_curve(time, value):
+    """The curve between the rows of a motion.csv, as machine/motion.hpp has it."""
+    step, d = np.diff(time), np.diff(value) / np.diff(time)
+    slope = np.zeros(len(value))
+    parabola = (step[1:] * d[:-1] + step[:-1] * d[1:]) / (step[:-1] + step[1:])
+    most = 3 * np.minimum(np.abs(d[:-1]), np.abs(d[1:]))
+    slope[1:-1] = np.where(d[:-1] * d[1:] > 0, np.clip(parabola, -most, most), 0)
+    return CubicHermiteSpline(time, value, slope)
+
+
+def top_speed(curve):
+    """The largest there is: at the rows, or where the acceleration goes through 0 between two."""
+    step, (c3, c2, c1, _) = np.diff(curve.x), curve.c
+    between = np.clip(np.divide(-c2, 3 * c3, out=np.zeros_like(c2), where=c3 != 0), 0, step)
+    return float(max(np.abs(c1 + s * (2 * c2 + s * 3 * c3)).max() for s in (0, between, step)))
+
+
+def top_acceleration(value, step):
+    """Of the rows, at rest before and after them. The curve between two rows may turn three times as fast."""
+    return float(np.abs(np.diff(np.pad(value, 1, mode="edge"), 2)).max() / step ** 2)
+
+
+def _smoothed(readings, grid):
+    return make_smoothing_spline(readings.time_s, readings.value)(grid)
+
+
+def _switched(readings, grid, limits):
+    """Steps, later by half of what a stroke takes, so that the curve sets out when the switch is thrown."""
+    stroke = np.ptp(readings.value)
+    takes = stroke / limits.speed + limits.speed / limits.acceleration
+    if limits.speed ** 2 > limits.acceleration * stroke:  # never at full speed
+        takes = 2 * np.sqrt(stroke / limits.acceleration)
+    at = np.searchsorted(readings.time_s, grid - takes / 2, side="right") - 1
+    return readings.value[np.maximum(at, 0)]
+
+
+def _nearest_within(target, step, limits, speed):
+    """The rows with the least sum of changes to `target` that keep the limits, at rest before and after them."""
+    n = len(target)
+    first = diags([-1.0, 1.0], [0, 1], shape=(n - 1, n))
+    second = diags([1.0, -2.0, 1.0], [-1, 0, 1], shape=(n, n)).tolil()
+    second[0, 0] = second[-1, -1] = -1.0
+    blocks, right = [], []
+    for matrix, most in ((first, speed * step), (second, limits.acceleration * step ** 2)):
+        if np.isfinite(most):
+            for sign in (1.0, -1.0):
+                blocks.append([sign * matrix, None])
+                right.append(np.full(matrix.shape[0], most))
+    one = identity(n)
+    for sign in (1.0, -1.0):  # u >= |x - target|
+        blocks.append([sign * one, -one])
+        right.append(sign * target)
+    low, high = (None if np.isinf(x) else x for x in (limits.min, limits.max))
+    found = linprog(np.append(np.zeros(n), np.ones(n)), bmat(blocks, format="csr"), np.concatenate(right),
+                    bounds=[(low, high)] * n + [(0, None)] * n, method="highs")
+    if found.status != 0:
+        raise ValueError(found.message)
+    return np.clip(found.x[:n], limits.min, limits.max)  # the solver's own tolerance is 1e-7

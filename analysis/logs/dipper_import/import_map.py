@@ -1,0 +1,234 @@
+"""MAP.yaml: which column of a log is which channel, in what unit, and what the machine can do (docs/import.md)."""
+import codecs
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import yaml
+
+from dipper_run.findings import Findings
+from dipper_run.text_file import number, read_yaml
+
+from .section import Section
+from .units import CHANNELS, DRIVES, FORCES, PERCENT, SWITCH, TRUCK_MASS, UNITS
+
+KEYS = ("file", "time", "channels", "limits", "longest_gap_s", "sample_s")
+DELIMITERS = {",": ",", ";": ";", "|": "|", "tab": "\t", "\\t": "\t", "\t": "\t"}
+NUMBER_FORMATS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "days": 86400.0}
+MISSING = ("", "-", "--", "---", "nan", "null", "none", "n/a", "na", "#n/a")
+LONGEST_GAP_S = 2.0
+SAMPLE_S = 0.1
+
+
+@dataclass(frozen=True)
+class FileFormat:
+    delimiter: str = None      # None: seen from the header
+    decimal: str = None        # None: seen from the numbers
+    encoding: str = None       # None: UTF-8
+    header_line: int = None    # None: the first line with the time's column
+    data_line: int = None      # None: the line after the header
+    missing: frozenset = frozenset(MISSING)
+
+
+@dataclass(frozen=True)
+class TimeFormat:
+    columns: tuple
+    format: str                # iso, a key of NUMBER_FORMATS, a pattern with %, or None: as the first row is
+    clock_set_at: frozenset    # lines at which somebody set the logger's clock
+    first: str                 # None, or a stamp: rows before it are left out
+    last: str
+    spread: bool               # rows of one stamp are spread evenly up to the next
+    line: int                  # of `column` in the map
+
+
+@dataclass(frozen=True)
+class Channel:
+    """value = slope * reading + intercept, in the channel's own unit."""
+
+    column: str
+    slope: float
+    intercept: float
+    switch: bool
+    sigma: float               # of a reading, own unit; None: not told
+    common_sigma: float
+    reads: str                 # of the truck's scale: total or pass
+    line: int
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a drive can do, in its own unit and seconds; infinite where nothing is known."""
+
+    min: float = -math.inf
+    max: float = math.inf
+    speed: float = math.inf
+    acceleration: float = math.inf
+
+
+@dataclass(frozen=True)
+class ImportMap:
+    path: Path
+    file: FileFormat
+    time: TimeFormat
+    channels: dict
+    limits: dict = field(default_factory=dict)   # {drive: Limits}
+    longest_gap_s: float = LONGEST_GAP_S
+    sample_s: float = SAMPLE_S
+
+    def smooth(self):
+        """The drives whose readings follow one another."""
+        return [n for n in DRIVES if n in self.channels and not self.channels[n].switch]
+
+    def measured(self):
+        """Whether there is anything for a measured folder: a force or a mass."""
+        return any(name in self.channels for name in (*FORCES, TRUCK_MASS))
+
+
+def read_map(path):
+    """Reads MAP.yaml; throws BadInput with everything that is wrong with it."""
+    found = Findings()
+    root = read_yaml(path, found, "a map with time, channels, ...")
+    found.raise_if_any()
+    top = Section(path, root, "", KEYS, found)
+    channels_section = top.section("channels", tuple(CHANNELS))
+    made = ImportMap(
+        path, _file(top), _time(top),
+        {name: _channel(channels_section, name) for name in CHANNELS if channels_section.has(name)},
+        _limits(top, path),
+        top.number("longest_gap_s", "seconds, above 0", LONGEST_GAP_S, allowed=lambda x: x > 0),
+        top.number("sample_s", "seconds, above 0", SAMPLE_S, allowed=lambda x: x > 0))
+    for name in DRIVES:
+        if not channels_section.has(name):
+            found.add(path, top.lines.get("channels", 1), f"channels.{name}", "missing",
+                      f"name its column: motion.csv has {', '.join(DRIVES)}")
+    _check_switches(made, found)
+    if made.measured():
+        _check_sigmas(made, found)
+    found.raise_if_any()
+    return made
+
+
+def _whole(x):
+    return x >= 1 and x == int(x)
+
+
+def _file(top):
+    s = top.section("file", ("delimiter", "decimal", "encoding", "header_line", "data_line", "missing"))
+    delimiter = s.word("delimiter", tuple(DELIMITERS))
+    encoding = s.text("encoding", "such as utf-8, utf-16, cp1252")
+    if encoding:
+        try:
+            codecs.lookup(encoding)
+        except LookupError:
+            s.fault("encoding", f"is '{encoding}'", "such as utf-8, utf-16, cp1252")
+    header = s.number("header_line", "a line, from 1", allowed=_whole)
+    data = s.number("data_line", "a line, from 1", allowed=_whole)
+    missing = s.texts("missing", "texts that stand for no reading")
+    return FileFormat(DELIMITERS.get(delimiter), s.word("decimal", (".", ",")), encoding, header and int(header),
+                      data and int(data), frozenset(MISSING) | {m.lower() for m in missing})
+
+
+def _time(top):
+    right = "{column, format}: where the time of a row stands"
+    if not top.has("time"):
+        top.fault("time", "missing", right)
+    s = top.section("time", ("column", "format", "clock_set_at", "from", "to", "same_stamp"))
+    columns = s.texts("column", "a column's name, or two: [date, time]", needed=top.has("time"))
+    form = s.text("format", _formats())
+    if form and "%" not in form and form != "iso" and form not in NUMBER_FORMATS:
+        s.fault("format", f"is '{form}'", _formats())
+    lines = s.numbers("clock_set_at", "lines of the log") or []
+    return TimeFormat(tuple(columns), form, frozenset(int(x) for x in lines), s.text("from", "a stamp as in the log"),
+                      s.text("to", "a stamp as in the log"),
+                      s.word("same_stamp", ("first", "spread"), "first") == "spread", s.lines.get("column", s.line))
+
+
+def _formats():
+    return f"iso, one of {', '.join(NUMBER_FORMATS)}, or a pattern such as '%d.%m.%Y %H:%M:%S.%f'"
+
+
+def _channel(channels, name):
+    kind = CHANNELS[name]
+    keys = ("column", "unit", "sign", "scale", "offset", "range", "sigma", "common_sigma")
+    s = channels.section(name, keys + (("reads",) if name == TRUCK_MASS else ()))
+    units = kind.units() + [PERCENT] + ([SWITCH] if name == "door" else [])
+    column = s.text("column", "a column's name", "", needed=True)
+    unit = s.word("unit", units, kind.unit, needed=True)
+    sign = s.number("sign", "1 or -1", 1.0, allowed=lambda x: abs(x) == 1)
+    scale = s.number("scale", "a number other than 0", 1.0, allowed=lambda x: x != 0)
+    offset = s.number("offset", f"a number in {unit}, added after sign and scale", 0.0)
+    low, per_unit = 0.0, UNITS.get(unit, ("", 1.0))[1]
+    if unit in (PERCENT, SWITCH):
+        ends = s.numbers("range", f"[a, b]: the {kind.unit} at {'0 and 100 %' if unit == PERCENT else '0 and 1'}",
+                         needed=True)
+        if ends and len(ends) == 2 and ends[0] != ends[1]:
+            low, per_unit = ends[0], (ends[1] - ends[0]) / (100.0 if unit == PERCENT else 1.0)
+        elif ends:
+            s.fault("range", f"is {', '.join(f'{x:g}' for x in ends)}", "two numbers that differ")
+    elif s.has("range"):
+        s.fault("range", f"with the unit {unit}", "only with % or switch")
+    sigma = s.number("sigma", f"a number in {unit}, 0 or more", allowed=lambda x: x >= 0)
+    common = s.number("common_sigma", f"a number in {unit}, 0 or more", 0.0, allowed=lambda x: x >= 0)
+    reads = s.word("reads", ("total", "pass"), needed=True) if name == TRUCK_MASS else None
+    return Channel(column, per_unit * sign * scale, low + per_unit * offset, unit == SWITCH,
+                   None if sigma is None else sigma * abs(per_unit), common * abs(per_unit), reads, s.line)
+
+
+def _limits(top, path):
+    s = top.section("limits", ("machine", *DRIVES))
+    machine = s.text("machine", "a machine's file, such as ../../mbs/bucyrus495.yaml")
+    known = _machine_limits(s, path.parent / machine) if machine else {}
+    out = {}
+    for name in DRIVES:
+        own = s.section(name, ("min", "max", "speed", "acceleration"))
+        unit = CHANNELS[name].unit
+        values = dict(known.get(name, {}))
+        for key in own.keys():
+            if key in ("min", "max"):
+                values[key] = own.number(key, f"a number in {unit}", values.get(key))
+            elif key in ("speed", "acceleration"):
+                right = f"a number in {unit}/s{'^2' if key == 'acceleration' else ''}, above 0"
+                values[key] = own.number(key, right, values.get(key), allowed=lambda x: x > 0)
+        out[name] = Limits(**{k: v for k, v in values.items() if v is not None})
+        if out[name].min >= out[name].max:
+            own.fault("min", f"is {out[name].min:g}", f"below max, {out[name].max:g}")
+    return out
+
+
+def _machine_limits(section, file):
+    """{drive: {min, max, speed}} of a machine's file, as far as it says so."""
+    try:
+        limits = yaml.safe_load(file.read_text())["limits"]
+    except (OSError, UnicodeDecodeError, yaml.YAMLError, KeyError, TypeError):
+        section.fault("machine", f"{file} cannot be read, or has no limits",
+                      "a machine's file, seen from the map's folder")
+        return {}
+    out = {}
+    for name in DRIVES:
+        for key in ("min", "max", "speed"):
+            entry = limits.get(f"{name}_{key}")
+            if entry is None:
+                continue
+            unit = str(entry.get("unit", "")).removesuffix("/s") if isinstance(entry, dict) else ""
+            value = number(str(entry.get("value"))) if unit in CHANNELS[name].units() else None
+            if value is None:
+                section.fault("machine", f"{file}: limits.{name}_{key} is {entry}",
+                              f"{{value, unit}} with a unit of {CHANNELS[name].quantity}")
+                continue
+            out.setdefault(name, {})[key] = value * UNITS[unit][1]
+    return out
+
+
+def _check_switches(made, found):
+    for name, channel in made.channels.items():
+        limits = made.limits.get(name)
+        if channel.switch and not (math.isfinite(limits.speed) and math.isfinite(limits.acceleration)):
+            found.add(made.path, channel.line, f"channels.{name}", "is a switch, and how fast it opens is not told",
+                      f"limits.{name}: {{speed, acceleration}}, in {CHANNELS[name].unit}/s and /s^2")
+
+
+def _check_sigmas(made, found):
+    for name, channel in made.channels.items():
+        if CHANNELS[name].measured and channel.sigma is None:
+            found.add(made.path, channel.line, f"channels.{name}.sigma", "missing",
+                      "how much one reading errs, in the column's unit: for the measured folder (docs/gap.md)")

@@ -1,0 +1,129 @@
+"""The readings of one channel: what no machine can have done is left out, and holes are found."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .clock import goes_on
+from .log_file import some_rows
+from .units import CHANNELS
+
+BEYOND = 0.1        # of a drive's range: a reading further outside is no reading
+MOSTLY = 0.05       # of the readings: where more are outside, it is not the readings that are wrong
+HOLE = 2.5          # intervals: from so many on there is a gap
+SPELL_S = 0.5       # over which a speed is looked at
+NEIGHBOURS = 2      # rows to each side that a reading must agree with
+
+
+@dataclass(frozen=True)
+class Readings:
+    """Times, values and lines of the readings that are sound."""
+
+    time_s: np.ndarray
+    value: np.ndarray
+    lines: np.ndarray
+    kept: np.ndarray   # of the log's rows
+
+
+def sound_readings(rows, name, channel, limits, what, path, found, notes):
+    """Of the driven channel `name`; None after a finding. Gaps longer than the map bridges are findings."""
+    unit = CHANNELS[name].unit
+    value = rows.values[name]
+    there = np.isfinite(value)
+    if there.sum() < 5:
+        found.add(path, int(rows.lines[0]), channel.column, f"{int(there.sum())} readings", "5 or more")
+        return None
+    outside = there & ~_within(value, limits)
+    if outside.sum() > MOSTLY * there.sum():
+        found.add(path, int(rows.lines[outside][0]), channel.column,
+                  f"{name} is from {np.nanmin(value):.4g} to {np.nanmax(value):.4g} {unit}",
+                  f"{limits.min:.4g} to {limits.max:.4g} {unit} (limits): unit, sign, scale or offset, perhaps?")
+        return None
+    _tell(outside, rows, name, value, f"outside the limits of {limits.min:.4g} to {limits.max:.4g} {unit}", notes)
+    empty = ~there
+    if empty.any():
+        notes.append(f"{name}: {some_rows(rows.lines[empty])} without a reading")
+    kept = there & ~outside
+    share, top = _too_fast(rows.time_s[kept], value[kept], limits.speed)
+    if share > MOSTLY and not channel.switch:
+        found.add(path, int(rows.lines[kept][0]), channel.column,
+                  f"{name} goes at up to {top:.4g} {unit}/s, {100 * share:.0f} % of the time faster than its limit",
+                  f"{limits.speed:.4g} {unit}/s (limits): unit or scale, or the unit of the time, perhaps?")
+        return None
+    if not channel.switch and np.isfinite(limits.speed):
+        jumps = np.zeros(len(value), bool)
+        at = np.flatnonzero(kept)
+        jumps[at[_out_of_reach(rows.time_s[at], value[at], limits.speed)]] = True
+        _tell(jumps, rows, name, value, f"out of reach of their neighbours at {limits.speed:.4g} {unit}/s", notes)
+        kept &= ~jumps
+    out = Readings(rows.time_s[kept], value[kept], rows.lines[kept], kept)
+    _find_gaps(out, rows, name, what, path, found, notes)
+    return out
+
+
+def _within(value, limits):
+    room = BEYOND * (limits.max - limits.min) if np.isfinite([limits.min, limits.max]).all() else 0.0
+    with np.errstate(invalid="ignore"):
+        return (value >= limits.min - room) & (value <= limits.max + room)
+
+
+def _too_fast(time, value, speed):
+    """Share of the readings after which a drive goes faster than at `speed`, over SPELL_S; its 99th percentile."""
+    at = np.searchsorted(time, time + SPELL_S)
+    there = np.flatnonzero(at < len(time))
+    if not len(there):
+        return 0.0, 0.0
+    went = np.abs(value[at[there]] - value[there]) / (time[at[there]] - time[there])
+    return float(np.mean(went > 1.1 * speed)), float(np.percentile(went, 99))
+
+
+def _out_of_reach(time, value, speed):
+    """Whether a reading is further from the median of its neighbours than the drive can have gone."""
+    pad = NEIGHBOURS
+    padded = np.pad(value, pad, mode="edge")
+    window = np.lib.stride_tricks.sliding_window_view(padded, 2 * pad + 1)
+    times = np.lib.stride_tricks.sliding_window_view(np.pad(time, pad, mode="edge"), 2 * pad + 1)
+    reach = speed * (times[:, -1] - times[:, 0])
+    return np.abs(value - np.median(window, axis=1)) > reach
+
+
+def _tell(which, rows, name, value, why, notes):
+    if which.any():
+        notes.append(f"{name}: {some_rows(rows.lines[which], 'reading')} {why}, left out; the first is "
+                     f"{value[which][0]:.4g}")
+
+
+def _find_gaps(kept, rows, name, what, path, found, notes):
+    """Holes in the readings of a channel. What is missing of all of them, whole rows, is told once (row_gaps)."""
+    for k in np.flatnonzero(np.diff(kept.time_s) > HOLE * rows.interval_s):
+        a, b = kept.lines[k], kept.lines[k + 1]
+        length = kept.time_s[k + 1] - kept.time_s[k]
+        if _row_gap_within(rows, kept.time_s[k], kept.time_s[k + 1]) >= length - 1e-9:
+            continue
+        where = f"{name}: no reading for {length:.3g} s, between lines {a} and {b}"
+        if length > what.longest_gap_s:
+            found.add(path, int(a), what.channels[name].column, f"no reading for {length:.4g} s, up to line {b}",
+                      f"{what.longest_gap_s:g} s at most (longest_gap_s); choose a part with time.from and time.to")
+        else:
+            notes.append(where + ": bridged")
+
+
+def _row_gap_within(rows, start, end):
+    inside = rows.time_s[(rows.time_s >= start) & (rows.time_s <= end)]
+    return float(np.diff(inside).max()) if len(inside) > 1 else 0.0
+
+
+def row_gaps(rows, what, path, found, notes):
+    """(start, end) in s of each stretch without rows; those too long to bridge are findings."""
+    gaps = []
+    for k in np.flatnonzero(np.diff(rows.time_s) > HOLE * rows.interval_s):
+        start, end = float(rows.time_s[k]), float(rows.time_s[k + 1])
+        a, b = sorted((int(rows.lines[k]), int(rows.lines[k + 1])))
+        gaps.append((start, end))
+        if end - start <= what.longest_gap_s:
+            notes.append(f"gap of {end - start:.3g} s between lines {a} and {b}: bridged")
+            continue
+        found.add(path, a, "time", f"nothing for {end - start:.6g} s, up to line {b}",
+                  f"{what.longest_gap_s:g} s at most (longest_gap_s); choose a part with time.from and time.to"
+                  + (f"; the drives go on as if no time had passed: was the clock set? time.clock_set_at: [{b}]"
+                     if goes_on(rows.values, what.smooth(), range(k - 1, k + 3)) else ""))
+    return gaps

@@ -1,0 +1,164 @@
+"""A log's rows in order: what came late or twice, a clock that was set, stamps of every kind."""
+from datetime import datetime, timedelta, timezone
+
+import numpy as np
+import pytest
+
+from dipper_import.clock import order_rows
+from dipper_import.import_map import Channel, FileFormat, ImportMap, Limits, TimeFormat
+from dipper_import.log_file import read_log
+from dipper_import.readings import row_gaps
+from dipper_run.findings import Findings
+
+N, STEP = 200, 0.1
+TIME = STEP * np.arange(N)
+HOIST = np.sin(TIME)
+
+
+class Read:
+    """What comes of a log with a column of time and one of hoist."""
+
+    def __init__(self, folder, stamps, order=None, hoist=HOIST, head="t,h", **time):
+        order = range(N) if order is None else order
+        self.file = folder / "log.csv"
+        self.file.write_text("\n".join([head, *(f"{stamps[k]},{hoist[k]:.5f}" for k in order)]) + "\n")
+        told = dict(columns=("t",), format=None, clock_set_at=frozenset(), first=None, last=None, spread=False, line=1)
+        self.what = ImportMap(folder / "map.yaml", FileFormat(), TimeFormat(**{**told, **time}),
+                              {"hoist": Channel("h", 1.0, 0.0, False, None, 0.0, None, 2)}, {"hoist": Limits()})
+        self.found, self.notes, self.rows, self.gaps = Findings(), [], None, None
+        log = read_log(self.file, self.what, self.found, self.notes)
+        if not self.found.all:
+            self.rows = order_rows(log, self.what, self.file, self.found, self.notes)
+        if not self.found.all:
+            self.gaps = row_gaps(self.rows, self.what, self.file, self.found, self.notes)
+
+    def is_whole(self, atol=1e-6):
+        return not self.found.all and np.allclose(self.rows.time_s, TIME, atol=atol) and \
+            np.allclose(self.rows.values["hoist"], HOIST, atol=1e-5)
+
+
+def seconds(shift=0.0):
+    return [f"{t + shift:.3f}" for t in TIME]
+
+
+START = datetime(2026, 3, 14, 23, 59, 55)
+
+
+def local(form):
+    return [(START + timedelta(seconds=float(t))).strftime(form) for t in TIME]
+
+
+def iso(zone=None):
+    return [(START + timedelta(seconds=float(t))).replace(tzinfo=zone).isoformat(timespec="milliseconds") for t in TIME]
+
+
+@pytest.mark.parametrize("stamps, form", [
+    (seconds(), None),
+    (seconds(1.7e9), None),
+    ([f"{1000 * (1.7e9 + t):.0f}" for t in TIME], "ms"),
+    (iso(), None),
+    (iso(timezone.utc), "iso"),
+    ([s.replace("T", " ") for s in iso(timezone(timedelta(hours=-5)))], None),
+    (local("%d.%m.%Y %H:%M:%S.%f"), "%d.%m.%Y %H:%M:%S.%f"),
+    (local("%m/%d/%Y %I:%M:%S.%f %p"), "%m/%d/%Y %I:%M:%S.%f %p"),
+    (local("%H:%M:%S.%f"), "%H:%M:%S.%f"),  # past midnight
+])
+def test_every_kind_of_stamp(tmp_path, stamps, form):
+    read = Read(tmp_path, stamps, format=form)
+    assert read.is_whole() and not read.notes, (read.found.all, read.notes)
+
+
+def test_a_local_stamp_is_never_guessed(tmp_path):
+    read = Read(tmp_path, local("%d.%m.%Y %H:%M:%S.%f"))
+    assert read.found.all == [f"{read.file}:2: time: is '14.03.2026 23:59:55.000000', neither ISO 8601 nor a number; "
+                              "write its pattern in the map, such as time: {format: '%d.%m.%Y %H:%M:%S'}"]
+
+
+def test_a_stamp_among_others_that_is_none(tmp_path):
+    stamps = iso()
+    stamps[7] = "later"
+    assert "log.csv:9: time: is 'later'; as in the first row" in Read(tmp_path, stamps).found.all[0]
+
+
+def test_late_rows_are_sorted_in(tmp_path):
+    order = list(range(N))
+    order[50], order[51] = 51, 50
+    order[100:110] = [*range(105, 110), *range(100, 105)]
+    read = Read(tmp_path, seconds(), order)
+    assert read.is_whole()
+    assert read.notes == ["6 rows (lines 53, 107, 108, 109, 110 and 1 more): out of order, sorted in"]
+
+
+def test_the_newest_row_first(tmp_path):
+    read = Read(tmp_path, seconds(), list(reversed(range(N))))
+    assert read.is_whole() and read.notes == ["the newest row stands first: read from the bottom up"]
+
+
+def test_rows_that_stand_twice(tmp_path):
+    order = [*range(100), *range(90, 100), *range(100, N), N - 1]
+    read = Read(tmp_path, seconds(), order)
+    assert read.is_whole()
+    assert read.notes == ["11 rows (lines 102, 103, 104, 105, 106 and 6 more): twice in the file, left out"]
+
+
+def test_other_readings_at_one_time(tmp_path):
+    stamps = seconds()
+    stamps[31] = stamps[30]
+    read = Read(tmp_path, stamps)
+    assert read.notes == ["1 row (line 33): at the time of another row, with other readings, left out"]
+    assert len(read.rows.time_s) == N - 1
+
+
+@pytest.mark.parametrize("back", [0.3, 7.0, 3600.0])
+def test_a_clock_that_is_set_back(tmp_path, back):
+    stamps = seconds()[:120] + [f"{t - back:.3f}" for t in TIME[120:]]
+    read = Read(tmp_path, stamps)
+    assert read.is_whole(), (read.found.all, read.notes)
+    assert f"the clock is set back by {back:g} s at line 122" in read.notes[0]
+
+
+def test_a_file_put_after_a_later_one(tmp_path):
+    read = Read(tmp_path, seconds(), [*range(100, N), *range(100)])
+    assert read.is_whole() and "100 rows (lines 102, 103, 104, 105, 106 and 95 more): out of order" in read.notes[0]
+
+
+def test_a_clock_that_is_set_forward(tmp_path):
+    """Silence and a clock that was set look alike in the stamps; that the drive goes on smoothly is a hint."""
+    stamps = seconds()[:120] + [f"{t + 3600:.3f}" for t in TIME[120:]]
+    read = Read(tmp_path, stamps)
+    assert len(read.found.all) == 1
+    assert "log.csv:121: time: nothing for 3600.1 s, up to line 122; 2 s at most (longest_gap_s)" in read.found.all[0]
+    assert read.found.all[0].endswith("was the clock set? time.clock_set_at: [122]")
+    read = Read(tmp_path, stamps, clock_set_at=frozenset([122]))
+    assert read.is_whole() and "the clock is set forward by 3600 s at line 122" in read.notes[0]
+
+
+def test_gaps_are_told_with_their_lines(tmp_path):
+    read = Read(tmp_path, seconds(), [*range(60), *range(70, N)])
+    assert read.notes == ["gap of 1.1 s between lines 61 and 62: bridged"]
+    assert read.gaps == [pytest.approx((5.9, 7.0))]
+    read = Read(tmp_path, seconds(), [*range(60), *range(90, N)])
+    assert "log.csv:61: time: nothing for 3.1 s, up to line 62; 2 s at most" in read.found.all[0]
+    assert "clock_set_at" not in read.found.all[0]
+
+
+def test_stamps_of_whole_seconds(tmp_path):
+    stamps = [f"{int(t + 1e-9)}" for t in TIME]
+    assert "180 of 200 rows have the time of another row" in Read(tmp_path, stamps).found.all[0]
+    assert Read(tmp_path, stamps, spread=True).is_whole()
+
+
+def test_a_part_of_the_log(tmp_path):
+    read = Read(tmp_path, iso(), first="2026-03-14T23:59:57", last="2026-03-14T23:59:59")
+    assert len(read.rows.time_s) == 21 and read.rows.time_s[0] == 0
+    assert "is 'noon'; a stamp as in the log" in Read(tmp_path, iso(), first="noon").found.all[0]
+    assert "no row of log.csv is within" in Read(tmp_path, iso(), first="2027-01-01T00:00:00").found.all[0]
+
+
+def test_a_file_that_is_none(tmp_path):
+    read = Read(tmp_path, seconds(), [])
+    assert "no rows after the header" in read.found.all[0]
+    read = Read(tmp_path, seconds(), head="Zeit,h")
+    assert "map.yaml:1: time.column: 't' is no column of log.csv (line 1); it has 'Zeit', 'h'" in read.found.all[0]
+    read = Read(tmp_path, ["5"] * N)
+    assert "log.csv:2: time: does not rise" in read.found.all[0]

@@ -1,0 +1,77 @@
+"""`dipper import` as a command: what it writes, when it writes nothing, and that the case it makes is sound."""
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import ugly_log
+
+ROOT = ugly_log.ROOT
+DIPPER = os.environ.get("DIPPER", str(ROOT / "build/release/bin/dipper"))
+LOG, MAP = ROOT / "docs/data/import/shift.csv", ROOT / "docs/data/import/shift.yaml"
+
+
+def dipper(*words, status=0):
+    done = subprocess.run([DIPPER, *map(str, words)], capture_output=True, text=True, timeout=100)
+    assert done.returncode == status, done.stdout + done.stderr
+    return done.stdout + done.stderr
+
+
+@pytest.fixture
+def case(tmp_path):
+    folder = tmp_path / "cases/shift"
+    shutil.copytree(ROOT / "cases/screening", folder)
+    for part in ("meshes", "mbs"):
+        (tmp_path / part).symlink_to(ROOT / part)
+    return folder
+
+
+def files(folder):
+    return sorted(str(f.relative_to(folder)) for f in Path(folder).rglob("*") if f.is_file())
+
+
+def test_a_case_with_the_imported_motion_is_sound(case):
+    said = dipper("import", LOG, "--map", MAP, "--out", case)
+    assert "3 passes that end with a dump" in said
+    assert {"import.png", "import.txt", "measured/channels.yaml", "measured/passes.csv", "measured/signals.csv",
+            "motion.csv"} <= set(files(case))
+    assert (case / "import.txt").read_text() in said
+    assert (case / "import.png").read_bytes().startswith(b"\x89PNG")
+    assert "is sound" in dipper("check", case)
+
+
+def test_cases_quick_with_the_imported_motion_passes_check(tmp_path):
+    shutil.copytree(ROOT / "cases/quick", tmp_path / "cases/quick")
+    for part in ("meshes", "mbs"):
+        (tmp_path / part).symlink_to(ROOT / part)
+    dipper("import", LOG, "--map", MAP, "--out", tmp_path / "cases/quick")
+    assert "is sound" in dipper("check", tmp_path / "cases/quick")
+
+
+def test_dry_writes_the_plot_alone(tmp_path):
+    said = dipper("import", LOG, "--map", MAP, "--out", tmp_path / "out", "--dry")
+    assert files(tmp_path) == ["out/import.png"] and str(tmp_path / "out/import.png") in said
+    assert "gap of 1 s" in said
+
+
+def test_bad_input_writes_nothing(tmp_path):
+    broken = tmp_path / "map.yaml"
+    sound = MAP.read_text().replace("../../..", str(ROOT))
+    broken.write_text(sound.replace("Swing cw", "Schwenk"))
+    said = dipper("import", LOG, "--map", broken, "--out", tmp_path / "out", status=2)
+    assert f"{broken}:7: channels.swing.column: 'Schwenk' is no column of shift.csv" in said and "Traceback" not in said
+    broken.write_text(sound.replace("{acceleration: 1.5}", "{speed: 0.1}"))
+    said = dipper("import", LOG, "--map", broken, "--out", tmp_path / "out", status=2)
+    assert "Crowd %: crowd goes at up to 0.7" in said and "0.1 m/s (limits): unit or scale" in said
+    for words in ((tmp_path / "none.csv", "--map", MAP), (LOG, "--map", tmp_path / "none.yaml"), (LOG,),
+                  (LOG, "--map", MAP, "--outt", "x")):
+        assert "Traceback" not in dipper("import", *words, "--out", tmp_path / "out", status=2)
+    assert files(tmp_path) == ["map.yaml"]
+
+
+def test_help():
+    said = dipper("import", "--help")
+    assert "--map" in said and "example: dipper import" in said
+    assert "import" in dipper("--help")

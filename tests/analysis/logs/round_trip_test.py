@@ -1,0 +1,158 @@
+"""Known signals, written as an ugly log, come back; what cannot be repaired is told with its line."""
+import numpy as np
+import pytest
+
+import ugly_log
+from dipper_gap.measured import read_measured
+from dipper_import.__main__ import main, read
+from dipper_run.findings import BadInput
+
+MAP = ugly_log.ROOT / "docs/data/import/shift.yaml"
+# Of readings with an error of 10 mm and 0.1 deg, and of two drives' readings that are missing for up to 1.2 s.
+WITHIN = {"hoist": 0.03, "crowd": 0.03, "swing": 0.5, "door": 1.0}
+
+
+def known(rate_hz=10.0):
+    truth = ugly_log.planned(rate_hz)
+    t = truth.time_s
+    truck = 40.0 * sum(np.clip((t - at) / 2, 0, 1) for at in (15, 40, 65))
+    return ugly_log.with_forces(truth, 900 + 500 * np.sin(t), 300 * np.cos(t), truck)
+
+
+@pytest.fixture
+def log(tmp_path):
+    file = tmp_path / "shift.csv"
+    file.write_text(ugly_log.ugly(ugly_log.rows_of(known(), seed=3)), newline="")
+    return file
+
+
+@pytest.fixture
+def map_file(tmp_path):
+    """The tutorial's, seen from here."""
+    file = tmp_path / "shift.yaml"
+    file.write_text(MAP.read_text().replace("../../..", str(ugly_log.ROOT)))
+    return file
+
+
+def change(file, old, new, count=1):
+    text = file.read_bytes().decode()
+    assert old in text
+    file.write_bytes(text.replace(old, new, count).encode())
+
+
+def findings(log, map_file):
+    with pytest.raises(BadInput) as e:
+        read(log, map_file)
+    return e.value.findings
+
+
+def test_an_ugly_log_comes_back(log, map_file, tmp_path):
+    assert main([str(log), "--map", str(map_file), "--out", str(tmp_path / "out")]) == 0
+    truth = known()
+    motion = np.loadtxt(tmp_path / "out/motion.csv", delimiter=",", skiprows=2)
+    for k, name in enumerate(("hoist", "crowd", "swing"), 1):
+        error = motion[:, k] - np.interp(motion[:, 0], truth.time_s, truth.channels[name])
+        assert np.abs(error).max() < WITHIN[name], name
+    door = np.interp(motion[:, 0], truth.time_s, truth.channels["door"])
+    assert np.median(np.abs(motion[:, 4] - door)) < WITHIN["door"]
+    measured = read_measured(tmp_path / "out/measured", 3)
+    assert [p.truck_mass_t for p in measured.passes] == pytest.approx([40, 40, 40], abs=0.6)
+    for name, column in (("hoist_force", "hoist_force_kN"), ("crowd_force", "crowd_force_kN")):
+        error = measured.signals[column] - np.interp(measured.time_s, truth.time_s, truth.channels[name])
+        assert np.abs(error).max() < 90  # 20 kN of noise
+    assert measured.channels["hoist_m"].sigma == pytest.approx(0.03 * ugly_log.FEET, rel=1e-3)
+    assert measured.channels["swing_rad"].sigma == pytest.approx(np.radians(0.1), rel=1e-3)
+
+
+def test_what_was_done_is_said_with_its_lines(log, map_file):
+    _, _, said = read(log, map_file)
+    text = "\n".join(said)
+    for words in ("clock is set back by 7 s at line 603", "3 rows (lines 157, 158, 159): twice in the file, left out",
+                  "rows (lines 80, 417, 531, 532, 533): out of order, sorted in", "gap of 0.5 s between lines",
+                  "hoist: 1 reading (line 232) outside the limits of -12 to 0.5 m, left out; the first is -303.9",
+                  "crowd: 2 rows (lines 269, 270) without a reading", "3 passes that end with a dump"):
+        assert words in text, text
+
+
+def test_the_same_from_a_plain_log(tmp_path, map_file):
+    """Commas, points, ISO stamps, UTF-16, metres."""
+    truth = ugly_log.planned(10.0)
+    rows = ["time,h,c,s,d"]
+    for t, h, c, s, d in zip(truth.time_s, *truth.channels.values()):
+        stamp = f"2026-03-14T06:{12 + int(t) // 60:02d}:{t % 60:06.3f}Z"
+        rows.append(f"{stamp},{h:.3f},{c:.3f},{np.radians(s):.4f},{d:.1f}")
+    (tmp_path / "plain.csv").write_bytes("\n".join(rows).encode("utf-16"))
+    map_file.write_text("file: {encoding: utf-16}\ntime: {column: time}\nchannels:\n"
+                        "  hoist: {column: h, unit: m}\n  crowd: {column: c, unit: m}\n"
+                        "  swing: {column: s, unit: rad}\n  door: {column: d, unit: deg}\n")
+    made, _, _ = read(tmp_path / "plain.csv", map_file)
+    for name, within in (("hoist", 0.01), ("crowd", 0.01), ("swing", 0.1), ("door", 2.0)):
+        error = made.fits[name].value - np.interp(made.grid, truth.time_s, truth.channels[name])
+        assert np.abs(error).max() < within, name
+    assert made.measured is None
+
+
+@pytest.mark.parametrize("old, new, what", [
+    ("Hoist rope in, ft", "Rope, ft", "shift.yaml:5: channels.hoist.column: 'Hoist rope in, ft' is no column of "
+     "shift.csv (line 3); 'Rope, ft', perhaps?"),
+    ("Swing cw", "Trip", "'Trip' is the name of 2 columns"),
+    ("999,99", "stuck", "'stuck'; a number with a decimal comma; if it means that there is no reading"),
+    ("999,99", "1.5", "is '1.5'; a number with a decimal comma"),
+    (";NaN;", ";", "row: 8 cells; 9, as in the header"),
+])
+def test_faults_of_the_log(log, map_file, old, new, what):
+    change(log, old, new)
+    told = findings(log, map_file)
+    assert any(what in f for f in told), told
+
+
+@pytest.mark.parametrize("old, new, what", [
+    ("unit: ft, sign: -1", "unit: ft", "hoist is from 2.926 to 305.7 m; -12 to 0.5 m (limits): unit, sign, scale or"),
+    ("unit: ft, sign: -1", "unit: m, sign: -1", "unit, sign, scale or offset, perhaps?"),
+    ("reads: total", "reads: pass", None),
+    ("swing: {acceleration: 12}", "longest_gap_s: 0.4", "unknown key"),
+])
+def test_a_map_that_does_not_fit_the_log(log, map_file, old, new, what):
+    change(map_file, old, new)
+    if what:
+        assert any(what in f for f in findings(log, map_file))
+    else:
+        made, _, _ = read(log, map_file)
+        assert [p.truck_mass_t for p in made.measured.passes] == pytest.approx([40, 80, 120], abs=0.6)
+
+
+def test_a_gap_that_is_too_long_names_its_lines(log, map_file):
+    with open(map_file, "a") as f:
+        f.write("longest_gap_s: 0.4\n")
+    told = findings(log, map_file)
+    assert len(told) == 1 and "time: nothing for 0.5 s, up to line" in told[0] and "0.4 s at most" in told[0]
+
+
+def test_readings_that_no_drive_can_make_are_left_out(log, map_file):
+    change(log, "999,99", "25,00")  # within the rope's range, and 4 m off
+    _, _, said = read(log, map_file)
+    assert any("hoist: 1 reading (line 232) out of reach of their neighbours at 1.8 m/s" in s for s in said), said
+
+
+def test_forces_without_a_pass(log, map_file):
+    change(log, ";1;", ";0;", -1)
+    assert any("passes: none ends with a dump" in f for f in findings(log, map_file))
+
+
+PIECES = [b"", b";", b",", b"\n", b"\0", b"\xff", b"nan", b"1e999", b'"', b"\r", b"14.03.2026", b"-", b"999999"]
+
+
+def test_damaged_logs_are_read_or_refused(log, map_file):
+    """Bytes changed, cut out and put in at random: findings or a motion, never another exception."""
+    whole, rng, refused = log.read_bytes()[:12000], np.random.default_rng(5), 0
+    for _ in range(30):
+        data = bytearray(whole)
+        for _ in range(rng.integers(1, 4)):
+            at = int(rng.integers(0, len(data)))
+            data[at:at + int(rng.integers(0, 30))] = PIECES[rng.integers(0, len(PIECES))]
+        log.write_bytes(bytes(data))
+        try:
+            read(log, map_file)
+        except BadInput:
+            refused += 1
+    assert 3 < refused < 30
