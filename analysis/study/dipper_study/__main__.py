@@ -4,17 +4,18 @@ Exit status: 0 done; 2 bad input, nothing started; 3 a run failed (the others ar
 same command goes on from the runs already made.
 """
 import argparse
+import json
 import os
 import signal
 import sys
 from pathlib import Path
 
 from dipper_run.findings import BadInput
+from dipper_run.page_data import plain
 from dipper_run.program import ProgramFailed, program
 from dipper_run.run_cache import cache_folder
 
 from .executor import executor_of
-from .optimise import search
 from .plan import Planner
 from .progress import Progress
 from .report import write_page
@@ -72,6 +73,8 @@ class Session:
         for run, row in zip(self.runs.values(), rows):
             if row["status"] == "complete":
                 _link(self.out / "runs" / run.name, run.folder)
+        if answer:
+            (self.out / "optimum.json").write_text(json.dumps(plain(answer), indent=1) + "\n")
         write_page(self.study, rows, [f"{self.runs[f]}: {text}" for f, text in self.failed.items()], answer,
                    self.out / "report.html")
         return rows
@@ -125,6 +128,7 @@ def conduct(session, points, args):
         session.executor.detach = args.detach
         answer = None
         if study.optimise:
+            from .optimise import search  # scikit-learn takes a second to start, which other studies need not wait
             answer = search(session, say)
         else:
             session.make(session.planner.runs(points, study.seeds))
@@ -139,6 +143,9 @@ def conduct(session, points, args):
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)
         return 3
+    except BadInput as e:
+        print("\n".join(e.findings), file=sys.stderr)
+        return 2
     say(f"study: {session.out / 'report.html'}, {session.out / 'study.csv'}, {session.out / 'study.h5'}")
     for folder, text in session.failed.items():
         print(f"study: {session.runs[folder]}: {text}", file=sys.stderr)

@@ -64,6 +64,10 @@ class Planner:
         """The runs of checked points, seed by seed within a point."""
         return [self._run(point, seed) for point in points for seed in seeds]
 
+    def told(self, point):
+        """What `dipper check --json` told of a checked point."""
+        return self._told[point]
+
     def seconds(self, run):
         """What a run may take on one core, guessed from its size."""
         size = self._told[run.point]["size"]

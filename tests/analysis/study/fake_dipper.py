@@ -37,7 +37,8 @@ def check(words):
     case = pathlib.Path(words[words.index("--json") + 1]) / "case.yaml"
     text = case.read_text() + json.dumps(told, sort_keys=True)
     print(json.dumps({"findings": [{"file": "--set", "line": 0, "key": k, "message": m} for k, m in findings],
-                      "case_hash": hashlib.sha256(text.encode()).hexdigest(), "source_hash": "s", "values": {},
+                      "case_hash": hashlib.sha256(text.encode()).hexdigest(), "source_hash": "s",
+                      "values": {"machine.rake_angle_deg": 60, "pile.toe_x_m": 0},
                       "size": {"rocks": 1000, "steps": 9000, "settle_steps": 1000, "windows": 900, "simulated_s": 9}}))
     return 2 if findings else 0
 

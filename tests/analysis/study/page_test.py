@@ -4,6 +4,8 @@ import sys
 
 import pytest
 
+from dipper_study.report import write_page
+from dipper_study.study_file import read_study
 from world import World
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "report"))
@@ -39,4 +41,36 @@ def test_the_page_says_what_was_found(page, width, phone):
         link = browser.run("return document.querySelector('#runs a').getAttribute('href')")
         assert (page / link).exists()
         assert browser.run("return document.documentElement.scrollWidth <= innerWidth")
+        assert browser.errors() == []
+
+
+OPTIMISE = """case: case
+seeds: [1, 2]
+optimise:
+  maximise: payload_t
+  parameters: {machine.rake_angle_deg: {low: 58, high: 70}}
+  confirm_seeds: [3, 4]
+"""
+
+
+@pytest.mark.parametrize("improved, says", [(True, "Better than the base: machine.rake_angle_deg 64"),
+                                            (False, "No better")])
+def test_the_page_of_an_optimum_says_whether_it_is_one(tmp_path, improved, says):
+    (tmp_path / "case").mkdir()
+    (tmp_path / "case/case.yaml").write_text("")
+    (tmp_path / "study.yaml").write_text(OPTIMISE)
+    figure = {"n": 2, "mean": 70.0, "sd": 1.0, "low": 69.0, "high": 71.0}
+    answer = {"improved": improved, "objective": "payload_t", "parameters": ["machine.rake_angle_deg"], "best": [64.0],
+              "confirmed": figure, "base": figure, "difference": figure, "confidence": 0.97, "says": "said so",
+              "constraints": [{"text": "dig_force_peak_MN at most 9", "held": False, **figure}],
+              "points": 8, "runs": 20,
+              "slices": [{"parameter": "machine.rake_angle_deg", "x": [58.0, 64.0, 70.0], "mean": [1.0, 2.0, 1.0],
+                          "low": [0.0, 1.0, 0.0], "high": [2.0, 3.0, 2.0]}]}
+    write_page(read_study(tmp_path / "study.yaml"), [], [], answer, tmp_path / "report.html")
+    with Browser() as browser:
+        browser.open(tmp_path / "report.html")
+        browser.drawn()
+        text = browser.run("return document.querySelector('#optimum').textContent")
+        assert says in text and "said so" in text and "dig_force_peak_MN at most 9" in text and "not held" in text
+        assert browser.run("return document.querySelectorAll('#optimum canvas').length") == 1
         assert browser.errors() == []
