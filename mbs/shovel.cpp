@@ -12,6 +12,7 @@
 #include "mbs/convert.hpp"
 #include "mbs/operator.hpp"
 #include "mbs/prescribed.hpp"
+#include "mbs/shovel_channels.hpp"
 #include "mbs/shovel_model.hpp"
 #include "mbs/snapshot.hpp"
 #include "mbs/stepper.hpp"
@@ -219,6 +220,16 @@ struct Shovel::Impl {
     return p;
   }
 
+  /// Of the scratch State, realized to Velocity.
+  std::vector<BodyState> body_states() const {
+    std::vector<BodyState> states;
+    for (std::size_t i = 0; i < kBodies; ++i) {
+      const SpatialVec& V = body(i).getBodyVelocity(scratch);
+      states.push_back({pose(body(i).getBodyTransform(scratch)), {vec(V[0]), vec(V[1])}});
+    }
+    return states;
+  }
+
   /// Of the scratch State, realized to Acceleration.
   core::MachineState report(std::int64_t t_ns, const SimTK::Vector& works) const;
 
@@ -255,46 +266,7 @@ core::ServerInfo Shovel::info() const {
   info.version = fmt::format("dipper-mbs, Simbody {}.{}.{}", major, minor, build);
   info.bodies = {"dipper", "door"};
   info.timestep_s = seconds(impl_->max_substep_ns);
-  // In the order of Impl::report.
-  info.channels = {
-      {"swing", "rad", "W"},
-      {"swing_rate", "rad/s", "W"},
-      {"saddle_pitch", "rad", "H"},
-      {"saddle_rate", "rad/s", "H"},
-      {"crowd", "m", "-"},
-      {"crowd_rate", "m/s", "-"},
-      {"door", "rad", "B"},
-      {"door_rate", "rad/s", "B"},
-      {"hoist", "m", "-"},
-      {"hoist_rate", "m/s", "-"},
-      {"rope_tension_left", "N", "-"},
-      {"rope_tension_right", "N", "-"},
-      {"hoist_force", "N", "-"},
-      {"crowd_force", "N", "-"},
-      {"swing_torque", "N m", "W"},
-      {"door_torque", "N m", "B"},
-      {"hoist_power", "W", "-"},
-      {"crowd_power", "W", "-"},
-      {"swing_power", "W", "-"},
-      {"door_power", "W", "-"},
-      {"kinetic_energy", "J", "-"},
-      {"potential_energy", "J", "-"},
-      {"interface_power", "W", "-"},
-      {"dissipated_power", "W", "-"},
-      {"drive_work", "J", "-"},
-      {"interface_work", "J", "-"},
-      {"dissipated_energy", "J", "-"},
-      {"energy_residual", "J", "-"},
-  };
-  if (impl_->path) {
-    info.channels.insert(info.channels.end(), {{"path_time", "s", "-"},
-                                               {"path_rate", "1", "-"},
-                                               {"crowd_relief", "m", "-"},
-                                               {"hoist_saturated", "1", "-"},
-                                               {"crowd_saturated", "1", "-"},
-                                               {"swing_saturated", "1", "-"},
-                                               {"ropes_slack", "1", "-"}});
-  }
+  info.channels = shovel_channels(impl_->path != nullptr);
   return info;
 }
 
@@ -302,10 +274,7 @@ core::MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& 
   const State& s = scratch;
   core::MachineState out;
   out.t_ns = t_ns;
-  for (std::size_t i = 0; i < kBodies; ++i) {
-    const SpatialVec& V = body(i).getBodyVelocity(s);
-    out.bodies.push_back({pose(body(i).getBodyTransform(s)), {vec(V[0]), vec(V[1])}});
-  }
+  out.bodies = body_states();
   const DriveReport d = drives(s);
   machine::DriveState drive = motion->at(seconds(t_ns));
   if (model.limited != nullptr) {
@@ -318,6 +287,7 @@ core::MachineState Shovel::Impl::report(std::int64_t t_ns, const SimTK::Vector& 
   const double residual = kinetic + potential - energy_at_start - works[kDriveWork] -
                           works[kInterfaceWork] + works[kDissipated];
   out.channels = {
+      // As shovel_channels.cpp names them.
       drive.position.swing,
       drive.rate.swing,
       model.saddle.getOneQ(s, 0),
@@ -386,7 +356,7 @@ core::MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>
 
   Snapshot from = impl_->committed;
   from.F_Bo_W = {F_Bo_W[0], F_Bo_W[1]};
-  SimTK::Vector works = from.works;
+  SimTK::Vector works = commit ? from.works : SimTK::Vector();  // of a prediction nobody asks
   try {
     impl_->restore(from);
     impl_->scratch_is_committed = false;
@@ -397,8 +367,9 @@ core::MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>
   if (!is_finite(impl_->scratch.getQ()) || !is_finite(impl_->scratch.getU()) || !is_finite(works)) {
     impl_->fail(t0_ns, t_end_ns, "the state is not finite");
   }
+  if (!commit) return {t_end_ns, impl_->body_states(), {}};
   core::MachineState result = impl_->report(t_end_ns, works);
-  if (commit) impl_->remember(t_end_ns, works, from.F_Bo_W);
+  impl_->remember(t_end_ns, works, from.F_Bo_W);
   return result;
 }
 

@@ -62,8 +62,8 @@ class Machine {
   virtual MachineState state() = 0;
 
   /// Integrates from the committed state to t_end_ns with the wrenches (rock on body, about the
-  /// body's moving origin, world axes) held. With `commit` the result becomes the committed
-  /// state; without, the machine goes back to where it was: a prediction.
+  /// body's moving origin, world axes) held. With `commit` the result becomes the committed state;
+  /// without, it is a prediction, which needs no channels, and the machine stays where it was.
   virtual MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
                             bool commit) = 0;
 

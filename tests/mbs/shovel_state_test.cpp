@@ -87,7 +87,10 @@ TEST_P(ShovelState, PredictionsDoNotChangeTheRun) {
 TEST_P(ShovelState, APredictionWithTheSameWrenchIsTheCommit) {
   for (int i = 1; i <= 200; ++i) {
     const core::MachineState predicted = shovel.step(window(i), load(i), false);
-    ASSERT_TRUE(same(predicted, shovel.step(window(i), load(i), true))) << i;
+    EXPECT_TRUE(predicted.channels.empty()) << "nobody asks a prediction for them";
+    core::MachineState committed = shovel.step(window(i), load(i), true);
+    committed.channels.clear();
+    ASSERT_TRUE(same(predicted, committed)) << i;
   }
 }
 

@@ -1,0 +1,48 @@
+#include "mbs/shovel_channels.hpp"
+
+namespace dipper::mbs {
+
+std::vector<core::Channel> shovel_channels(bool limited) {
+  std::vector<core::Channel> channels = {
+      {"swing", "rad", "W"},
+      {"swing_rate", "rad/s", "W"},
+      {"saddle_pitch", "rad", "H"},
+      {"saddle_rate", "rad/s", "H"},
+      {"crowd", "m", "-"},
+      {"crowd_rate", "m/s", "-"},
+      {"door", "rad", "B"},
+      {"door_rate", "rad/s", "B"},
+      {"hoist", "m", "-"},
+      {"hoist_rate", "m/s", "-"},
+      {"rope_tension_left", "N", "-"},
+      {"rope_tension_right", "N", "-"},
+      {"hoist_force", "N", "-"},
+      {"crowd_force", "N", "-"},
+      {"swing_torque", "N m", "W"},
+      {"door_torque", "N m", "B"},
+      {"hoist_power", "W", "-"},
+      {"crowd_power", "W", "-"},
+      {"swing_power", "W", "-"},
+      {"door_power", "W", "-"},
+      {"kinetic_energy", "J", "-"},
+      {"potential_energy", "J", "-"},
+      {"interface_power", "W", "-"},
+      {"dissipated_power", "W", "-"},
+      {"drive_work", "J", "-"},
+      {"interface_work", "J", "-"},
+      {"dissipated_energy", "J", "-"},
+      {"energy_residual", "J", "-"},
+  };
+  if (limited) {
+    channels.insert(channels.end(), {{"path_time", "s", "-"},
+                                     {"path_rate", "1", "-"},
+                                     {"crowd_relief", "m", "-"},
+                                     {"hoist_saturated", "1", "-"},
+                                     {"crowd_saturated", "1", "-"},
+                                     {"swing_saturated", "1", "-"},
+                                     {"ropes_slack", "1", "-"}});
+  }
+  return channels;
+}
+
+}  // namespace dipper::mbs
