@@ -60,6 +60,7 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     while (end + 1 < n && open(end)) ++end;
     passes.push_back(measure(s, begin, dump, end));
     passes.back().pass = static_cast<int>(passes.size());
+    passes.back().dumped = open(dump);
     // What follows the last dump is the way home, not a pass, when it never dug, or has touched
     // rock but neither holds a load nor opened the door.
     const Pass& last = passes.back();

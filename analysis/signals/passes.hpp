@@ -22,6 +22,7 @@ struct Pass {
   double t_dig_s = 0;           ///< the dipper first meets rock
   double t_dump_s = 0;          ///< the door starts to open, above the truck
   double t_end_s = 0;           ///< the door has closed again, or the run ended
+  bool dumped = false;          ///< the door has opened; else the run ended before
   double payload_kg = 0;        ///< in the dipper, mean over the last second before the door opens
   double truck_kg = 0;          ///< gained by the truck during the pass
   double dig_force_mean_N = 0;  ///< sqrt(crowd² + hoist²), t_dig to t_dump (paper, Eq. 11)

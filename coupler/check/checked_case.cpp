@@ -10,6 +10,7 @@
 #include "common/seconds.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/check/check.hpp"
+#include "coupler/check/cost_estimate.hpp"
 #include "coupler/check/doubts.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/pile_shape.hpp"
@@ -116,6 +117,7 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
     return std::nullopt;
   }
   reporter.line(c.name + " is sound: " + summary(c));
+  reporter.line(to_string(cost_estimate(c)));
   tell_digs(c, reporter);
   for (const Finding& doubt : doubts(c)) reporter.line("warning: " + to_string(doubt));
   return std::move(c);
@@ -141,6 +143,10 @@ bool check_as_json(const std::filesystem::path& folder,
                     {"windows", s.windows},
                     {"settle_steps", s.settle_steps},
                     {"stable_timestep_s", deck::stable_timestep(c)}};
+    const CostEstimate cost = cost_estimate(c);
+    said["cost"] = {{"spheres", cost.spheres},   {"settle_cpu_s", cost.settle_s},
+                    {"dig_cpu_s", cost.dig_s},   {"wall_s", cost.wall_s},
+                    {"memory_B", cost.memory_B}, {"disk_B", cost.disk_B}};
     said["values"] = values_of(c);
     said["effects"] = c.effects;
     said["files"] = json::array();

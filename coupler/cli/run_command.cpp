@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include "common/cache_folder.hpp"
@@ -20,6 +21,7 @@
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/paired_run.hpp"
 #include "coupler/run/same_run.hpp"
+#include "coupler/run/settings.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -36,8 +38,11 @@ struct RunOptions {
 };
 
 /// The folder asked for, or runs/NAME, runs/NAME-2, ...: a result is never written over.
-fs::path run_folder(const RunOptions& o, const std::string& name) {
+fs::path run_folder(const RunOptions& o) {
   if (!o.out.empty()) return o.out;
+  fs::path asked = fs::absolute(o.folder).lexically_normal();
+  if (!asked.has_filename()) asked = asked.parent_path();
+  const std::string name = asked.filename().string();
   fs::path folder = fs::path("runs") / name;
   for (int k = 2; !o.resume && fs::exists(folder); ++k) {
     folder = fs::path("runs") / fmt::format("{}-{}", name, k);
@@ -54,13 +59,23 @@ int run(const RunOptions& o, Reporter& reporter) {
   if (o.resume && !o.no_rock.empty())
     throw InputError({{{}, 0, "--resume", "a run without rock takes seconds and is begun anew"}});
   launch::catch_interrupts();  // from the first word on: who reads them may be gone
-  std::vector<cases::Override> set = overrides_of(o.set, "coupling.scheme=serial");
+  const fs::path out = run_folder(o);
+  // A run that goes on keeps what it was asked for, but for what is asked now.
+  std::vector<cases::Override> set;
+  if (o.resume) set = run::read_settings(out);
+  for (const cases::Override& one : overrides_of(o.set, "coupling.scheme=serial"))
+    set.push_back(one);
   if (o.ranks > 0) set.push_back({"dem.ranks", std::to_string(o.ranks)});
   if (o.seed) set.push_back({"seed", std::to_string(*o.seed)});
   const std::optional<cases::Case> c = check::checked_case(o.folder, set, reporter);
   if (!c) return 2;
+  if (const int cores = static_cast<int>(std::thread::hardware_concurrency());
+      o.no_rock.empty() && cores > 0 && c->dem.ranks > cores)
+    reporter.line(
+        fmt::format("warning: dem.ranks: {} ranks share {} cores, and wait for each other; "
+                    "--ranks {} is faster",
+                    c->dem.ranks, cores, cores));
   data_folder();  // throws where our own files are not there, before anything is written
-  const fs::path out = run_folder(o, c->name);
   for (const auto& [folder, remedy] :
        {std::pair{out, "choose another --out"},
         std::pair{cache_folder(), "set XDG_CACHE_HOME to another folder"}}) {
@@ -79,6 +94,7 @@ int run(const RunOptions& o, Reporter& reporter) {
     for (const auto& line : changed)
       reporter.error(fmt::format("not as in {}: {}", out.string(), line));
     if (!changed.empty()) return 2;
+    run::write_settings(folder.root(), set);
     enter_own_network(reporter);
     if (!o.no_rock.empty())
       return static_cast<int>(dry::dry_run(

@@ -25,6 +25,7 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
                 {"t_dig_s", p.t_dig_s},
                 {"t_dump_s", p.t_dump_s},
                 {"t_end_s", p.t_end_s},
+                {"dumped", p.dumped},
                 {"payload_kg", p.payload_kg},
                 {"truck_kg", p.truck_kg},
                 {"fill_factor", p.payload_kg / full_kg},
@@ -43,9 +44,10 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
 void tell_passes(const json& passes, Reporter& reporter) {
   for (const auto& p : passes) {
     reporter.line(fmt::format(
-        "pass {}: payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN",
-        p.at("pass").get<int>(), p.at("payload_kg").get<double>() * 1e-3,
-        p.at("truck_kg").get<double>() * 1e-3, p.at("dig_force_mean_N").get<double>() * 1e-3,
+        "pass {}: {}payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN",
+        p.at("pass").get<int>(), p.at("dumped").get<bool>() ? "" : "unfinished; ",
+        p.at("payload_kg").get<double>() * 1e-3, p.at("truck_kg").get<double>() * 1e-3,
+        p.at("dig_force_mean_N").get<double>() * 1e-3,
         p.at("dig_force_peak_N").get<double>() * 1e-3));
   }
 }

@@ -33,6 +33,10 @@ void warn_of_pass(const json& p, std::vector<std::string>& warnings) {
         "pass {}: the dig force peaks at {:.0f} MN, {:.0f} times its mean, at {:.2f} s: a rock is "
         "caught between the dipper and what does not give way",
         pass, peak * 1e-6, peak / mean, number("dig_force_peak_t_s")));
+  if (const auto dumped = p.find("dumped"); dumped != p.end() && *dumped == false)
+    warnings.push_back(fmt::format(
+        "pass {}: unfinished, the run ends before the door opens; a later end_s lets it go on",
+        pass));
   for (const auto& [key, where] :
        {std::pair{"payload_kg", "dipper"}, std::pair{"truck_kg", "truck"}})
     if (number(key) < -kLostMass_kg)

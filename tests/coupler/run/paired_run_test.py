@@ -111,7 +111,7 @@ class PairedRun(RunTest):
         settings = ["--set", "machine.drives=limited", "--set", f"machine.motion={motion}"]
         run = self.folder / "limited"
         self.run_case(run, *settings, "--set", "end_s=1.8")
-        self.run_case(run, *settings, "--set", "end_s=0", "--resume")
+        self.run_case(run, "--set", "end_s=0", "--resume")  # the rest is as it was asked for
         summary = self.summary(run)
         self.assertEqual(summary["status"], "complete")
         drives = summary["drives"]
@@ -121,7 +121,7 @@ class PairedRun(RunTest):
             path = f["machine/path_time"][:]
             self.assertTrue((np.diff(path) >= 0).all())
             self.assertLess(np.abs(f["machine/crowd_force"][:]).max(), 1.4e6 + 1)
-        text = self.run_case(run, *settings, "--set", "end_s=0", "--resume")
+        text = self.run_case(run, "--resume")
         self.assertIn("complete already", text[0] + text[1])
         done = self.replay(run, "mbs")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -132,7 +132,7 @@ class PairedRun(RunTest):
         whole, parts = self.folder / "whole", self.folder / "parts"
         self.run_case(parts, "--set", "end_s=1.8")
         first = self.summary(parts)
-        self.run_case(parts, "--resume")
+        self.run_case(parts, "--set", "end_s=2.1", "--resume")
         both = self.summary(parts)
         self.assertEqual(both["dem"]["steps"], 7000)
         for side in ("dem", "mbs"):  # the second part, a sixth of the first, comes on top
@@ -246,7 +246,7 @@ class PairedRun(RunTest):
         hold = ("--ranks", "1", "--set", "dem.hold_below_m_s=0.3")
         self.run_case(self.folder / "whole", *hold)
         self.run_case(self.folder / "parts", "--set", "end_s=1.8", *hold)
-        self.run_case(self.folder / "parts", "--resume", *hold)
+        self.run_case(self.folder / "parts", "--resume", "--set", "end_s=2.1")
         done = subprocess.run([DIPPER, "replay", self.folder / "whole", "--side", "dem"], text=True,
                               capture_output=True, timeout=PATIENCE_S)
         self.assertIn("to the bit", done.stdout)
@@ -281,7 +281,7 @@ class PairedRun(RunTest):
         run = self.folder / "done"
         self.run_case(run, "--set", "end_s=0.03", "--ranks", "1")
         before = (run / "summary.json").read_bytes()
-        out, _ = self.run_case(run, "--set", "end_s=0.03", "--ranks", "1", "--resume")
+        out, _ = self.run_case(run, "--resume")
         self.assertIn("complete already", out)
         self.assertEqual((run / "summary.json").read_bytes(), before)
 

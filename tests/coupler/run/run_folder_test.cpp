@@ -7,6 +7,7 @@
 
 #include "common/input_error.hpp"
 #include "coupler/run/same_run.hpp"
+#include "coupler/run/settings.hpp"
 #include "machine/motion.hpp"
 #include "tests/coupler/case/checkout.hpp"
 
@@ -39,6 +40,22 @@ TEST(RunFolder, HasOneOwnerAtATime) {
               ThrowsMessage<InputError>(HasSubstr("holds a run already")));
   EXPECT_EQ(RunFolder::resume(out).root(), out);
   EXPECT_FALSE(fs::exists(out / "run.lock"));
+}
+
+TEST(RunFolder, ThatCannotBeMadeIsTheUsersMistake) {
+  const test::Checkout scratch;
+  test::write_text(scratch.root / "file", "in the way");
+  EXPECT_THAT([&] { RunFolder::create(scratch.root / "file" / "run"); },
+              ThrowsMessage<InputError>(HasSubstr("cannot be written")));
+}
+
+TEST(Settings, AreKeptTheLastOfAKey) {
+  const test::Checkout scratch;
+  EXPECT_TRUE(read_settings(scratch.root).empty());
+  write_settings(scratch.root, {{"end_s", "1"}, {"dem.ranks", "2"}, {"end_s", "2.5"}});
+  std::vector<std::string> kept;
+  for (const cases::Override& o : read_settings(scratch.root)) kept.push_back(o.key + "=" + o.value);
+  EXPECT_THAT(kept, ElementsAre("dem.ranks=2", "end_s=2.5"));
 }
 
 TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {

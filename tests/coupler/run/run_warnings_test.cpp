@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using json = nlohmann::ordered_json;
 
 /// Of a run in which nothing is wrong, with a change.
-std::vector<std::string> warnings(const std::vector<std::pair<std::string, double>>& pass,
+std::vector<std::string> warnings(const std::vector<std::pair<std::string, json>>& pass,
                                   double residual_J = 0) {
   const test::Checkout checkout;
   std::vector<Finding> findings;
@@ -41,6 +41,7 @@ TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
               ElementsAre(HasSubstr("peaks at 343 MN, 114 times its mean, at 5.50 s")));
   EXPECT_THAT(warnings({{"truck_kg", -28e3}}),
               ElementsAre(HasSubstr("28.0 t more leave the truck")));
+  EXPECT_THAT(warnings({{"dumped", false}}), ElementsAre(HasSubstr("pass 1: unfinished")));
   EXPECT_THAT(warnings({}, -2e6), ElementsAre(HasSubstr("by 2.0 % of the work of 100 MJ")));
 }
 

@@ -21,7 +21,7 @@ export function headline(model) {
   const { passes, run } = model;
   if (!passes.length) return null;
   const columns = [
-    { name: 'Pass', cell: (p) => p.pass },
+    { name: 'Pass', cell: (p) => (p.dumped === false ? [p.pass, ' ', h('small', 'unfinished')] : p.pass) },
     { name: 'Payload', unit: 't', cell: (p) => tonnes(p.payload_kg) },
     { name: 'In the truck', unit: 't', cell: (p) => tonnes(p.truck_kg) },
     { name: 'Fill factor', cell: (p) => fixed(p.fill_factor, 2) },

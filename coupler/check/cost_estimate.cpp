@@ -1,0 +1,86 @@
+#include "coupler/check/cost_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/seconds.hpp"
+#include "coupler/deck/deck.hpp"
+#include "coupler/deck/rock_shape.hpp"
+#include "machine/motion.hpp"
+
+namespace dipper::check {
+namespace {
+
+// Measured: docs/benchmarks.md, "What a run takes".
+constexpr double kStays = 0.85;            // of what is poured; the rest is over the bench
+constexpr double kSettleRate = 4.5e6;      // sphere-steps a CPU-second, all rock computed
+constexpr double kDigRate = 5e6;           // likewise, part of it at rest
+constexpr double kHoldRate = 20e6;         // with dem.hold_below_m_s
+constexpr double kWindow_s = 0.5e-3;       // machine and messages
+constexpr double kMemory_B = 3000;         // a sphere
+constexpr double kRankMemory_B = 60e6;     // a process
+constexpr double kFrame_B = 190;           // a sphere, in every format
+constexpr double kFrameWalls_B = 0.1e6;    // a frame
+constexpr double kCheckpoint_B = 2 * 740;  // a sphere, in two of them
+constexpr double kRow_B = 5200;            // a window, in record and message log
+
+int spheres_a_rock(const cases::Case& c) {
+  for (const deck::ShapeResolution& r : deck::kShapeResolutions)
+    if (r.name == c.rock.shape_resolution) return r.spheres;
+  return 1;
+}
+
+double spheres_of(const cases::Case& c) {
+  const auto counts = deck::rock_counts(c);
+  double spheres = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const auto& shapes = c.rock.classes[i].shapes;
+    const bool single = shapes.size() == 1 && shapes.front() == "sphere";
+    spheres += counts[i].rocks * (single ? 1 : spheres_a_rock(c));
+  }
+  return kStays * spheres;
+}
+
+std::string duration(double s) {
+  if (s < 90) return fmt::format("{:.0f} s", s);
+  if (s < 5400) return fmt::format("{:.0f} min", s / 60);
+  return fmt::format("{:.0f} h {:.0f} min", std::floor(s / 3600), std::fmod(s, 3600) / 60);
+}
+
+std::string bytes(double b) {
+  return b < 1e9 ? fmt::format("{:.0f} MB", b / 1e6) : fmt::format("{:.1f} GB", b / 1e9);
+}
+
+}  // namespace
+
+CostEstimate cost_estimate(const cases::Case& c) {
+  const double end_s =
+      c.end_s > 0 ? c.end_s : seconds(machine::Motion::load(c.machine.motion).end_ns());
+  const double steps = end_s / c.dem.timestep_s;
+  const double windows = steps / c.coupling.sync_steps;
+  const double settle_steps = (c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s;
+  const double frames = std::floor(end_s / c.output.dump_every_s) + 1;
+  CostEstimate e;
+  e.spheres = spheres_of(c);
+  e.settle_s = e.spheres * settle_steps / kSettleRate;
+  e.dig_s =
+      e.spheres * steps / (c.dem.hold_below_m_s > 0 ? kHoldRate : kDigRate) + kWindow_s * windows;
+  e.wall_s = (e.settle_s + e.dig_s) / c.dem.ranks;
+  e.memory_B = kMemory_B * e.spheres + kRankMemory_B * (c.dem.ranks + 2);
+  e.disk_B = frames * (kFrame_B * e.spheres + kFrameWalls_B) + kCheckpoint_B * e.spheres +
+             kRow_B * windows;
+  return e;
+}
+
+std::string to_string(const CostEstimate& e) {
+  return fmt::format(
+      "it will take about {} of processor time ({} to dig, {} to settle the pile if it is not in "
+      "the "
+      "cache), {} on the cores asked for, {} of memory, {} of disk; right to a factor of 1.5",
+      duration(e.dig_s + e.settle_s), duration(e.dig_s), duration(e.settle_s), duration(e.wall_s),
+      bytes(e.memory_B), bytes(e.disk_B));
+}
+
+}  // namespace dipper::check

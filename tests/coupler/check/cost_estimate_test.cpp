@@ -1,0 +1,51 @@
+#include "coupler/check/cost_estimate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/coupler/case/checkout.hpp"
+
+namespace dipper::check {
+namespace {
+
+cases::Case load(const std::filesystem::path& folder, const std::vector<cases::Override>& set) {
+  std::vector<Finding> findings;
+  cases::Case c = cases::load_case(folder, set, findings);
+  test::expect_findings(findings, {});
+  return c;
+}
+
+/// Within the factor that it claims, here 1.5, and no better than it can know.
+testing::Matcher<double> about(double measured) {
+  return testing::AllOf(testing::Gt(measured / 1.5), testing::Lt(measured * 1.5));
+}
+
+// The measured figures are those of docs/benchmarks.md, "What a run takes".
+TEST(CostEstimate, IsWhatRunsHaveTaken) {
+  const test::Checkout checkout(true);
+  const CostEstimate quick = cost_estimate(load(checkout.folder(), {}));
+  EXPECT_THAT(quick.spheres, about(5701));
+  EXPECT_THAT(quick.dig_s, about(106 + 7));
+  EXPECT_THAT(quick.disk_B, about(289e6));
+
+  const std::filesystem::path source = DIPPER_SOURCE;
+  const CostEstimate aitik = cost_estimate(load(source / "cases" / "aitik", {{"end_s", "94.5"}}));
+  EXPECT_THAT(aitik.spheres, about(207474));
+  EXPECT_THAT(aitik.dig_s, about(5768 + 60));
+  EXPECT_THAT(aitik.memory_B, about(0.68e9));
+}
+
+TEST(CostEstimate, SaysHowLongOnRanks) {
+  const test::Checkout checkout(true);
+  const CostEstimate one = cost_estimate(load(checkout.folder(), {{"dem.ranks", "1"}})),
+                     two = cost_estimate(load(checkout.folder(), {{"dem.ranks", "2"}}));
+  EXPECT_DOUBLE_EQ(one.wall_s, one.settle_s + one.dig_s);
+  EXPECT_DOUBLE_EQ(two.wall_s, one.wall_s / 2);
+  EXPECT_THAT(to_string({1e5, 600, 7200, 7800, 3e8, 2.5e9}),
+              testing::HasSubstr("about 2 h 10 min of processor time (2 h 0 min to dig, 10 min to "
+                                 "settle the pile if it is not in the cache), 2 h 10 min on the "
+                                 "cores asked for, 300 MB of memory, 2.5 GB of disk"));
+}
+
+}  // namespace
+}  // namespace dipper::check
