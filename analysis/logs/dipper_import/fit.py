@@ -1,8 +1,9 @@
 """A drive's curve through its readings: as smooth as their scatter asks, within the limits of the machine.
 
 The curve is a smoothing spline whose strength is found by generalised cross-validation (scipy's make_smoothing_spline).
-Where that asks more of the drive than it can do, the nearest rows (least sum of changes) within position, speed and
-acceleration take its place: a linear programme.
+Where that asks more of the drive than it can do, rows within position, speed and acceleration take its place that are
+within half the readings' scatter of it, or as near as they can be, and change their acceleration least: a linear
+programme.
 """
 from dataclasses import dataclass
 
@@ -26,7 +27,7 @@ class Fit:
 
 def fit_drive(readings, grid, limits, switch):
     """The curve of a drive at the times `grid`, evenly spaced from rest to rest. ValueError: none keeps the limits."""
-    target = _switched(readings, grid, limits) if switch else _smoothed(readings, grid)
+    target, scatter = _switched(readings, grid, limits) if switch else _smoothed(readings, grid)
     step = grid[1] - grid[0]
     value, speed_most = target, limits.speed
     for _ in range(ROUNDS):
@@ -37,7 +38,7 @@ def fit_drive(readings, grid, limits, switch):
             return Fit(value, speed, acceleration, value is not target, curve(readings.time_s) - readings.value)
         if value is not target:
             speed_most *= min(1.0, limits.speed / speed) * 0.999
-        value = _nearest_within(target, step, limits, speed_most)
+        value = _nearest_within(target, 0.5 * scatter, step, limits, speed_most)
     raise ValueError("no curve within the limits was found")
 
 
@@ -64,7 +65,9 @@ def top_acceleration(value, step):
 
 
 def _smoothed(readings, grid):
-    return make_smoothing_spline(readings.time_s, readings.value)(grid)
+    """Rows, and the root mean square of what the readings are off them."""
+    spline = make_smoothing_spline(readings.time_s, readings.value)
+    return spline(grid), float(np.sqrt(np.mean((spline(readings.time_s) - readings.value) ** 2)))
 
 
 def _switched(readings, grid, limits):
@@ -74,28 +77,31 @@ def _switched(readings, grid, limits):
     if limits.speed ** 2 > limits.acceleration * stroke:  # never at full speed
         takes = 2 * np.sqrt(stroke / limits.acceleration)
     at = np.searchsorted(readings.time_s, grid - takes / 2, side="right") - 1
-    return readings.value[np.maximum(at, 0)]
+    return readings.value[np.maximum(at, 0)], 0.0
 
 
-def _nearest_within(target, step, limits, speed):
-    """The rows with the least sum of changes to `target` that keep the limits, at rest before and after them."""
+def _nearest_within(target, free, step, limits, speed):
+    """Rows that keep the limits, at rest before and after them, with the least sum of what they are further than `free`
+    off `target` and of what their second difference changes by."""
     n = len(target)
     first = diags([-1.0, 1.0], [0, 1], shape=(n - 1, n))
     second = diags([1.0, -2.0, 1.0], [-1, 0, 1], shape=(n, n)).tolil()
     second[0, 0] = second[-1, -1] = -1.0
+    third = first @ second
     blocks, right = [], []
     for matrix, most in ((first, speed * step), (second, limits.acceleration * step ** 2)):
         if np.isfinite(most):
             for sign in (1.0, -1.0):
-                blocks.append([sign * matrix, None])
+                blocks.append([sign * matrix, None, None])
                 right.append(np.full(matrix.shape[0], most))
-    one = identity(n)
-    for sign in (1.0, -1.0):  # u >= |x - target|
-        blocks.append([sign * one, -one])
-        right.append(sign * target)
+    for sign in (1.0, -1.0):
+        blocks.append([sign * identity(n), -identity(n), None])  # u >= |x - target| - free
+        right.append(sign * target + free)
+        blocks.append([sign * third, None, -identity(n - 1)])    # w >= |third difference|
+        right.append(np.zeros(n - 1))
     low, high = (None if np.isinf(x) else x for x in (limits.min, limits.max))
-    found = linprog(np.append(np.zeros(n), np.ones(n)), bmat(blocks, format="csr"), np.concatenate(right),
-                    bounds=[(low, high)] * n + [(0, None)] * n, method="highs")
+    found = linprog(np.append(np.zeros(n), np.ones(2 * n - 1)), bmat(blocks, format="csr"), np.concatenate(right),
+                    bounds=[(low, high)] * n + [(0, None)] * (2 * n - 1), method="highs")
     if found.status != 0:
         raise ValueError(found.message)
     return np.clip(found.x[:n], limits.min, limits.max)  # the solver's own tolerance is 1e-7

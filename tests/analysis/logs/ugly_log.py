@@ -1,7 +1,7 @@
 """A log as a mine's logger might leave it, made of known signals: for the tests, and docs/data/import/shift.csv.
 
 usage: /usr/bin/python3 tests/analysis/logs/ugly_log.py RUN OUT.csv
-RUN is what `dipper run cases/screening --seed 7 --set machine.drives=limited` left.
+RUN is what `dipper run cases/screening --no-rock=estimate` left.
 """
 import subprocess
 import sys

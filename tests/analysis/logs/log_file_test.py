@@ -1,0 +1,94 @@
+"""How loggers write files: lines before and between, delimiters, quotes, encodings, and what is refused."""
+import pytest
+
+from dipper_import.import_map import read_map
+from dipper_import.log_file import read_log
+from dipper_run.findings import Findings
+
+MAP = """\
+time: {column: t}
+channels:
+  hoist: {column: h, unit: m}
+  crowd: {column: c, unit: m}
+  swing: {column: s, unit: deg}
+  door: {column: "d, °", unit: deg}
+"""
+ROWS = [["t", "h", "c", "s", "d, °"], *([f"{k / 2:.1f}", "1.5", "-0.25", "1e1", "0"] for k in range(6))]
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(text, more="", encoding="utf-8"):
+        (tmp_path / "map.yaml").write_text(MAP + more)
+        (tmp_path / "log.csv").write_bytes(text.encode(encoding))
+        found, notes = Findings(), []
+        return read_log(tmp_path / "log.csv", read_map(tmp_path / "map.yaml"), found, notes), found.all, notes
+
+    return reader
+
+
+def joined(rows, delimiter):
+    return "\n".join(delimiter.join(f'"{c}"' if delimiter in c else c for c in row) for row in rows) + "\n"
+
+
+def is_whole(log):
+    return len(log.lines) == 6 and log.stamp_s[-1] == 2.5 and (log.values["crowd"] == -0.25).all() \
+        and (log.values["swing"] == 10).all()
+
+
+@pytest.mark.parametrize("delimiter", [",", ";", "\t", "|"])
+def test_every_delimiter(read, delimiter):
+    log, found, _ = read(joined(ROWS, delimiter))
+    assert not found and is_whole(log)
+
+
+@pytest.mark.parametrize("delimiter", [";", "\t", "|"])
+def test_decimal_commas(read, delimiter):
+    log, found, _ = read(joined([ROWS[0], *([c.replace(".", ",") for c in row] for row in ROWS[1:])], delimiter))
+    assert not found and is_whole(log)
+
+
+def test_quoted_decimal_commas_between_commas(read):
+    log, found, _ = read(joined([ROWS[0], *([c.replace(".", ",") for c in row] for row in ROWS[1:])], ","))
+    assert not found and is_whole(log)
+
+
+def test_lines_that_are_no_readings(read):
+    text = joined(ROWS, ";").splitlines()
+    text = ["Logger 7", "", "# unit 12", text[0], "s;m;m;deg;deg", *text[1:3], text[0], *text[3:], "3,0;1"]
+    log, found, notes = read("\r\n".join(text), "file: {data_line: 6}\n")
+    assert not found and is_whole(log)
+    assert notes == ["line 13, the last, is cut short: left out", "1 row (line 8): the header again, left out"]
+    _, found, _ = read("\r\n".join(text))
+    assert "log.csv:5: time: is 's', neither ISO 8601 nor a number" in found[0]
+
+
+def test_empty_cells_at_the_end_of_rows(read):
+    log, found, _ = read(joined([row + [""] for row in ROWS], ";"))
+    assert not found and is_whole(log)
+    log, found, _ = read(joined([ROWS[0], *(row + [""] for row in ROWS[1:])], ";"))
+    assert not found and is_whole(log)
+
+
+def test_cells_that_mean_no_reading(read):
+    rows = [list(row) for row in ROWS]
+    rows[2][1], rows[3][1], rows[4][1] = "", "NULL", "-9999"
+    log, found, _ = read(joined(rows, ";"), "file: {missing: ['-9999']}\n")
+    assert not found and [x == x for x in log.values["hoist"]] == [True, False, False, False, True, True]
+
+
+def test_encodings(read):
+    text = joined(ROWS, ";")
+    _, found, _ = read(text, encoding="cp1252")
+    assert "log.csv:1: encoding: byte 0xB0 is not UTF-8" in found[0] and "{encoding: utf-16}, or cp1252" in found[0]
+    for encoding in ("cp1252", "utf-16", "utf-8-sig"):
+        log, found, _ = read(text, "file: {encoding: %s}\n" % encoding, encoding)
+        assert not found and is_whole(log)
+
+
+def test_one_cause_is_one_line(read):
+    text = joined(ROWS[:1], ";") + "".join(f"{k / 2};up;0;0;0\n" for k in range(114))
+    _, found, _ = read(text)
+    assert len(found) == 1 and "log.csv:2: h: is 'up', and so in 113 more lines; a number; if it means" in found[0]
+    _, found, _ = read("t,h,c,s,\"d, °\"\n" + "".join(f"{k},1,5,0,0,0\n" for k in range(114)))
+    assert len(found) == 1 and "row: 6 cells, and so in 113 more lines; 5, as in the header: with decimal" in found[0]
