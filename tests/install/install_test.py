@@ -47,6 +47,7 @@ class AMovedTree(InstallationTest):
 
     def test_has_the_python_part(self):
         self.assertIn("--measured", self.as_user(self.dipper, "gap", "--help"))
+        self.assertIn("--detach", self.as_user(self.dipper, "study", "--help"))
         self.assertIn("--map", self.as_user(self.dipper, "import", "--help"))
 
     def test_takes_its_data_from_where_it_is_told(self):

@@ -41,10 +41,15 @@ class Job:
 
 
 class KeptRuns:
-    """Makes jobs that are not there yet, `at_once` at a time; nothing is made twice, by whichever process."""
+    """Makes jobs that are not there yet, `at_once` at a time; nothing is made twice, by whichever process.
 
-    def __init__(self, program, at_once):
+    cores: one list of cores, "0,1", for each run at a time, which its ranks keep to; else mpirun binds those of every run
+    to the same first cores.
+    """
+
+    def __init__(self, program, at_once, cores=()):
         self.program, self.at_once = str(program), at_once
+        self._cores = list(cores)
         self._sound = {}  # {folder: what was said of it}
         self._children, self._lock, self._stopped = {}, threading.Lock(), False
         self._alive, self._held = os.pipe()  # ends when this process does, however it ends
@@ -122,10 +127,13 @@ class KeptRuns:
                     return INTERRUPTED
                 shared = (self._alive, lock.fileno())
                 kept = [sys.executable, "-S", "-E", str(KEEPER), *map(str, shared), *words]
+                cores = self._cores.pop() if self._cores else None
+                own = {"OMPI_MCA_hwloc_base_cpu_list": cores} if cores else {}
                 child = subprocess.Popen(kept, stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
-                                         pass_fds=shared)
+                                         pass_fds=shared, env={**os.environ, **own})
                 self._children[child.pid] = child
             status = child.wait()
             with self._lock:
+                self._cores += [cores] if cores else []
                 self._children.pop(child.pid, None)
         return status

@@ -10,10 +10,11 @@ class LocalExecutor:
     """`jobs` runs at a time of `ranks` each; by default as many as fill the cores."""
 
     def __init__(self, study, program):
-        cores = len(os.sched_getaffinity(0))
-        self.at_once = study.jobs or max(1, cores // study.ranks)
-        self.statement = f"{self.at_once} at a time, {study.ranks} rank{'s' * (study.ranks > 1)} each, on {cores} cores"
-        self._runs = KeptRuns(program, self.at_once)
+        cores = sorted(os.sched_getaffinity(0))
+        self.at_once = study.jobs or max(1, len(cores) // study.ranks)
+        self.statement = (f"{self.at_once} at a time, {study.ranks} rank{'s' * (study.ranks > 1)} each, on {len(cores)} "
+                          "cores")
+        self._runs = KeptRuns(program, self.at_once, shares(cores, self.at_once, study.ranks))
         self.kept = self._runs.kept
 
     def make(self, jobs, progress):
@@ -27,6 +28,13 @@ class LocalExecutor:
 
         self._runs.make(jobs, on_end)
         return failures
+
+
+def shares(cores, at_once, ranks):
+    """Cores of each run at a time; none where a single rank moves freely, or there are not enough for all."""
+    if ranks == 1 or at_once == 1 or at_once * ranks > len(cores):
+        return []
+    return [",".join(map(str, cores[k * ranks:(k + 1) * ranks])) for k in range(at_once)]
 
 
 def executor_of(study, program, out):

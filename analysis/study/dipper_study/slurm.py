@@ -37,9 +37,12 @@ class SlurmQueue:
         self._study, self._program, self._folder = study, str(program), Path(out).resolve() / "slurm"
         self._name = "dipper-" + hashlib.sha256(str(self._folder).encode()).hexdigest()[:12]
         try:
-            cpus = int(_ask("sinfo", "-h", "-o", "%C").split("/")[-1])
-        except (ProgramFailed, ValueError, IndexError) as e:
+            cpus = _cores(study.slurm.partition)
+        except ProgramFailed as e:
             raise BadInput([f"{study.file}: executor: slurm, but {e}; a machine that submits to Slurm"]) from e
+        if not cpus:
+            raise BadInput([f"{study.file}: slurm.partition: {study.slurm.partition or 'none'}: has no cores; one "
+                            "that sinfo lists"])
         self.at_once = study.slurm.at_once or max(1, cpus // study.ranks)
         self.statement = (f"{self.at_once} at a time, {study.ranks} rank{'s' * (study.ranks > 1)} each, through Slurm "
                           f"({cpus} cores)")
@@ -113,7 +116,9 @@ class SlurmQueue:
                      "--time", str(slurm.time_limit_min), "--signal", f"B:TERM@{warning}",
                      "--output", str(folder / "%a.log"), "--chdir", str(folder)]
             words += ["--partition", slurm.partition] if slurm.partition else []
-            _ask(*words, *slurm.options, given="#!/bin/sh\n"
+            # A run's ranks are all here: mpirun starts them itself, as Slurm's own way there is over the network, from
+            # which a run keeps apart.
+            _ask(*words, *slurm.options, given="#!/bin/sh\nexport OMPI_MCA_plm=isolated OMPI_MCA_ras=^slurm\n"
                  f'export PYTHONPATH="{PACKAGES}"\n'
                  f'exec "{sys.executable}" -B -m dipper_run.worker "{folder}/jobs.json" "$SLURM_ARRAY_TASK_ID"\n')
 
@@ -145,6 +150,13 @@ class SlurmQueue:
 
     def _jobs(self, batch):
         return json.loads((self._folder / batch / "jobs.json").read_text())["jobs"]
+
+
+def _cores(partition):
+    """Of a partition, else of the default one."""
+    rows = (line.split() for line in _ask("sinfo", "-h", "-o", "%P %C").splitlines())
+    return sum(int(cores.split("/")[-1]) for name, cores in rows
+               if (name.rstrip("*") == partition if partition else name.endswith("*")))
 
 
 def _ask(*words, given=None):

@@ -1,4 +1,4 @@
-"""A Slurm of the test's own: munge, a controller and two nodes of one core each, on this machine, in one folder, for
+"""A Slurm of the test's own: munge, a controller and three nodes, on this machine, in one folder, for
 the user of the test, on free ports."""
 import getpass
 import os
@@ -35,7 +35,9 @@ KillWait=5
 MinJobAge=10
 NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[1]} CPUs=1
 NodeName=n2 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[2]} CPUs=1
+NodeName=n3 NodeHostname={host} NodeAddr=127.0.0.1 Port={ports[3]} CPUs=2
 PartitionName=all Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
+PartitionName=wide Nodes=n3 MaxTime=INFINITE State=UP
 """
 
 
@@ -82,7 +84,7 @@ class Cluster:
         folder = self.folder
         (folder / "state").mkdir()
         (folder / "slurm.conf").write_text(CONF.format(host=socket.gethostname().split(".")[0], user=getpass.getuser(),
-                                                       folder=folder, ports=free_ports(3)))
+                                                       folder=folder, ports=free_ports(4)))
         key = folder / "munge.key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
@@ -91,9 +93,9 @@ class Cluster:
                     f"--seed-file={folder}/munge.seed")
         self._wait(lambda: (folder / "munge.socket").exists())
         self._start("slurmctld", "-D", "-c")
-        for node in ("n1", "n2"):
+        for node in ("n1", "n2", "n3"):
             self._start("slurmd", "-D", "-N", node)
-        self._wait(lambda: self.ask("sinfo", "-h", "-o", "%t %D", check=False).split() == ["idle", "2"])
+        self._wait(lambda: self.ask("sinfo", "-h", "-N", "-o", "%t", check=False).split() == ["idle"] * 3)
 
     def _start(self, name, *words):
         program = shutil.which(name, path=f"{os.environ['PATH']}:/usr/sbin")

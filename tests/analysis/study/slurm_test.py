@@ -1,13 +1,15 @@
 """Studies through a real Slurm on this machine: submitted, killed, a node lost, interrupted, gone on with."""
+import os
 import signal
 import time
 
 import pytest
 
 from cluster import Cluster
-from world import STUDY, World
+from world import HERE, STUDY, World
 
 STUDY = STUDY.replace("[60, 62, 64]", "[60, 62]").replace("[1, 2, 3]", "[1, 2]") + "executor: slurm\n"
+TINY = HERE.parents[1] / "coupler/run/tiny"
 
 
 @pytest.fixture(scope="module")
@@ -100,5 +102,20 @@ def test_a_detached_study_is_watched_cancelled_and_collected_by_later_calls(worl
 
 
 def test_without_slurm_it_is_bad_input(world):
+    assert "slurm.partition: narrow: has no cores" in world.study(STUDY + "slurm: {partition: narrow}\n", status=2)
     world.environment["PATH"] = "/nowhere"
     assert "executor: slurm, but sinfo" in world.study(STUDY, status=2)
+
+
+def test_a_real_run_of_two_ranks(world, cluster):
+    """The tiny case by the program itself: its ranks are started where Slurm put the task."""
+    world.environment["DIPPER"] = os.environ["DIPPER"]
+    world.study(f"""case: {TINY}
+seeds: [5]
+ranks: 2
+set: {{end_s: 0.3, pile.settle_s: 0.2}}
+parameters: {{machine.rake_angle_deg: [61]}}
+executor: slurm
+slurm: {{partition: wide}}
+""")
+    assert [r["status"] for r in world.rows()] == ["complete"] and float(world.rows()[0]["cpu_s"]) > 0
