@@ -43,8 +43,8 @@ class Job:
 class KeptRuns:
     """Makes jobs that are not there yet, `at_once` at a time; nothing is made twice, by whichever process.
 
-    cores: one list of cores, "0,1", for each run at a time, which its ranks keep to; else mpirun binds those of every run
-    to the same first cores.
+    cores: one list of cores, "0,1", for each run at a time, which its ranks keep to; else mpirun binds those of every
+    run to the same first cores.
     """
 
     def __init__(self, program, at_once, cores=()):

@@ -12,8 +12,8 @@ class LocalExecutor:
     def __init__(self, study, program):
         cores = sorted(os.sched_getaffinity(0))
         self.at_once = study.jobs or max(1, len(cores) // study.ranks)
-        self.statement = (f"{self.at_once} at a time, {study.ranks} rank{'s' * (study.ranks > 1)} each, on {len(cores)} "
-                          "cores")
+        self.statement = (f"{self.at_once} at a time, {study.ranks} rank{'s' * (study.ranks > 1)} each, "
+                          f"on {len(cores)} cores")
         self._runs = KeptRuns(program, self.at_once, shares(cores, self.at_once, study.ranks))
         self.kept = self._runs.kept
 
