@@ -8,6 +8,8 @@
 
 #include "analysis/io/vtk_file.hpp"
 #include "analysis/io/vtp_writer.hpp"
+#include "analysis/metrics/figure_files.hpp"
+#include "analysis/metrics/particle_files.hpp"
 
 namespace dipper::analysis::metrics {
 namespace {
@@ -45,31 +47,6 @@ void write_wall(const io::VtkFile& vtk, const fs::path& to) {
   file.write(to);
 }
 
-/// An array of a text dump, read once for it: memory stays a chunk's.
-void add_columns(io::VtpWriter& file, const char* section, Type type, const std::string& name,
-                 const io::DumpFrame& frame, const std::vector<std::string>& columns) {
-  file.add(section, {name, type, columns.size(), frame.particles},
-           [&frame, columns](const auto& put) {
-             io::DumpReader::read(frame, columns, [&](const io::ParticleChunk& chunk) {
-               for (std::size_t i = 0; i < chunk.rows; ++i)
-                 for (const auto& column : chunk.columns) put(column[i]);
-             });
-           });
-}
-
-void write_particles(const io::DumpFrame& frame, const fs::path& to) {
-  io::VtpWriter file(frame.particles, frame.particles, 0);
-  for (const char* name : {"id", "type", "id_multisphere"})
-    if (frame.has(name)) add_columns(file, "PointData", Type::i32, name, frame, {name});
-  for (const char* name : {"radius", "density", "mass"})
-    if (frame.has(name)) add_columns(file, "PointData", Type::f32, name, frame, {name});
-  if (frame.has("vx") && frame.has("vy") && frame.has("vz"))
-    add_columns(file, "PointData", Type::f32, "v", frame, {"vx", "vy", "vz"});
-  add_columns(file, "Points", Type::f32, "Points", frame, {"x", "y", "z"});
-  add_cells(file, "Verts", frame.particles, 1);
-  file.write(to);
-}
-
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -86,8 +63,8 @@ void add_entry(pugi::xml_node collection, double time_s, int part, const std::st
 
 }  // namespace
 
-void write_paraview_files(const io::DumpFolder& dumps, const fs::path& folder,
-                          const fs::path& final_folder) {
+void write_paraview_files(const run::RunData& run, const io::DumpFolder& dumps,
+                          const run::Figure& figure, const fs::path& folder) {
   fs::create_directories(folder / "paraview");
   pugi::xml_document list;
   pugi::xml_node root = list.append_child("VTKFile");
@@ -95,17 +72,11 @@ void write_paraview_files(const io::DumpFolder& dumps, const fs::path& folder,
   root.append_attribute("version") = "0.1";
   root.append_attribute("byte_order") = "LittleEndian";
   const pugi::xml_node collection = root.append_child("Collection");
+  const ParticleFiles particles(run);
   for (std::size_t k = 0; k < dumps.frames.size(); ++k) {
-    const io::DumpFrame& frame = dumps.frames[k];
-    const std::string name = fmt::format("{}_{}.vtp", dumps.particles, frame.step);
-    const fs::path dumped = frame.file.extension() == ".vtp" ? frame.file : dumps.folder / name;
-    std::string seen = "paraview/" + name;
-    if (fs::exists(dumped)) {
-      seen = fs::relative(dumped, final_folder).generic_string();
-    } else {
-      write_particles(frame, folder / seen);
-    }
-    add_entry(collection, dumps.time_s[k], 0, dumps.particles, seen);
+    const std::string to = fmt::format("paraview/{}_{}.vtp", dumps.particles, dumps.frames[k].step);
+    particles.write(dumps.frames[k], dumps.time_s[k], folder / to);
+    add_entry(collection, dumps.time_s[k], 0, dumps.particles, to);
   }
   int part = 0;
   for (const auto& [name, files] : dumps.walls) {
@@ -123,6 +94,13 @@ void write_paraview_files(const io::DumpFolder& dumps, const fs::path& folder,
       add_entry(collection, static_cast<double>(step) * dumps.timestep_s, part, name, to);
     }
   }
+  std::string last_name;
+  write_figure_files(figure, dumps.time_s, folder,
+                     [&](const std::string& name, double time_s, const std::string& file) {
+                       if (name != last_name) ++part;
+                       last_name = name;
+                       add_entry(collection, time_s, part, name, file);
+                     });
   const fs::path file = folder / "run.pvd";
   if (!list.save_file(file.c_str(), " "))
     throw std::runtime_error(file.string() + ": cannot be written");

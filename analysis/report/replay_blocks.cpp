@@ -5,34 +5,12 @@
 #include <optional>
 
 #include "analysis/report/packing.hpp"
+#include "analysis/report/replay_json.hpp"
 
 namespace dipper::analysis::report {
 namespace {
 
 using json = nlohmann::json;
-
-/// To `per_unit` parts of a unit; the quotient prints short, a product need not.
-double rounded(double x, double per_unit) { return std::round(x * per_unit) / per_unit; }
-
-/// Nine numbers a triangle [m], to the millimetre.
-json triangles(const mesh::TriangleMesh& mesh) {
-  json flat = json::array();
-  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-    for (const auto& corner : mesh.corners(k)) {
-      for (const double x : {corner.x(), corner.y(), corner.z()}) {
-        flat.push_back(rounded(x, 1e3));
-      }
-    }
-  }
-  return flat;
-}
-
-json pose(const Pose& X) {
-  json row = json::array();
-  for (const double x : {X.p.x(), X.p.y(), X.p.z()}) row.push_back(rounded(x, 1e4));
-  for (const double q : {X.R.w(), X.R.x(), X.R.y(), X.R.z()}) row.push_back(rounded(q, 1e5));
-  return row;
-}
 
 std::vector<std::size_t> every(std::size_t stride, std::size_t count) {
   std::vector<std::size_t> kept;
@@ -60,7 +38,7 @@ std::optional<Encoded> encode(const ReplaySource& source, const std::vector<std:
     encoder.encode(frame, raw);
     ++frames;
     for (std::size_t w = 0; w < out.poses.size(); ++w) {
-      out.poses[w].push_back(pose(frame.walls.at(w).X_WB));
+      out.poses[w].push_back(json_of_pose(frame.walls.at(w).X_WB));
     }
     if (raw.size() >= limits.block_bytes || k == kept.back()) {
       out.blocks.push_back(gzip(raw.data(), raw.size()));
@@ -132,7 +110,7 @@ ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limit
   for (std::size_t w = 0; w < source.walls().size(); ++w) {
     const auto& wall = source.walls()[w];
     head["walls"].push_back({{"name", wall.name},
-                             {"triangles_m", triangles(wall.mesh)},
+                             {"triangles_m", json_of_triangles(wall.mesh)},
                              {"fields", wall.fields},
                              {"poses", encoded->poses[w]}});
   }

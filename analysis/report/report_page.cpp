@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "analysis/report/page.hpp"
+#include "analysis/report/replay_json.hpp"
 #include "analysis/report/slice.hpp"
 #include "analysis/report/thin_curve.hpp"
 
@@ -97,6 +98,7 @@ std::string report_page(const std::string& title, const ReportInput& input,
   if (input.replay && !input.replay->times_s().empty()) {
     auto replay = encode_replay(*input.replay, limits);
     data["replay"] = std::move(replay.head);
+    data["replay"]["figure"] = json_of_figure(input.figure, data["replay"]["times_s"]);
     blocks = std::move(replay.blocks);
   }
   return page(data, blocks);

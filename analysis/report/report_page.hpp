@@ -8,6 +8,7 @@
 
 #include "analysis/report/replay_blocks.hpp"
 #include "analysis/report/replay_source.hpp"
+#include "analysis/run/figure.hpp"
 
 namespace dipper::analysis::report {
 
@@ -25,6 +26,7 @@ struct ReportInput {
   std::vector<ReportCurve> curves;
   std::string case_text;  ///< key=value lines
   const ReplaySource* replay = nullptr;
+  run::Figure figure;  ///< drawn in the replay
 };
 
 /// Times and curves thinned out, as pages read them: {time_s, channels: {NAME: {unit, values}}}.

@@ -8,7 +8,8 @@
 namespace dipper::analysis::report {
 
 void write_run_page(const run::RunData& run, const io::DumpFolder& dumps,
-                    const nlohmann::ordered_json& metrics, const std::filesystem::path& file) {
+                    const nlohmann::ordered_json& metrics, const run::Figure& figure,
+                    const std::filesystem::path& file) {
   const DumpReplay replay(dumps, replay_walls(run));
   ReportInput input;
   input.metrics = metrics;
@@ -19,6 +20,7 @@ void write_run_page(const run::RunData& run, const io::DumpFolder& dumps,
   }
   input.case_text = run.case_text;
   input.replay = &replay;
+  input.figure = figure;
   if (run.is_run) read_curves(run.folder / "record.h5", input);
   std::string title = run.text("title");
   if (title.empty()) title = std::filesystem::weakly_canonical(run.folder).filename().string();

@@ -9,6 +9,7 @@
 #include "analysis/metrics/report_files.hpp"
 #include "analysis/report/dry_page.hpp"
 #include "analysis/report/run_page.hpp"
+#include "analysis/run/figure.hpp"
 #include "analysis/run/run_folder.hpp"
 #include "common/input_error.hpp"
 #include "coupler/cli/number_option.hpp"
@@ -78,10 +79,11 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
     const analysis::io::DumpFolder dumps =
         analysis::io::open_dump_folder(options.folder, options.timestep_s);
     if (run.is_run) analysis::run::check_dumps_are_of(run, dumps);
+    const analysis::run::Figure figure = analysis::run::read_figure(run);
     const analysis::metrics::Metrics metrics = analysis::metrics::compute_metrics(run, dumps);
     analysis::metrics::write_report(metrics, folder, [&](const fs::path& made) {
-      analysis::report::write_run_page(run, dumps, metrics.values, made / "report.html");
-      analysis::metrics::write_paraview_files(dumps, made, fs::absolute(folder));
+      analysis::report::write_run_page(run, dumps, metrics.values, figure, made / "report.html");
+      analysis::metrics::write_paraview_files(run, dumps, figure, made);
     });
     tell_passes(metrics.values, reporter);
     reporter.line((folder / "report.html").string());

@@ -43,7 +43,9 @@ std::map<std::string, std::string> input_hashes(const cases::Case& c) {
   return hashes;
 }
 
-constexpr const char* kMotion = "motion.csv";  // in the run's folder
+// In the run's folder: what a report needs when the case's folder has gone or changed.
+constexpr const char* kMotion = "motion.csv";
+constexpr const char* kMachine = "machine.yaml";
 
 /// Whether two motions are one, to the bit, up to a time.
 bool same_until(const fs::path& before, const fs::path& now, double until_s) {
@@ -85,7 +87,11 @@ void write_identity(const fs::path& folder, const cases::Case& c) {
   for (const auto& [file, hash] : input_hashes(c)) inputs += hash + "  " + file + "\n";
   write(folder / "case.txt", c.text);
   write(folder / "inputs.sha256", inputs);
-  fs::copy_file(c.machine.motion, folder / kMotion, fs::copy_options::overwrite_existing);
+  const auto keep = [&](const fs::path& file, const char* name) {
+    fs::copy_file(file, folder / name, fs::copy_options::overwrite_existing);
+  };
+  keep(c.machine.motion, kMotion);
+  keep(c.machine.model, kMachine);
 }
 
 std::vector<std::string> changed_since(const fs::path& folder, const cases::Case& c,

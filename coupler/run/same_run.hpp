@@ -10,7 +10,8 @@
 namespace dipper::run {
 
 /// Writes what the run is into its folder: case.txt, and in inputs.sha256 the SHA-256 of every file
-/// the case names, as `sha256sum -c` reads it in the case's folder; and a copy of its motion.csv.
+/// the case names, as `sha256sum -c` reads it in the case's folder; and copies of its motion
+/// (motion.csv) and its machine's data (machine.yaml).
 void write_identity(const std::filesystem::path& folder, const cases::Case& c);
 
 /// What in `c` is not as in the run that `folder` holds, a line a key or file: a run that goes on

@@ -26,7 +26,16 @@ export class Model {
     };
     this.phases = (m.phases ?? []).map((p) => ({ name: p.phase, from: p.t_start_s, to: p.t_end_s }));
     this.run = m.run ?? {};
-    this.classNames = (m.sizes ?? []).map((c) => c.name);
+    this.classes = new Map((m.sizes ?? []).map((c) => [c.class, c])); // by a sphere's type
+  }
+
+  /// The size of the rock that each sphere of the replay is of [m]: of a clump its class's, else what its spheres
+  /// would make as one.
+  rockSizes() {
+    const { radius_m: radii = [], rock: rocks = [], type: types = [] } = this.replay;
+    const cubes = new Map();
+    rocks.forEach((rock, i) => { if (rock >= 0) cubes.set(rock, (cubes.get(rock) ?? 0) + (2 * radii[i]) ** 3); });
+    return radii.map((r, i) => (rocks[i] < 0 ? 2 * r : this.classes.get(types[i])?.size_m ?? Math.cbrt(cubes.get(rocks[i]))));
   }
 
   channel(name) {

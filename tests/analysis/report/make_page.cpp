@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "analysis/report/report_page.hpp"
+#include "common/mesh/solids.hpp"
 #include "tests/analysis/report/synthetic_dig.hpp"
 
 int main(int argc, char** argv) {
@@ -19,6 +20,15 @@ int main(int argc, char** argv) {
                                static_cast<std::size_t>(std::atol(argv[3])), T);
   ReportInput input;
   input.replay = &dig;
+  // A house that stands, a handle on the dipper, and a rope from one to the other.
+  input.figure.bodies = {
+      {"house", {{"house", mesh::block({-8, -2, 0}, {-4, 2, 5})}}, [](double) { return Pose{}; }},
+      {"handle", {{"handle", mesh::block({-9, -0.5, 1.5}, {1, 0.5, 2.5})}}, [&](double t) {
+         return dig.dipper(t).X_WB;
+       }}};
+  input.figure.ropes = {{0.1, [&](double t) -> std::vector<Vector3d> {
+                           return {{-5, 0, 5}, {0, 0, 15}, dig.dipper(t).X_WB.p};
+                         }}};
   ReportCurve hoist{"machine/hoist_force", "N", {}}, crowd{"machine/crowd_force", "N", {}},
       dig_force{"dig_force", "N", {}}, load{"rock/mass_in_dipper", "kg", {}};
   for (int i = 0; i <= 5000; ++i) {
@@ -32,6 +42,7 @@ int main(int argc, char** argv) {
   input.curves = {hoist, crowd, dig_force, load};
   input.case_text = "title=\"A synthetic dig\"\nrock.density_kg_m3=3215\n";
   input.metrics = {
+      {"sizes", {{{"class", 2}, {"name", "d200"}, {"size_m", 1.25}}}},
       {"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
       {"passes", {{{"pass", 1}, {"t_start_s", 0}, {"t_dig_s", 0.3 * T}, {"t_end_s", T}}}},
       {"phases",

@@ -78,6 +78,41 @@ class Page(unittest.TestCase):
         self.browser.run("document.querySelector('input[value=speed]').click()")
         self.assertEqual(len(set(pictures)), 3)
 
+    def test_size_is_that_of_the_whole_rock(self):
+        # synthetic_dig.hpp: every third sphere is a rock by itself, the others are of clumps; make_page.cpp knows the
+        # size of class 2.
+        wrong = self.browser.run("""
+            const { model } = dipper, { radius_m: r, rock, type } = model.replay, sizes = model.rockSizes();
+            const near = (a, b) => Math.abs(a - b) < 1e-9;
+            return sizes.filter((size, i) => !(rock[i] < 0 ? near(size, 2 * r[i]) : type[i] === 2 ? size === 1.25 : size > 2.0001 * r[i] || rock.filter((k) => k === rock[i]).length === 1)).length;""")
+        self.assertEqual(wrong, 0)
+        for value, said in (("size", r"rock size"), ("class", r"d200, 1\.3 m")):
+            self.browser.run(f"document.querySelector('input[value={value}]').click()")
+            self.assertRegex(self.browser.run("return document.querySelector('.legend').textContent"), said)
+        self.browser.run("document.querySelector('input[value=speed]').click()")
+
+    def test_shows_the_machine_at_work(self):
+        """make_page.cpp: a house that stands, a handle that goes with the dipper, a rope between them."""
+        places = """
+            const { figure, dipper: bucket } = document.querySelector('.screen canvas').stage, [rope] = figure.ropes;
+            const { array } = rope.geometry.attributes.position, end = [...array.slice(-18)];
+            const mean = [0, 1, 2].map((k) => end.filter((_v, i) => i % 3 === k).reduce((a, b) => a + b) / 6);
+            return [...figure.bodies.map((body) => body.position.toArray()), bucket.position.toArray(), mean];"""
+        self.browser.drawn()
+        house, handle, bucket, end = self.browser.run(places)
+        self.assertEqual(house, [0, 0, 0])
+        for place in (handle, end):
+            for a, b in zip(place, bucket):
+                self.assertAlmostEqual(a, b, places=2)
+        self.browser.run("dipper.clock.set(9)")
+        self.browser.drawn()
+        self.assertGreater(self.browser.run(places)[1][0], handle[0] + 9)
+        shown = self.picture()
+        hide = self.browser.driver.find_element(By.XPATH, "//label[contains(., 'Hide the shovel')]/input")
+        hide.click()
+        self.addCleanup(hide.click)
+        self.assertNotEqual(shown.tobytes(), self.picture().tobytes())
+
     def test_colours_the_walls_by_what_presses_them(self):
         # synthetic_dig.hpp: the dipper's k-th triangle of 12 is pressed with k t, at most with 11 * 10.
         hide = self.browser.driver.find_element(By.XPATH, "//label[contains(., 'Hide the rock')]/input")

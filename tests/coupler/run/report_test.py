@@ -11,6 +11,7 @@ import xml.etree.ElementTree as xml
 
 import h5py
 import numpy as np
+from vtkmodules.util import numpy_support
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from runs import DIPPER, PATIENCE_S, SOURCE, RunTest
@@ -97,18 +98,38 @@ class Report(RunTest):
         self.assertEqual((root.tag, root.get("type")), ("VTKFile", "Collection"))
         sets = root.findall("Collection/DataSet")
         names = {s.get("part"): s.get("name") for s in sets}
-        self.assertEqual(sorted(names.values()), ["dipper", "door", "rocks", "truck"])
+        self.assertEqual(sorted(names.values()), [
+            "bail", "crawlers", "dipper", "door", "handle", "house", "rocks", "ropes", "saddle", "truck",
+            "truck outline"])
         for part in names:
             times = [float(s.get("timestep")) for s in sets if s.get("part") == part]
             np.testing.assert_allclose(times, metrics["frames"]["time_s"], atol=1e-9)
         data = {s.get("name"): self.read_vtp(run / "report" / s.get("file")) for s in sets}  # the last of each
         self.assertEqual(data["rocks"].GetNumberOfPoints(), metrics["run"]["particles"])
         self.assertGreater(data["rocks"].GetPointData().GetArray("radius").GetRange()[0], 0)
+        self.check_rocks(data["rocks"], metrics)
         self.assertEqual([data[w].GetNumberOfPolys() for w in ("dipper", "door", "truck")], [352, 76, 632])
         with h5py.File(run / "record.h5", "r") as f:
             x = f["bodies/dipper/wall_pose"][-1, 0]
         low, high = data["dipper"].GetBounds()[:2]
         self.assertTrue(low - 1 < x < high + 1, (low, x, high))
+        bail = data["bail"].GetBounds()
+        self.assertTrue(low - 1 < bail[0] and bail[1] < high + 1, (low, bail, high))
+        self.assertAlmostEqual(data["crawlers"].GetBounds()[4], 0, places=6)
+        files = {s.get("file") for s in sets if s.get("name") == "crawlers"}
+        self.assertEqual(len(files), 1, "what stands still is one file")
+
+    def check_rocks(self, rocks, metrics):
+        """Each sphere tells of its rock: the number of rocks, their sizes and the load are those of metrics.json."""
+        column = {name: numpy_support.vtk_to_numpy(rocks.GetPointData().GetArray(name))
+                  for name in ("rock", "size", "in_dipper", "shape", "type", "id_multisphere")}
+        self.assertEqual(len(set(column["rock"])), metrics["run"]["rocks"])
+        for row in metrics["sizes"]:
+            np.testing.assert_allclose(column["size"][column["type"] == row["class"]], row["size_m"], rtol=1e-4)
+        single = column["id_multisphere"] < 0
+        self.assertTrue((column["shape"][single] == 0).all())
+        self.assertEqual(set(column["shape"][~single]), {1, 2, 3})
+        self.assertEqual(column["in_dipper"].any(), metrics["frames"]["in_dipper_kg"][-1] > 0)
 
     def read_vtp(self, file):
         problems = []

@@ -69,6 +69,7 @@ TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {
     return c;
   };
   write_identity(out, load({}));
+  for (const char* kept : {"motion.csv", "machine.yaml"}) EXPECT_TRUE(fs::exists(out / kept));
   EXPECT_THAT(changed_since(out, load({}), 0), IsEmpty());
   EXPECT_THAT(changed_since(out, load({{"end_s", "3"}, {"output.dump_every_s", "1"}}), 0),
               IsEmpty());

@@ -23,7 +23,7 @@ showPage((data) => {
   return [
     head(model),
     headline(model),
-    frames && section('replay', 'The dig', null, replay(model.replay, frames, clock, model.phases, model.classNames, readout(model))),
+    frames && section('replay', 'The dig', null, replay(model.replay, frames, clock, model.phases, { sizes: model.rockSizes(), classes: model.classes }, readout(model))),
     filling(model, clock),
     signals(model, clock),
     payload(model),

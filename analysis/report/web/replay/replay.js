@@ -17,7 +17,7 @@ const WALL_FIELDS = {
 
 const SPEED_TOP = 2; // m/s; a falling rock is faster, but what matters is what creeps and what slides
 
-export function replay(head, frames, clock, phases, classNames, readout) {
+export function replay(head, frames, clock, phases, { sizes, classes }, readout) {
   const canvas = h('canvas', { tabindex: '0', role: 'img', 'aria-label': 'Replay of the dig in three dimensions. Drag to orbit, two fingers or the wheel to zoom.' });
   const clockFace = h('output.clock', { 'aria-live': 'off' });
   const loading = h('p.loading', { role: 'status' }, 'Unpacking the replay …');
@@ -44,22 +44,21 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   const rate = choice('Speed', [['0.25', '¼×'], ['1', '1×'], ['2', '2×'], ['4', '4×']], '1', (value) => { clock.rate = Number(value); });
 
   const legend = h('div.legend');
-  const radii = [...new Set(head.radius_m ?? [])].sort((a, b) => a - b);
+  const [small, large] = sizes.reduce(([low, high], size) => [Math.min(low, size), Math.max(high, size)], [Infinity, 0]);
   const colourBy = {
     speed: () => {
       stage.rocks.tint(null);
       legend.replaceChildren(scaleLegend('speed', SPEED, 0, SPEED_TOP, 'm/s', true));
     },
     size: () => {
-      const [low, high] = [radii[0], radii[radii.length - 1]];
-      stage.rocks.tint((i) => ramp(SIZE, high > low ? (head.radius_m[i] - low) / (high - low) : 0.5));
-      legend.replaceChildren(scaleLegend('sphere diameter', SIZE, 2 * low, 2 * high, 'm'));
+      stage.rocks.tint((i) => ramp(SIZE, large > small ? (sizes[i] - small) / (large - small) : 0.5));
+      legend.replaceChildren(scaleLegend('rock size', SIZE, small, large, 'm'));
     },
     class: () => {
       stage.rocks.tint((i) => rgb(classColour(head.type[i])));
       const types = [...new Set(head.type ?? [])].sort((a, b) => a - b);
       legend.replaceChildren(...types.map((type) => h('span.key',
-        h('i', { style: `background:${classColour(type)}` }), classNames[type - 1] ?? `class ${type}`)));
+        h('i', { style: `background:${classColour(type)}` }), className(classes.get(type), type))));
     },
   };
   const colour = choice('Colour by', [['speed', 'speed'], ['size', 'size'], ['class', 'class']], 'speed', (value) => {
@@ -74,6 +73,8 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   const camera = viewButtons(views, stage);
   const cut = toggle('Cut through the dipper', (on) => { stage.cutting = on; stage.ask(); });
   const solid = toggle('Solid walls', (on) => { stage.walls.forEach((wall) => wall.seeThrough(!on)); stage.ask(); });
+
+  const bare = toggle('Hide the shovel', (on) => { stage.figure.visible = !on; stage.ask(); });
 
   const show = () => {
     scrub.value = clock.time;
@@ -103,9 +104,14 @@ export function replay(head, frames, clock, phases, classNames, readout) {
   canvas.stage = stage; // for whoever measures how fast it draws
   return h('div.replay', screen,
     h('div.transport', play, track, rate),
-    h('div.options', colour, legend, walls, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid)),
+    h('div.options', colour, legend, walls, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid, stage.figure && bare)),
     h('p.note', note(head), h('span.controls', ' ', h('kbd', 'Space'), ' plays, ', h('kbd', '←'), ' ', h('kbd', '→'),
       ' step a frame, with ', h('kbd', 'Shift'), ' a second.')));
+}
+
+/// A class's name is the case's, its size that of the rocks as they are dug: coarse graining makes them larger.
+function className(it, type) {
+  return it ? `${it.name}, ${number(it.size_m, 2)} m` : `class ${type}`;
 }
 
 /// Nothing when no wall's dumps have a field.
@@ -134,14 +140,14 @@ function note(head) {
 
 function cameraViews(stage) {
   const dipper = () => stage.dipper?.position ?? stage.rocks.geometry.boundingSphere.center;
-  const box = stage.rocks.geometry.boundingSphere;
+  const box = stage.bounds();
   const narrow = () => (stage.camera.aspect < 1.3 ? 1.3 : 1);
   const face = () => (narrow() > 1 ? new Vector3(7, 0, 0) : new Vector3(4.5, 2, 0)).add(dipper()).setZ(3.6);
   return {
     Dig: () => stage.look(face(), new Vector3(-10, -23.5, 9).multiplyScalar(narrow()), false),
     Follow: () => stage.look(dipper().clone().add(new Vector3(1, 0, 0)), new Vector3(-4.5, -12, 5).multiplyScalar(narrow()), true),
     Above: () => stage.look(new Vector3(dipper().x, box.center.y, 0), new Vector3(-0.5, 0, 52).multiplyScalar(narrow()), false),
-    All: () => stage.look(box.center.clone().setZ(3), new Vector3(-0.45, -0.72, 0.52).multiplyScalar(1.9 * box.radius * narrow()), false),
+    All: () => stage.look(box.center, new Vector3(-0.42, -0.81, 0.4).multiplyScalar((stage.figure ? 2.2 : 1.9) * box.radius * narrow()), false),
   };
 }
 

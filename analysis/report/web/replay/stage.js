@@ -1,11 +1,12 @@
 // The scene: rocks, walls, ground, light and the camera.
 import {
-  Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshLambertMaterial, PerspectiveCamera,
-  Plane, PlaneGeometry, Scene, Vector3, WebGLRenderer,
+  Box3, Color, DirectionalLight, Fog, GridHelper, Group, HemisphereLight, Mesh, MeshLambertMaterial, PerspectiveCamera,
+  Plane, PlaneGeometry, Scene, Sphere, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { SPEED } from '../palette.js';
 import { isDark } from '../theme.js';
+import { Figure } from './figure.js';
 import { Rocks } from './rocks.js';
 import { Wall } from './walls.js';
 
@@ -41,6 +42,8 @@ export class Stage {
       return made;
     });
     this.dipper = this.walls.find((wall) => wall.name === 'dipper');
+    this.figure = head.figure.bodies.length > 0 ? new Figure(head.figure) : null;
+    if (this.figure) this.scene.add(this.figure);
     this.scene.add(this.rocks, ...this.walls, this.ground, ...lights());
     this.plane = new Plane();
     this.cutting = false;
@@ -99,6 +102,7 @@ export class Stage {
     const { first, second, share } = this.between();
     const before = this.dipper?.position.clone();
     for (const wall of this.walls) wall.at(first, second, share);
+    this.figure?.at(first, second, share);
     this.rocks.at(first, second, share);
     if (this.following && this.dipper && before) {
       const moved = this.dipper.position.clone().sub(before);
@@ -108,6 +112,15 @@ export class Stage {
     }
     this.rocks.cut(this.cutting ? this.middlePlane() : null);
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /// About all that is drawn, or about the rock where there is no figure.
+  bounds() {
+    const rocks = this.rocks.geometry.boundingSphere;
+    if (!this.figure) return new Sphere(rocks.center.clone().setZ(3), rocks.radius);
+    const box = new Box3().setFromObject(this.figure);
+    for (const way of [-1, 1]) box.expandByPoint(rocks.center.clone().addScalar(way * 0.4 * rocks.radius));
+    return box.getBoundingSphere(new Sphere());
   }
 
   between() {

@@ -77,9 +77,14 @@ export class Wall extends Group {
 
   at(first, second, share) {
     this.paint(share < 0.5 ? first : second);
-    const [a, b] = [this.poses[first], this.poses[second]];
-    this.position.set(a[0], a[1], a[2]).lerp(new Vector3(b[0], b[1], b[2]), share);
-    this.quaternion.set(a[4], a[5], a[6], a[3]).slerp(new Quaternion(b[4], b[5], b[6], b[3]), share);
-    this.quaternion.normalize();
+    place(this, this.poses, first, second, share);
   }
+}
+
+/// Puts an object between two of its poses; one that never moves has one.
+export function place(object, poses, first, second, share) {
+  const [a, b] = [poses[Math.min(first, poses.length - 1)], poses[Math.min(second, poses.length - 1)]];
+  object.position.set(a[0], a[1], a[2]).lerp(new Vector3(b[0], b[1], b[2]), share);
+  object.quaternion.set(a[4], a[5], a[6], a[3]).slerp(new Quaternion(b[4], b[5], b[6], b[3]), share);
+  object.quaternion.normalize();
 }
