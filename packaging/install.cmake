@@ -22,4 +22,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # libraries; below, what is started by name
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
     "liggghts, openmpi-bin, python3, python3-numpy, python3-scipy, python3-sklearn, python3-h5py, python3-yaml, python3-matplotlib")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium, ffmpeg")  # for report --poster and --video
 include(CPack)

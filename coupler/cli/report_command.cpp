@@ -69,7 +69,12 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
         options.out.empty() ? fs::path(options.folder) / "report" : fs::path(options.out);
     if (!folder.has_filename()) folder = folder.parent_path();  // was given as "there/"
     refuse_unwritable(folder);
+    if (const std::string obstacle = analysis::report::film_obstacle(options.film);
+        !obstacle.empty())
+      throw InputError({{{}, 0, "", obstacle}});
     if (analysis::report::is_dry_run(options.folder)) {
+      if (options.film.any())
+        throw InputError({{options.folder, 0, "", "a run without rock has no replay to film"}});
       fs::create_directories(folder);
       analysis::report::write_dry_page(options.folder, folder / "report.html");
       reporter.line((folder / "report.html").string());
@@ -87,6 +92,8 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
     });
     tell_passes(metrics.values, reporter);
     reporter.line((folder / "report.html").string());
+    if (options.film.any())
+      analysis::report::write_film(folder / "report.html", options.film, reporter);
     return 0;
   } catch (const InputError& e) {
     reporter.error(e.what());
@@ -103,6 +110,9 @@ Command add_report_command(CLI::App& app, Reporter& reporter) {
       ->check(number_in({0, 1, true}));
   sub->add_option("--mesh", o->mesh, "the dipper's STL, for dumps without a record");
   sub->add_option("--poses", o->poses, "its poses: time_s,x_m,y_m,z_m,qw,qx,qy,qz");
+  sub->add_option("--video", o->film.video, "the dig as an .mp4; needs chromium and ffmpeg");
+  sub->add_option("--poster", o->film.poster,
+                  "a picture of the fullest moment of the dig, .png or .jpg; needs chromium");
   return {sub, [o, &reporter] { return report_command(*o, reporter); }};
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/report/film.hpp"
 #include "common/reporter.hpp"
 #include "coupler/cli/command.hpp"
 
@@ -13,6 +14,7 @@ struct ReportOptions {
   std::string folder;
   std::string out;  ///< the report's folder; empty: FOLDER/report
   std::optional<double> timestep_s;
+  analysis::report::FilmOptions film;
   std::string mesh, poses;  ///< of a dipper whose run is not Dipper's; both or none
 };
 

@@ -5,6 +5,7 @@ import { fixed, number, seconds } from '../format.js';
 import { choice, toggle } from '../parts/choice.js';
 import { SIZE, SPEED, classColour, gradient, PRESSED, phaseTone, ramp, rgb } from '../palette.js';
 import { printing, onTheme } from '../theme.js';
+import { film } from './film.js';
 import { Stage } from './stage.js';
 
 const DECADES = 5; // of a wall's field, as replay_encoder.hpp has it
@@ -102,6 +103,8 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
   });
   show();
   canvas.stage = stage; // for whoever measures how fast it draws
+  const picture = film(stage, clock, () => [clockFace.textContent, ...[...(readout?.element.children ?? [])].map((line) => line.textContent)]);
+  canvas.film = (...of) => { views.All(); return picture(...of); };
   return h('div.replay', screen,
     h('div.transport', play, track, rate),
     h('div.options', colour, legend, walls, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid, stage.figure && bare)),
@@ -147,7 +150,7 @@ function cameraViews(stage) {
     Dig: () => stage.look(face(), new Vector3(-10, -23.5, 9).multiplyScalar(narrow()), false),
     Follow: () => stage.look(dipper().clone().add(new Vector3(1, 0, 0)), new Vector3(-4.5, -12, 5).multiplyScalar(narrow()), true),
     Above: () => stage.look(new Vector3(dipper().x, box.center.y, 0), new Vector3(-0.5, 0, 52).multiplyScalar(narrow()), false),
-    All: () => stage.look(box.center, new Vector3(-0.42, -0.81, 0.4).multiplyScalar((stage.figure ? 2.2 : 1.9) * box.radius * narrow()), false),
+    All: () => stage.look(box.center, new Vector3(-0.3, -0.86, 0.36).multiplyScalar((stage.figure ? 2.25 : 1.9) * box.radius * narrow()), false),
   };
 }
 

@@ -1,0 +1,31 @@
+// A run's page as a film and as a picture.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/reporter.hpp"
+
+namespace dipper::analysis::report {
+
+struct FilmOptions {
+  std::filesystem::path video;   ///< an .mp4; empty: none
+  std::filesystem::path poster;  ///< a .png or .jpg; empty: none
+  bool any() const { return !video.empty() || !poster.empty(); }
+};
+
+/// A film has 20 pictures a second and no more than this many: a long run plays faster, by a whole
+/// number.
+constexpr int kFilmPictures = 1200;
+
+/// What stands in the way before anything is drawn, "" when nothing does: a program that is
+/// missing, with the package that has it, a name that does not say which kind of file, a folder
+/// that is not there.
+std::string film_obstacle(const FilmOptions& options);
+
+/// Opens the page in a headless browser and writes what is asked for; a half one is not left. The
+/// poster is the moment at which the dipper, on its way out of the rock, holds most. Throws
+/// std::runtime_error when browser or ffmpeg fail, or take more than a minute over one picture.
+void write_film(const std::filesystem::path& page, const FilmOptions& options, Reporter& reporter);
+
+}  // namespace dipper::analysis::report

@@ -1,0 +1,47 @@
+// A web browser without a window, asked over a pipe (Chrome DevTools Protocol).
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace dipper::analysis::report {
+
+/// Where a program is on the PATH; nothing when it is not.
+std::optional<std::filesystem::path> program_on_path(const std::string& name);
+
+/// Chromium or Chrome, whichever there is.
+std::optional<std::filesystem::path> find_browser();
+
+/// One page in a browser of its own, with an empty profile and software WebGL. The browser ends
+/// with it.
+class HeadlessBrowser {
+ public:
+  /// Throws std::runtime_error when the browser does not start within a minute.
+  HeadlessBrowser(const std::filesystem::path& program, const std::filesystem::path& page);
+  ~HeadlessBrowser();
+  HeadlessBrowser(const HeadlessBrowser&) = delete;
+  HeadlessBrowser& operator=(const HeadlessBrowser&) = delete;
+
+  /// The value of an expression, or of what it promises. Throws std::runtime_error with the page's
+  /// error, when the browser has ended, or when there is no answer within `patience`.
+  nlohmann::json evaluate(const std::string& expression, std::chrono::seconds patience);
+
+ private:
+  nlohmann::json ask(const std::string& method, nlohmann::json parameters,
+                     std::chrono::seconds patience);
+  std::string next_message(std::chrono::steady_clock::time_point until);
+  void end();
+
+  std::filesystem::path profile_;
+  pid_t pid_ = -1;
+  int to_ = -1, from_ = -1;
+  int last_id_ = 0;
+  std::string session_, unread_;
+};
+
+}  // namespace dipper::analysis::report
