@@ -113,7 +113,7 @@ def test_a_real_run_of_two_ranks(world, cluster):
     world.study(f"""case: {TINY}
 seeds: [5]
 ranks: 2
-set: {{end_s: 0.3, pile.settle_s: 0.2}}
+set: {{end_s: 0.06, pile.settle_s: 0.1, pile.relax_s: 0.05}}
 parameters: {{machine.rake_angle_deg: [61]}}
 executor: slurm
 slurm: {{partition: wide}}
