@@ -13,6 +13,7 @@ from scipy.optimize import linprog
 from scipy.sparse import bmat, diags, identity
 
 ROUNDS = 8        # of drawing the speed in until the curve between the rows keeps it, too
+MOST = 1000       # readings that are cross-validated
 TOLERANCE = 1e-4  # of the largest acceleration: the rows are rounded when written
 
 
@@ -66,8 +67,21 @@ def top_acceleration(value, step):
 
 def _smoothed(readings, grid):
     """Rows, and the root mean square of what the readings are off them."""
-    spline = make_smoothing_spline(readings.time_s, readings.value)
+    strength = _strength(readings.time_s, readings.value) if len(readings.time_s) > MOST else None
+    spline = make_smoothing_spline(readings.time_s, readings.value, lam=strength)
     return spline(grid), float(np.sqrt(np.mean((spline(readings.time_s) - readings.value) ** 2)))
+
+
+def _strength(time, value):
+    """The smoothing that cross-validation finds for the MOST readings in a row that move most; for a long log it would
+    take minutes. A smoothing spline f has y - f = strength * (jump of its third derivative) at each reading, where the
+    sum of squares and the integral of its squared second derivative are in balance: all but the strength is known."""
+    went = np.append(0, np.cumsum(np.abs(np.diff(value))))
+    start = int(np.argmax(went[MOST - 1:] - went[:len(went) - MOST + 1]))
+    t, y = time[start:start + MOST], value[start:start + MOST]
+    spline = make_smoothing_spline(t, y)
+    jump = np.diff(spline.derivative(3)(0.5 * (t[:-1] + t[1:])), prepend=0, append=0)
+    return max(0.0, float((y - spline(t)) @ jump / (jump @ jump)))
 
 
 def _switched(readings, grid, limits):
@@ -87,6 +101,7 @@ def _nearest_within(target, free, step, limits, speed):
     first = diags([-1.0, 1.0], [0, 1], shape=(n - 1, n))
     second = diags([1.0, -2.0, 1.0], [-1, 0, 1], shape=(n, n)).tolil()
     second[0, 0] = second[-1, -1] = -1.0
+    second = second.tocsr()
     third = first @ second
     blocks, right = [], []
     for matrix, most in ((first, speed * step), (second, limits.acceleration * step ** 2)):

@@ -4,6 +4,7 @@ import math
 import numpy as np
 import pytest
 
+import dipper_import.fit
 import ugly_log
 from dipper_import.fit import fit_drive, motion_curve, top_acceleration
 from dipper_import.import_map import Limits
@@ -26,6 +27,13 @@ def test_known_curves_come_back(rate_hz, noise, step, within):
     fit = fit_drive(readings(rate_hz, noise, step), GRID, Limits(), False)
     assert np.abs(fit.value - ugly_log.planned(10).channels["hoist"][:len(GRID)]).max() < within
     assert not fit.limited
+
+
+def test_a_long_log_is_smoothed_as_a_part_of_it(monkeypatch):
+    short = fit_drive(readings(10, 0.01), GRID, Limits(), False)
+    monkeypatch.setattr(dipper_import.fit, "MOST", 600)
+    part = fit_drive(readings(10, 0.01), GRID, Limits(), False)
+    assert 0 < np.abs(part.value - short.value).max() < 0.005
 
 
 @pytest.mark.parametrize("limits", [
