@@ -7,7 +7,8 @@ export function way(ways, faces) {
   if (!ways.length) return null;
   const figures = ways.map((w) => picture(w, faces.find((f) => f.pass === w.pass)));
   return section('way', 'The way of the teeth',
-    'In the plane of the boom, from the start of a pass to the dump: the middle of the teeth\'s tips (line), the bench as the case has it (filled). Metres from the swing axis and over the ground.',
+    'In the plane of the boom, from the start of a pass to the dump: the middle of the teeth\'s tips (line), the bench as the case has it (filled). '
+    + 'Metres from the swing axis and over the ground.',
     h('div.ways', figures));
 }
 
@@ -21,7 +22,8 @@ function picture(w, face) {
   const [last] = surface.slice(-1);
   return h('figure.way', h('figcaption.title', `Pass ${w.pass}`),
     svg('svg', { viewBox: `-2 ${-top - 0.5} ${right + 2.5} ${top + 2.5}`, role: 'img',
-      'aria-label': `The teeth go from ${w.out_m[0]} m out and ${w.up_m[0]} m up, through a bench of ${Math.max(...face.up_m)} m, to ${w.out_m[w.out_m.length - 1]} m out and ${w.up_m[w.up_m.length - 1]} m up.` },
+      'aria-label': `The teeth go from ${w.out_m[0]} m out and ${w.up_m[0]} m up, through a bench of ${Math.max(...face.up_m)} m, `
+        + `to ${w.out_m[w.out_m.length - 1]} m out and ${w.up_m[w.up_m.length - 1]} m up.` },
     steps(right).map((x) => [svg('path', { d: `M${x} ${-top}V0`, class: 'grid' }), svg('text', { x, y: 1.2, 'text-anchor': 'middle' }, `${x}`)]),
     steps(top).map((z) => [svg('path', { d: `M0 ${-z}H${right}`, class: 'grid' }), svg('text', { x: -0.4, y: -z + 0.3, 'text-anchor': 'end' }, `${z}`)]),
     svg('path', { d: `M${line([[surface[0][0], 0], ...surface, [right, last[1]], [right, 0]])}Z`, class: 'bench' }),
