@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 1280, kHeight = 720, kPerSecond = 20;
+constexpr int kWidth = 1280, kHeight = 720, kPerSecond = 15;
 constexpr std::chrono::seconds kLoading{120}, kPicture{60};
 
 std::string bytes_of_data_url(const std::string& url) {

@@ -14,9 +14,9 @@ struct FilmOptions {
   bool any() const { return !video.empty() || !poster.empty(); }
 };
 
-/// A film has 20 pictures a second and no more than this many: a long run plays faster, by a whole
+/// A film has 15 pictures a second and no more than this many: a long run plays faster, by a whole
 /// number.
-constexpr int kFilmPictures = 1200;
+constexpr int kFilmPictures = 900;
 
 /// What stands in the way before anything is drawn, "" when nothing does: a program that is
 /// missing, with the package that has it, a name that does not say which kind of file, a folder
