@@ -1,0 +1,109 @@
+#include "coupler/cli/clean_command.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include "common/cache_folder.hpp"
+#include "common/file_lock.hpp"
+#include "common/input_error.hpp"
+
+namespace dipper::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CleanOptions {
+  std::vector<std::string> places;
+  bool yes = false;
+};
+
+/// What goes together, and what is lost with it.
+struct Load {
+  std::string name, lost;
+  std::vector<fs::path> paths;
+};
+
+std::uintmax_t size_B(const fs::path& path) {
+  std::error_code gone;  // files come and go while others run
+  if (!fs::is_directory(path)) return fs::is_regular_file(path) ? fs::file_size(path, gone) : 0;
+  std::uintmax_t sum = 0;
+  for (const auto& f : fs::recursive_directory_iterator(path, gone))
+    if (f.is_regular_file(gone)) sum += f.file_size(gone);
+  return sum;
+}
+
+std::vector<Load> of_run(const fs::path& run) {
+  if (!fs::exists(run / "record.h5"))
+    throw InputError({{run, 0, "", "holds no run; name a run's folder, or `cache`"}});
+  std::vector<Load> loads = {
+      {"dumps", "frames of rock and walls: no new report, nothing to see in ParaView", {}},
+      {"checkpoints", "it cannot go on (--resume)", {}},
+      {"messages", "it cannot be replayed", {}}};
+  for (const auto& entry : fs::directory_iterator(run)) {
+    const fs::path name = entry.path().filename();
+    if (name == "dumps") loads[0].paths.push_back(entry.path());
+    if (name == "checkpoints") loads[1].paths.push_back(entry.path());
+    if (name.extension() == ".lcmlog") loads[2].paths.push_back(entry.path());
+  }
+  return loads;
+}
+
+std::vector<Load> of_cache() {
+  std::vector<Load> loads;
+  if (!fs::is_directory(cache_folder())) return loads;
+  for (const auto& kind : fs::directory_iterator(cache_folder())) {
+    if (!kind.is_directory()) continue;
+    Load load{kind.path().filename().string(), "made again when they are needed", {}};
+    for (const auto& entry : fs::directory_iterator(kind.path()))
+      if (entry.path().extension() != ".lock") load.paths.push_back(entry.path());
+    loads.push_back(std::move(load));
+  }
+  return loads;
+}
+
+/// Entries of the cache that another process is making stay.
+bool in_use(const fs::path& path) { return !FileLock(path.string() + ".lock").try_lock(); }
+
+int clean(const CleanOptions& o, Reporter& reporter) {
+  std::uintmax_t sum_B = 0;
+  for (const std::string& place : o.places) {
+    const bool cache = place == "cache" && !fs::exists(fs::path(place) / "record.h5");
+    const fs::path folder = cache ? cache_folder() : fs::path(place);
+    FileLock writer(folder / "run.lock");
+    const std::vector<Load> loads = cache ? of_cache() : of_run(folder);
+    if (!cache && !writer.try_lock())
+      throw InputError({{folder, 0, "", "a run is writing it; wait for its end"}});
+    for (const Load& load : loads) {
+      std::uintmax_t load_B = 0;
+      for (const fs::path& path : load.paths) {
+        if (cache && in_use(path)) continue;
+        load_B += size_B(path);
+        if (o.yes) fs::remove_all(path);
+      }
+      sum_B += load_B;
+      reporter.line(fmt::format("{:>9.1f} MB  {}: {}", static_cast<double>(load_B) * 1e-6,
+                                (folder / load.name).string(), load.lost));
+    }
+  }
+  reporter.line(fmt::format("{:>9.1f} MB  {}", static_cast<double>(sum_B) * 1e-6,
+                            o.yes ? "freed" : "would be free; --yes removes it"));
+  return 0;
+}
+
+}  // namespace
+
+Command add_clean_command(CLI::App& app, Reporter& reporter) {
+  const auto o = std::make_shared<CleanOptions>();
+  auto* sub = app.add_subcommand(
+      "clean",
+      "tells what a run's frames, checkpoints and messages, or the cache, hold on disk; removes "
+      "them with --yes. Record, summary and report stay. Example: dipper clean runs/quick --yes");
+  sub->add_option("PLACE", o->places, "runs' folders, or the word cache")->required();
+  sub->add_flag("--yes", o->yes, "remove it; else it is only told");
+  return {sub, [o, &reporter] { return clean(*o, reporter); }};
+}
+
+}  // namespace dipper::cli

@@ -1,0 +1,96 @@
+#include "coupler/cli/clean_command.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "common/cache_folder.hpp"
+#include "common/file_lock.hpp"
+#include "common/input_error.hpp"
+#include "tests/common/memory_reporter.hpp"
+
+namespace dipper::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class CleanCommand : public testing::Test {
+ protected:
+  CleanCommand() {
+    std::string name = (fs::temp_directory_path() / "dipper-clean-XXXXXX").string();
+    root = mkdtemp(name.data());
+    run = root / "run";
+    fs::create_directories(root / "cache");
+    set_cache_folder(root / "cache");
+  }
+  ~CleanCommand() override { fs::remove_all(root); }
+
+  static void put(const fs::path& file, std::size_t size) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << std::string(size, 'x');
+  }
+
+  void put_run() {
+    put(run / "record.h5", 1000);
+    put(run / "summary.json", 10);
+    put(run / "dumps" / "rocks_0.dump", 2'000'000);
+    put(run / "checkpoints" / "000000010" / "rock.restart", 1'500'000);
+    put(run / "events.lcmlog", 400'000);
+    put(run / "events-10.lcmlog", 100'000);
+  }
+
+  std::string told(std::vector<std::string> words) {
+    CLI::App app;
+    test::MemoryReporter reporter;
+    const Command command = add_clean_command(app, reporter);
+    words.insert(words.begin(), "clean");
+    std::reverse(words.begin(), words.end());
+    app.parse(words);
+    EXPECT_EQ(command.run(), 0);
+    return reporter.lines;
+  }
+
+  fs::path root, run;
+};
+
+TEST_F(CleanCommand, TellsFirstAndRemovesWhenAsked) {
+  put_run();
+  const std::string said = told({run.string()});
+  EXPECT_THAT(said, HasSubstr("2.0 MB  " + (run / "dumps").string()));
+  EXPECT_THAT(said, HasSubstr("1.5 MB  " + (run / "checkpoints").string()));
+  EXPECT_THAT(said, HasSubstr("0.5 MB  " + (run / "messages").string()));
+  EXPECT_THAT(said, HasSubstr("4.0 MB  would be free"));
+  EXPECT_TRUE(fs::exists(run / "dumps" / "rocks_0.dump"));
+
+  EXPECT_THAT(told({run.string(), "--yes"}), HasSubstr("4.0 MB  freed"));
+  for (const char* gone : {"dumps", "checkpoints", "events.lcmlog", "events-10.lcmlog"})
+    EXPECT_FALSE(fs::exists(run / gone)) << gone;
+  for (const char* kept : {"record.h5", "summary.json"}) EXPECT_TRUE(fs::exists(run / kept));
+}
+
+TEST_F(CleanCommand, LeavesWhatIsNoRunAndWhatIsBeingWritten) {
+  EXPECT_THAT([&] { told({root.string()}); },
+              testing::ThrowsMessage<InputError>(HasSubstr("holds no run")));
+  put_run();
+  FileLock writer(run / "run.lock");
+  ASSERT_TRUE(writer.try_lock());
+  EXPECT_THAT([&] { told({run.string(), "--yes"}); },
+              testing::ThrowsMessage<InputError>(HasSubstr("a run is writing it")));
+  EXPECT_TRUE(fs::exists(run / "dumps" / "rocks_0.dump"));
+}
+
+TEST_F(CleanCommand, EmptiesTheCacheButForWhatIsBeingMade) {
+  put(root / "cache" / "piles" / "a" / "pile.restart", 3'000'000);
+  put(root / "cache" / "piles" / "b" / "pile.restart", 1'000'000);
+  FileLock maker(root / "cache" / "piles" / "b.lock");
+  ASSERT_TRUE(maker.try_lock());
+  EXPECT_THAT(told({"cache", "--yes"}), HasSubstr("3.0 MB  freed"));
+  EXPECT_FALSE(fs::exists(root / "cache" / "piles" / "a"));
+  EXPECT_TRUE(fs::exists(root / "cache" / "piles" / "b"));
+}
+
+}  // namespace
+}  // namespace dipper::cli
