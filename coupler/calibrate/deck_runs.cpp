@@ -86,16 +86,20 @@ struct Active {
   std::unique_ptr<launch::Process> liggghts;
 };
 
-std::vector<std::string> command(const DeckRun& run, const fs::path& work) {
-  // Started in its own folder: on an error LIGGGHTS leaves a restart file where it stands.
-  std::vector<std::string> words = {"env",         "-C",
-                                    work.string(), installed_program("dipper-liggghts"),
-                                    "-in",         "dem_in/" + run.deck + ".in",
-                                    "-log",        "liggghts.log",
-                                    "-screen",     "screen",
-                                    "-var",        "deck",
-                                    "deck",        "-var",
-                                    "out",         "."};
+std::vector<std::string> command(const DeckRun& run) {
+  std::vector<std::string> words = {installed_program("dipper-liggghts"),
+                                    "-in",
+                                    "dem_in/" + run.deck + ".in",
+                                    "-log",
+                                    "liggghts.log",
+                                    "-screen",
+                                    "screen",
+                                    "-var",
+                                    "deck",
+                                    "deck",
+                                    "-var",
+                                    "out",
+                                    "."};
   for (const auto& [name, value] : run.variables) words.insert(words.end(), {"-var", name, value});
   return words;
 }
@@ -160,7 +164,8 @@ std::vector<DeckResult> run_decks(
       const fs::path work = writer->part();
       fs::copy(deck.folder(), work / "deck", fs::copy_options::recursive);
       fs::create_symlink(data_folder() / "dem_in", work / "dem_in");
-      auto liggghts = std::make_unique<launch::Process>(command(run, work), work / "stderr");
+      // In its own folder: on an error LIGGGHTS leaves a restart file where it stands.
+      auto liggghts = std::make_unique<launch::Process>(command(run), work / "stderr", work);
       active.push_back({next++, hash, std::move(writer), std::move(liggghts)});
     }
     if (launch::interrupts() > 0) throw launch::Interrupted();

@@ -19,7 +19,8 @@
 
 namespace dipper::launch {
 
-Process::Process(const std::vector<std::string>& command, const std::filesystem::path& log)
+Process::Process(const std::vector<std::string>& command, const std::filesystem::path& log,
+                 const std::filesystem::path& folder)
     : name_(std::filesystem::path(command[0]).filename()) {
   std::vector<std::string> words = command;
   std::vector<char*> argv;
@@ -42,6 +43,10 @@ Process::Process(const std::vector<std::string>& command, const std::filesystem:
     dup2(in, 0);
     dup2(out, 1);
     dup2(out, 2);
+    if (!folder.empty() && chdir(folder.c_str()) != 0) {
+      dprintf(2, "cannot work in %s: %s\n", folder.c_str(), strerror(errno));
+      _exit(127);
+    }
     execvp(argv[0], argv.data());
     dprintf(2, "cannot start %s: %s\n", argv[0], strerror(errno));
     _exit(127);

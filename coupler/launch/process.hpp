@@ -14,8 +14,10 @@ namespace dipper::launch {
 /// when it is killed. stdout and stderr go to `log`.
 class Process {
  public:
+  /// \param folder  in which it works, and drops what it drops; empty: where the launcher does
   /// Throws std::runtime_error when the program cannot be started.
-  Process(const std::vector<std::string>& command, const std::filesystem::path& log);
+  Process(const std::vector<std::string>& command, const std::filesystem::path& log,
+          const std::filesystem::path& folder = {});
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;

@@ -85,14 +85,13 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
   const auto settle = [&](const fs::path& out) {
     const fs::path screen = logs / "settle.screen";
     const Links links(out, deck);
-    std::vector<std::string> command = {"env", "-C", out.string()};
-    for (std::string& word : launch::mpirun(
-             c.dem.ranks, {installed_program("dipper-liggghts"), "-in", "dem_in/settle.in", "-log",
-                           fs::absolute(logs / "settle.liggghts").string(), "-screen",
-                           fs::absolute(screen).string(), "-var", "deck", "deck", "-var", "out",
-                           ".", "-var", "bench_cut", "./bench-cut"}))
-      command.push_back(std::move(word));
-    launch::Process liggghts(command, logs / "settle.log");
+    launch::Process liggghts(
+        launch::mpirun(c.dem.ranks,
+                       {installed_program("dipper-liggghts"), "-in", "dem_in/settle.in", "-log",
+                        fs::absolute(logs / "settle.liggghts").string(), "-screen",
+                        fs::absolute(screen).string(), "-var", "deck", "deck", "-var", "out", ".",
+                        "-var", "bench_cut", "./bench-cut"}),
+        logs / "settle.log", out);
     launch::HangWatch watch(c.coupling.timeout_s);
     while (!liggghts.wait(std::chrono::milliseconds(100))) {
       std::error_code none_yet;

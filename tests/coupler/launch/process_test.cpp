@@ -30,6 +30,19 @@ TEST(Process, CpuTimeIsKnownWhileItRuns) {
   EXPECT_FALSE(busy.ended());
 }
 
+TEST(Process, WorksInTheFolderItIsGiven) {
+  const Log log;
+  const fs::path folder = fs::canonical(fs::temp_directory_path());
+  Process there({"pwd"}, log.file, folder);
+  ASSERT_TRUE(there.wait(std::chrono::seconds(20)));
+  std::string said;
+  std::getline(std::ifstream(log.file), said);
+  EXPECT_EQ(said, folder.string());
+  Process nowhere({"pwd"}, log.file, folder / "is not there");
+  ASSERT_TRUE(nowhere.wait(std::chrono::seconds(20)));
+  EXPECT_FALSE(nowhere.succeeded());
+}
+
 TEST(Process, WhatAProgramHasStartedEndsWithIt) {
   const Log log;
   pid_t grandchild = 0;
