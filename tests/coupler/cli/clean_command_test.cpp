@@ -77,8 +77,11 @@ TEST_F(CleanCommand, LeavesWhatIsNoRunAndWhatIsBeingWritten) {
   put_run();
   FileLock writer(run / "run.lock");
   ASSERT_TRUE(writer.try_lock());
-  EXPECT_THAT([&] { told({run.string(), "--yes"}); },
-              testing::ThrowsMessage<InputError>(HasSubstr("a run is writing it")));
+  EXPECT_THAT(
+      [&] {
+        told({run.string(), "--yes"});
+      },
+      testing::ThrowsMessage<InputError>(HasSubstr("a run is writing it")));
   EXPECT_TRUE(fs::exists(run / "dumps" / "rocks_0.dump"));
 }
 

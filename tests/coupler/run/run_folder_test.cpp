@@ -54,7 +54,8 @@ TEST(Settings, AreKeptTheLastOfAKey) {
   EXPECT_TRUE(read_settings(scratch.root).empty());
   write_settings(scratch.root, {{"end_s", "1"}, {"dem.ranks", "2"}, {"end_s", "2.5"}});
   std::vector<std::string> kept;
-  for (const cases::Override& o : read_settings(scratch.root)) kept.push_back(o.key + "=" + o.value);
+  for (const cases::Override& o : read_settings(scratch.root))
+    kept.push_back(o.key + "=" + o.value);
   EXPECT_THAT(kept, ElementsAre("dem.ranks=2", "end_s=2.5"));
 }
 
