@@ -20,8 +20,9 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
 
 /// The same for programs: one JSON object with case, sound, findings[] {file, line, column, key,
 /// message} and, of a sound case, warnings[] like them, case_hash, size {rocks, simulated_s, steps,
-/// windows, settle_steps, stable_timestep_s}, cost (cost_estimate.hpp), values {key: value}, effects {name: strength} and
-/// files[] it is made from; and the program's source_hash, as given. Whether it is sound.
+/// windows, settle_steps, stable_timestep_s}, cost (cost_estimate.hpp), values {key: value},
+/// effects {name: strength} and files[] it is made from; and the program's source_hash, as given.
+/// Whether it is sound.
 bool check_as_json(const std::filesystem::path& folder,
                    const std::vector<cases::Override>& overrides, const std::string& source_hash,
                    Reporter& reporter);
