@@ -27,6 +27,10 @@ struct CaseParts {
 /// truck, the truck against the dump.
 void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts);
 
+/// What the mesh holds against what its YAML and the machine say; of a mesh that has no other
+/// fault.
+void doubt_volume(const CaseParts& parts, std::vector<Finding>& doubts);
+
 /// Numbers that look as if in another unit, or of no such machine, mesh or pile.
 void doubt_numbers(const CaseParts& parts, std::vector<Finding>& doubts);
 

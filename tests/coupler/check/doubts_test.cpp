@@ -35,13 +35,15 @@ std::vector<std::string> doubts_of(const Checkout& checkout, std::vector<cases::
 
 /// The dipper's mesh changed.
 template <typename Change>
-std::vector<std::string> with_dipper(const Change& change) {
+std::vector<std::string> with_dipper(const Change& change, const std::string& facts = "") {
   const Checkout checkout;
   std::vector<Finding> findings;
-  const auto file = cases::load_case(checkout.folder(), {}, findings).bodies.at("dipper");
+  auto file = cases::load_case(checkout.folder(), {}, findings).bodies.at("dipper");
   mesh::TriangleMesh dipper = mesh::read_stl(file);
   for (Vector3d& v : dipper.vertices) v = change(v);
   test::write_text(checkout.folder() / "changed.stl", test::ascii_stl(dipper));
+  test::write_text(checkout.folder() / "changed.yaml",
+                   facts.empty() ? test::read_text(file.replace_extension(".yaml")) : facts);
   std::vector<Finding> loaded;
   cases::Case c =
       cases::load_case(checkout.folder(), {{"rock.coarse_graining_limit_m", "1"}}, loaded);
@@ -88,6 +90,19 @@ TEST(Doubts, MeshesThatLookWrong) {
               testing::Contains(HasSubstr("is its y up?")));
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x() + 1, v.y(), v.z()); }),
               testing::Contains(HasSubstr("docs/frames.md")));
+}
+
+TEST(Doubts, WhatTheMeshHoldsAgainstWhatIsSaidOfIt) {
+  const auto as_it_is = [](const Vector3d& v) { return v; };
+  EXPECT_THAT(with_dipper(as_it_is), ElementsAre());
+  EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x(), 0.75 * v.y(), v.z()); }),
+              testing::Contains(HasSubstr("struck, where its YAML says struck_volume_m3: 42")));
+  const std::string shape = "heap_height_m: 1.0\ncavity: {min_m: [0, -2, -1.5], max_m: ";
+  EXPECT_THAT(with_dipper(as_it_is, "struck_volume_m3: 20\n" + shape + "[4, 2, 1.5]}\n"),
+              testing::IsSupersetOf({HasSubstr("struck_volume_m3: 20"),
+                                     HasSubstr("42 m3, where the dipper's mesh has 20")}));
+  EXPECT_THAT(with_dipper(as_it_is, "struck_volume_m3: 42\n" + shape + "[4, 3.5, 1.5]}\n"),
+              testing::Contains(HasSubstr("m out of the mesh: rock beside the dipper")));
 }
 
 }  // namespace

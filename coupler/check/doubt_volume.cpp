@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/rock/struck_volume.hpp"
+#include "coupler/case/mesh_facts.hpp"
+#include "coupler/check/doubt_parts.hpp"
+
+namespace dipper::check {
+namespace {
+
+constexpr double kMuch = 0.15;      // of a volume: a fill factor that is off by it misleads
+constexpr double kOutside_m = 0.2;  // of a cavity beyond the mesh that holds it
+constexpr double kCell = 1.0 / 40;  // of the mesh's longest side: half the error of kMuch
+
+/// The dipper with its door where the motion begins: shut.
+mesh::TriangleMesh vessel_of(const CaseParts& parts) {
+  mesh::TriangleMesh vessel = parts.dipper;
+  const machine::ShovelPose pose = parts.shovel.pose(parts.motion.value(parts.motion.start_ns()));
+  const Pose X_BD = inverse(pose.X_WB) * pose.X_WD;
+  for (std::size_t t = 0; t < parts.door.triangles.size(); ++t) {
+    mesh::Triangle corners = parts.door.corners(t);
+    for (auto& c : corners) c = X_BD * c;
+    vessel.add_loose(corners);
+  }
+  return vessel;
+}
+
+}  // namespace
+
+void doubt_volume(const CaseParts& parts, std::vector<Finding>& doubts) {
+  std::vector<Finding> unread;
+  const cases::DipperFacts facts = cases::read_dipper_facts(parts.c, unread);
+  if (!unread.empty()) return;
+  const mesh::TriangleMesh vessel = vessel_of(parts);
+  const Box box = mesh::bounding_box(vessel);
+  const double longest_m = box.sides_m().maxCoeff();
+  const double held_m3 = analysis::rock::struck_volume(vessel, {kCell * longest_m}).volume_m3;
+  const double given_m3 = facts.struck_volume_m3;
+  const auto say = [&](const std::string& what) {
+    doubts.push_back(cases::finding_at(parts.c, "bodies.dipper", what));
+  };
+  if (held_m3 < kMuch * given_m3)
+    say(fmt::format(
+        "the mesh holds {:.1f} m3 of water with its door shut where its YAML says {:g}: "
+        "has it a gap, or does the door stand open at the start?",
+        held_m3, given_m3));
+  else if (std::abs(held_m3 - given_m3) > kMuch * given_m3)
+    say(
+        fmt::format("the mesh holds {:.1f} m3, struck, where its YAML says struck_volume_m3: {:g}, "
+                    "by which the fill factor is reckoned",
+                    held_m3, given_m3));
+  const double of_machine_m3 = parts.machine.dipper.struck_volume;
+  if (std::abs(of_machine_m3 - given_m3) > kMuch * given_m3)
+    doubts.push_back(
+        {parts.c.machine.model, 0, "dipper.struck_volume",
+         fmt::format("{:g} m3, where the dipper's mesh has {:g}", of_machine_m3, given_m3)});
+  const double out_m = std::max((box.min_m - facts.cavity.min_m).maxCoeff(),
+                                (facts.cavity.max_m - box.max_m).maxCoeff());
+  if (out_m > kOutside_m)
+    say(fmt::format(
+        "the cavity of its YAML reaches {:.1f} m out of the mesh: rock beside the dipper "
+        "would be weighed",
+        out_m));
+}
+
+}  // namespace dipper::check
