@@ -9,6 +9,7 @@
 #include "coupler/cli/calibrate_command.hpp"
 #include "coupler/cli/check_command.hpp"
 #include "coupler/cli/clean_command.hpp"
+#include "coupler/cli/completion_command.hpp"
 #include "coupler/cli/console.hpp"
 #include "coupler/cli/effects_command.hpp"
 #include "coupler/cli/environment.hpp"
@@ -52,12 +53,13 @@ int command_line(int argc, char** argv, Reporter& reporter) {
   app.set_version_flag("--version", version());
   app.require_subcommand(1);
   std::vector<Command> commands = {
-      add_check_command(app, reporter),   add_run_command(app, reporter),
-      add_replay_command(app, reporter),  add_observe_command(app),
-      add_report_command(app, reporter),  add_phases_command(app, reporter),
-      add_effects_command(app, reporter), add_calibrate_command(app, reporter),
-      add_face_command(app, reporter),    add_motion_command(app, reporter),
-      add_page_command(app, reporter),    add_clean_command(app, reporter)};
+      add_check_command(app, reporter),     add_run_command(app, reporter),
+      add_replay_command(app, reporter),    add_observe_command(app),
+      add_report_command(app, reporter),    add_phases_command(app, reporter),
+      add_effects_command(app, reporter),   add_calibrate_command(app, reporter),
+      add_face_command(app, reporter),      add_motion_command(app, reporter),
+      add_page_command(app, reporter),      add_clean_command(app, reporter),
+      add_completion_command(app, reporter)};
   const auto add_python = [&](const char* name, const char* package, const char* what) {
     auto* sub = app.add_subcommand(name, what);
     sub->prefix_command()->set_help_flag();  // its words are read by the program it becomes

@@ -1,0 +1,21 @@
+// What a shell and `man` know of the command line, made from the options themselves.
+#pragma once
+
+#include <string>
+
+#include "common/reporter.hpp"
+#include "coupler/cli/command.hpp"
+
+namespace dipper::cli {
+
+/// A script for bash that completes commands, options, and files elsewhere.
+std::string bash_completion(const CLI::App& app);
+
+/// The manual page, in roff's man macros.
+std::string manual_page(const CLI::App& app);
+
+/// `dipper completion`: prints the script, or with --man the page. `app` has every other command by
+/// the time it runs.
+Command add_completion_command(CLI::App& app, Reporter& reporter);
+
+}  // namespace dipper::cli
