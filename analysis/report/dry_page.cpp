@@ -5,6 +5,9 @@
 #include <fstream>
 
 #include "analysis/report/page.hpp"
+#include "analysis/report/record_replay.hpp"
+#include "analysis/report/replay_blocks.hpp"
+#include "analysis/report/replay_json.hpp"
 #include "analysis/report/report_page.hpp"
 #include "common/input_error.hpp"
 #include "common/record/columns.hpp"
@@ -15,14 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 using json = nlohmann::json;
 
+constexpr double kLineStep_m = 0.4, kLineRadius_m = 0.06;
 constexpr double kWayStep_m = 0.05;  // between points of the teeth's way
 
 json read_summary(const fs::path& folder) {
   std::ifstream in(folder / "summary.json");
   return json::parse(in, nullptr, false);
 }
-
-double rounded(double metres) { return std::round(metres * 1e3) / 1e3; }
 
 /// The teeth's way in the plane of the boom in each pass: from its start until the door opens.
 json ways(const json& summary, const record::Columns& record) {
@@ -37,12 +39,28 @@ json ways(const json& summary, const record::Columns& record) {
       if (time_s[i] < pass.at("t_start_s") || time_s[i] > pass.at("t_dump_s")) continue;
       const double out_m = std::hypot(x[i] - base_x, y[i] - base_y);
       if (std::hypot(out_m - last_out, z[i] - last_up) < kWayStep_m) continue;
-      way["out_m"].push_back(rounded(last_out = out_m));
-      way["up_m"].push_back(rounded(last_up = z[i]));
+      way["out_m"].push_back(rounded(last_out = out_m, 1e3));
+      way["up_m"].push_back(rounded(last_up = z[i], 1e3));
     }
     out.push_back(std::move(way));
   }
   return out;
+}
+
+/// The machine over the bench, and a line where the teeth go from first to last.
+ReplayBlocks at_work(const run::RunData& run, const record::Columns& record) {
+  std::vector<Vector3d> way;
+  const auto x = record.get("rock/teeth_x"), y = record.get("rock/teeth_y"),
+             z = record.get("rock/teeth_z");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vector3d tip(x[i], y[i], z[i]);
+    if (way.empty() || (tip - way.back()).norm() > kLineStep_m) way.push_back(tip);
+  }
+  run::Figure figure = run::read_figure(run);
+  figure.ropes.push_back({kLineRadius_m, [way](double) { return way; }});
+  ReplayBlocks replay = encode_replay(RecordReplay(run));
+  replay.head["figure"] = json_of_figure(figure, replay.head["times_s"]);
+  return replay;
 }
 
 }  // namespace
@@ -68,12 +86,16 @@ void write_dry_page(const fs::path& folder, const fs::path& file) {
     input.time_s = record.get("time_s");
     for (const auto& [name, unit] : kChannels)
       input.curves.push_back({name, unit, record.get(name)});
+    const run::RunData run = run::read_run_folder(folder);
+    ReplayBlocks replay = at_work(run, record);
     const std::string title = fs::weakly_canonical(folder).filename().string();
     write_page(page({{"kind", "dry"},
                      {"title", title},
                      {"summary", summary},
                      {"curves", curves_json(input)},
-                     {"ways", ways(summary, record)}}),
+                     {"ways", ways(summary, record)},
+                     {"replay", std::move(replay.head)}},
+                    replay.blocks),
                file);
   } catch (const json::exception& e) {
     throw InputError({{folder / "summary.json", 0, "", e.what()}});

@@ -8,8 +8,9 @@ namespace dipper::analysis::report {
 /// Whether the folder holds a run without rock: its summary.json has a rock_model.
 bool is_dry_run(const std::filesystem::path& folder);
 
-/// What its record and summary hold: the teeth's way through each pass's face, forces, powers, and
-/// how near the machine's limits they came. Throws InputError naming a file that cannot be read.
+/// What its record and summary hold: the machine at work over the bench, the teeth's way through
+/// each pass's face, forces, powers, and how near the machine's limits they came. Throws InputError
+/// naming a file that cannot be read.
 void write_dry_page(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 }  // namespace dipper::analysis::report

@@ -105,7 +105,11 @@ void read_meshes(RunData& run, const fs::path& deck) {
     const auto track = run.signals.walls.find(name);
     const Pose X_WB =
         track == run.signals.walls.end() ? run.regions.X_WT : track->second.at(0).X_WB;
-    if (fs::exists(dump)) run.meshes[name] = from_dump(dump, X_WB);
+    const fs::path built = deck.parent_path() / "walls" / (std::string(name) + ".stl");
+    if (fs::exists(dump))
+      run.meshes[name] = from_dump(dump, X_WB);
+    else if (fs::exists(built))  // a run without rock has no dumps
+      run.meshes[name] = mesh::read_stl(built);
   }
 }
 

@@ -19,6 +19,7 @@
 #include "coupler/cli/observe_command.hpp"
 #include "coupler/cli/page_command.hpp"
 #include "coupler/cli/phases_command.hpp"
+#include "coupler/cli/preview_command.hpp"
 #include "coupler/cli/python_command.hpp"
 #include "coupler/cli/replay_command.hpp"
 #include "coupler/cli/report_command.hpp"
@@ -53,13 +54,13 @@ int command_line(int argc, char** argv, Reporter& reporter) {
   app.set_version_flag("--version", version());
   app.require_subcommand(1);
   std::vector<Command> commands = {
-      add_check_command(app, reporter),     add_run_command(app, reporter),
-      add_replay_command(app, reporter),    add_observe_command(app),
-      add_report_command(app, reporter),    add_phases_command(app, reporter),
-      add_effects_command(app, reporter),   add_calibrate_command(app, reporter),
-      add_face_command(app, reporter),      add_motion_command(app, reporter),
-      add_page_command(app, reporter),      add_clean_command(app, reporter),
-      add_completion_command(app, reporter)};
+      add_check_command(app, reporter),      add_run_command(app, reporter),
+      add_replay_command(app, reporter),     add_observe_command(app),
+      add_report_command(app, reporter),     add_phases_command(app, reporter),
+      add_effects_command(app, reporter),    add_calibrate_command(app, reporter),
+      add_face_command(app, reporter),       add_motion_command(app, reporter),
+      add_page_command(app, reporter),       add_clean_command(app, reporter),
+      add_completion_command(app, reporter), add_preview_command(app, reporter)};
   const auto add_python = [&](const char* name, const char* package, const char* what) {
     auto* sub = app.add_subcommand(name, what);
     sub->prefix_command()->set_help_flag();  // its words are read by the program it becomes

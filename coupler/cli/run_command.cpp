@@ -96,9 +96,12 @@ int run(const RunOptions& o, Reporter& reporter) {
     if (!changed.empty()) return 2;
     run::write_settings(folder.root(), set);
     enter_own_network(reporter);
-    if (!o.no_rock.empty())
-      return static_cast<int>(dry::dry_run(
-          *c, o.no_rock == "none" ? dry::Rock::none : dry::Rock::estimate, folder, reporter));
+    if (!o.no_rock.empty()) {
+      const auto rock = o.no_rock == "none" ? dry::Rock::none : dry::Rock::estimate;
+      const run::RunStatus status = dry::dry_run(*c, rock, folder, reporter);
+      if (status == run::RunStatus::complete) reporter.line(folder.summary().string());
+      return static_cast<int>(status);
+    }
     return static_cast<int>(run::paired_run(*c, folder, o.resume, reporter));
   } catch (const InputError& e) {
     reporter.error(e.what());

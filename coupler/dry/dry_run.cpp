@@ -10,6 +10,7 @@
 #include "common/record/record.hpp"
 #include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
+#include "coupler/deck/deck.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/dry/estimated_rock.hpp"
 #include "coupler/dry/machine_limits.hpp"
@@ -43,6 +44,18 @@ transport::PeerConfig machine_config(const cases::Case& c, const run::RunFolder&
   config.settings =
       sides::mbs_settings(c, sides::dipper_layers(c, sides::read_mesh_facts(c).dipper.cavity));
   return config;
+}
+
+/// What a page of the run is drawn from, as a paired run leaves it: the deck with its walls and
+/// bench, and the regions in which rock is weighed.
+void write_scene(const cases::Case& c, const run::RunFolder& folder) {
+  deck::write_deck(c, c.rock.shape_folder, folder.deck());
+  const nlohmann::json dem =
+      sides::dem_settings(c, sides::read_mesh_facts(c), folder.deck(), folder.dumps(),
+                          folder.logs(), fs::path(), std::nullopt);
+  std::ofstream out(folder.scales());
+  out << nlohmann::json{{"scales", dem.at("scales")}}.dump() << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write " + folder.scales().string());
 }
 
 /// Steps to the end of the motion, or until interrupted. Whether the end is reached.
@@ -139,6 +152,7 @@ run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& fo
   DiggingEstimate estimate = digging_estimate(c);
   estimate.there_is_rock = rock == Rock::estimate;
   run::write_identity(folder.root(), c);
+  write_scene(c, folder);
   bool complete = false;
   double mbs_cpu_s = 0;
   try {
@@ -151,8 +165,7 @@ run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& fo
     reporter.error(e.what());
     return run::RunStatus::failed;
   }
-  for (const fs::path& unused : {folder.deck(), folder.dumps(), folder.checkpoints()})
-    fs::remove(unused);
+  for (const fs::path& unused : {folder.dumps(), folder.checkpoints()}) fs::remove(unused);
   if (!complete) {
     reporter.error("interrupted; a run without rock is not resumed: it is begun anew");
     return run::RunStatus::interrupted;
@@ -164,7 +177,6 @@ run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& fo
   if (!out.flush()) throw std::runtime_error("cannot write " + folder.summary().string());
   run::tell_passes(summary.at("passes"), reporter);
   tell_limits(limit_uses(folder.record(), machine::load_machine(c.machine.model)), reporter);
-  reporter.line(folder.summary().string());
   return run::RunStatus::complete;
 }
 

@@ -50,10 +50,11 @@ core::ServerInfo EstimatedRock::info() const {
       estimate_.there_is_rock ? "estimated rock (fundamental equation of earthmoving)" : "no rock";
   info.bodies = {"dipper", "door"};
   info.timestep_s = timestep_s_;
-  info.channels = {
-      {"mass_in_dipper", "kg", "-"}, {"mass_in_truck", "kg", "-"}, {"particles", "1", "-"},
-      {"rocks", "1", "-"},           {"teeth_x", "m", "W"},        {"teeth_y", "m", "W"},
-      {"teeth_z", "m", "W"},         {"cut_depth", "m", "-"},      {"cut_resistance", "N", "-"}};
+  info.channels = {{"mass_in_dipper", "kg", "-"}, {"mass_in_truck", "kg", "-"},
+                   {"rock_mass", "kg", "-"},      {"particles", "1", "-"},
+                   {"rocks", "1", "-"},           {"teeth_x", "m", "W"},
+                   {"teeth_y", "m", "W"},         {"teeth_z", "m", "W"},
+                   {"cut_depth", "m", "-"},       {"cut_resistance", "N", "-"}};
   return info;
 }
 
@@ -63,8 +64,8 @@ core::RockState EstimatedRock::state() const {
   s.t_ns = step_ * std::llround(timestep_s_ * 1e9);
   s.bodies = {{load_, load_, X_WB_.at(0)}, {{}, {}, X_WB_.at(1)}};
   const Vector3d tip = X_WB_.at(0) * tip_B_;
-  s.channels = {in_dipper_kg_, in_truck_kg_, 0, 0, tip.x(), tip.y(), tip.z(),
-                depth_m_,      resistance_N_};
+  s.channels = {in_dipper_kg_, in_truck_kg_, 0,       0,        0,
+                tip.x(),       tip.y(),      tip.z(), depth_m_, resistance_N_};
   return s;
 }
 

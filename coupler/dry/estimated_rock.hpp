@@ -27,9 +27,9 @@ DiggingEstimate digging_estimate(const cases::Case& c);
 /// resistance (Dombrovskij's formula; docs/dry_run.md). Nothing comes down from above, nothing is
 /// spilt, no tooth meets a boulder: a mean force to design a path with, not a result.
 ///
-/// Channels: mass_in_dipper, mass_in_truck, particles and rocks (0) as LIGGGHTS's side has them;
-/// teeth_x, teeth_y, teeth_z [m], the middle of the teeth's tips in W; cut_depth [m], of it under
-/// the surface in front of it, square to that; cut_resistance [N], of the wedge.
+/// Channels: mass_in_dipper, mass_in_truck, rock_mass, particles and rocks (0) as LIGGGHTS's side
+/// has them; teeth_x, teeth_y, teeth_z [m], the middle of the teeth's tips in W; cut_depth [m], of
+/// it under the surface in front of it, square to that; cut_resistance [N], of the wedge.
 class EstimatedRock final : public core::Rock {
  public:
   /// `timestep_s` is the case's: a window has so many of them.

@@ -32,6 +32,13 @@ export class Frames {
   /// Calls progress() after each block; gives way to the page in between.
   async load(progress) {
     let last = new Uint16Array(3 * this.spheres);
+    if (this.spheres === 0 && this.wallBytes === 0) { // nothing but poses
+      this.steps = this.times.map(() => last);
+      this.speeds = this.values = this.times.map(() => new Uint8Array(0));
+      this.ready = this.times.length;
+      progress();
+      return;
+    }
     for (const element of document.querySelectorAll('script[data-frames]')) {
       const bytes = await gunzip(element.textContent);
       element.remove();

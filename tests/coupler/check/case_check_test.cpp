@@ -645,6 +645,7 @@ TEST(CheckedCase, SoundCase) {
           "quick is sound: about [0-9]+ rocks, [0-9.]+ s simulated in [0-9]+ "
           "steps and [0-9]+ windows of [0-9.]+ ms, after [0-9]+ steps that settle "
           "the pile; the step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"
+          "it will take about .* right to a factor of 1.5\n"
           "pass 1: the teeth sweep [0-9]+ m3, up to [0-9.]+ m deep; the dipper takes 42 m3\n"
           "warning: pass 1 cannot fill the dipper; .*\n"));
 }

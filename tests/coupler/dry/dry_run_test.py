@@ -58,11 +58,22 @@ class DryRun(RunTest):
         with Browser() as browser:
             browser.open(page)
             self.assertEqual(browser.run("return document.querySelectorAll('figure.way').length"), 1)
+            walls = browser.run("return document.querySelector('canvas').stage.walls.map((wall) => wall.name)")
+            self.assertEqual(sorted(walls), ["bench", "dipper", "door", "truck"])
+            self.assertTrue(browser.run("return document.querySelector('canvas').stage.figure !== null"))
             drawn = browser.run("return document.querySelector('.way .teeth').getBBox().width")
             self.assertGreater(drawn, 8, "the teeth go some metres out")
             rows = browser.run("return document.querySelectorAll('#limits tbody tr').length")
             self.assertEqual(rows, len(summary["limits"]))
             self.assertEqual(browser.run("return document.querySelectorAll('#forces figure').length"), 5)
+
+    def test_preview_is_the_page_alone(self):
+        page = self.folder / "look.html"
+        done = subprocess.run([DIPPER, "preview", TINY, "--out", page], text=True, capture_output=True, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [page])
+        self.assertIn(str(page), done.stdout)
+        self.assertGreater(page.stat().st_size, 1e5)
 
     def test_is_begun_anew(self):
         out = self.folder / "none"

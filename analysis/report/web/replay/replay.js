@@ -107,7 +107,7 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
   canvas.film = (...of) => { views.All(); return picture(...of); };
   return h('div.replay', screen,
     h('div.transport', play, track, rate),
-    h('div.options', colour, legend, walls, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid, stage.figure && bare)),
+    h('div.options', head.spheres > 0 && [colour, legend], walls, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid, stage.figure && bare)),
     h('p.note', note(head), h('span.controls', ' ', h('kbd', 'Space'), ' plays, ', h('kbd', '←'), ' ', h('kbd', '→'),
       ' step a frame, with ', h('kbd', 'Shift'), ' a second.')));
 }
@@ -138,7 +138,7 @@ function note(head) {
   const few = head.one_rock_in > 1 ? ` One rock in ${head.one_rock_in} is shown.` : '';
   const rare = head.one_frame_in > 1 ? ` One frame in ${head.one_frame_in} of the dumps is shown.` : '';
   const interval = head.times_s.length > 1 ? (head.times_s[head.times_s.length - 1] - head.times_s[0]) / (head.times_s.length - 1) : 0;
-  return `${fixed(head.spheres, 0)} spheres, ${head.times_s.length} frames ${number(interval, 2)} s apart, drawn on a straight line between them.${few}${rare}`;
+  return `${head.spheres > 0 ? `${fixed(head.spheres, 0)} spheres, ` : ''}${head.times_s.length} frames ${number(interval, 2)} s apart, drawn on a straight line between them.${few}${rare}`;
 }
 
 function cameraViews(stage) {

@@ -6,7 +6,7 @@ import {
 } from 'three';
 import { PRESSED, css, ramp } from '../palette.js';
 
-const COLOURS = { dipper: 0x54677a, door: 0x8a6d3b, truck: 0x8e98a1 };
+const COLOURS = { dipper: 0x54677a, door: 0x8a6d3b, truck: 0x8e98a1, bench: 0xb7a98f };
 const BARE = new Color(0xb9bfc4);
 
 // [r, g, b] of each byte that a triangle can have; 0: nothing to speak of.

@@ -1,0 +1,72 @@
+#include "coupler/cli/preview_command.hpp"
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "analysis/report/dry_page.hpp"
+#include "coupler/check/checked_case.hpp"
+#include "coupler/cli/own_network.hpp"
+#include "coupler/cli/set_option.hpp"
+#include "coupler/dry/dry_run.hpp"
+#include "coupler/launch/interrupt.hpp"
+
+namespace dipper::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PreviewOptions {
+  std::string folder, out;
+  std::vector<std::string> set;
+};
+
+/// A folder for as long as this lives.
+struct Scratch {
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "dipper-preview-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
+    path = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  fs::path path;
+};
+
+int preview(const PreviewOptions& o, Reporter& reporter) {
+  launch::catch_interrupts();
+  const auto c = check::checked_case(
+      o.folder, overrides_of(o.set, "machine.base_position_m=[0,0,0]"), reporter);
+  if (!c) return 2;
+  const fs::path page = o.out.empty() ? fs::path(c->name + "-preview.html") : fs::path(o.out);
+  const Scratch scratch;
+  const run::RunFolder folder = run::RunFolder::create(scratch.path / c->name);
+  enter_own_network(reporter);
+  const run::RunStatus status = dry::dry_run(*c, dry::Rock::none, folder, reporter);
+  if (status != run::RunStatus::complete) return static_cast<int>(status);
+  analysis::report::write_dry_page(folder.root(), page);
+  reporter.line(page.string());
+  return 0;
+}
+
+}  // namespace
+
+Command add_preview_command(CLI::App& app, Reporter& reporter) {
+  const auto o = std::make_shared<PreviewOptions>();
+  auto* sub = app.add_subcommand(
+      "preview",
+      "a page with the machine at work over the pile, truck and the way of the teeth in three "
+      "dimensions, before anything is computed. Example: dipper preview cases/quick");
+  sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
+  sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
+  sub->add_option("--out", o->out, "the page (default: NAME-preview.html)");
+  return {sub, [o, &reporter] { return preview(*o, reporter); }};
+}
+
+}  // namespace dipper::cli
