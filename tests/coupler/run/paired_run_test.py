@@ -169,14 +169,15 @@ class PairedRun(RunTest):
 
     @staticmethod
     def change_an_answer(log, channel):
-        """Flips the last bit of the last number in the log's hundredth packet on `channel`."""
+        """Flips the last bit of the last number in the log's hundredth packet on `channel` with a number at its end: a
+        prediction ends with how many channels it has, none."""
         data = bytearray(log.read_bytes())
         at = count = 0
         while count < 100:
             name, size = struct.unpack_from(">II", data, at + 20)
-            count += data[at + 28:at + 28 + name] == channel
             at += 28 + name + size
-        answer = bytes(data[at - size:at])
+            answer = bytes(data[at - size:at])
+            count += data[at - size - name:at - size] == channel and answer[-4:] != bytes(4)
         changed = answer[:-1] + bytes([answer[-1] ^ 1])
         log.write_bytes(data.replace(answer, changed))  # it may have been sent again
 

@@ -138,7 +138,8 @@ function note(head) {
   const few = head.one_rock_in > 1 ? ` One rock in ${head.one_rock_in} is shown.` : '';
   const rare = head.one_frame_in > 1 ? ` One frame in ${head.one_frame_in} of the dumps is shown.` : '';
   const interval = head.times_s.length > 1 ? (head.times_s[head.times_s.length - 1] - head.times_s[0]) / (head.times_s.length - 1) : 0;
-  return `${head.spheres > 0 ? `${fixed(head.spheres, 0)} spheres, ` : ''}${head.times_s.length} frames ${number(interval, 2)} s apart, drawn on a straight line between them.${few}${rare}`;
+  const spheres = head.spheres > 0 ? `${fixed(head.spheres, 0)} spheres, ` : '';
+  return `${spheres}${head.times_s.length} frames ${number(interval, 2)} s apart, drawn on a straight line between them.${few}${rare}`;
 }
 
 function cameraViews(stage) {
