@@ -20,6 +20,9 @@ struct CheckOptions {
 Command add_check_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<CheckOptions>();
   auto* sub = app.add_subcommand("check", "check a case: every error at once");
+  sub->footer(
+      "Reads case.yaml and every file it names, starts nothing, and tells what a run will take. "
+      "Example:\n  dipper check cases/quick --set seed=7");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
   sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
   sub->add_flag("--json", o->json, "findings, hash, size and values, for programs");

@@ -97,10 +97,11 @@ int clean(const CleanOptions& o, Reporter& reporter) {
 
 Command add_clean_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<CleanOptions>();
-  auto* sub = app.add_subcommand(
-      "clean",
-      "tells what a run's frames, checkpoints and messages, or the cache, hold on disk; removes "
-      "them with --yes. Record, summary and report stay. Example: dipper clean runs/quick --yes");
+  auto* sub = app.add_subcommand("clean", "what runs and the cache hold on disk, and room again");
+  sub->footer(
+      "Of a run its frames, checkpoints and messages; record, summary and report stay. Nothing "
+      "goes without --yes. "
+      "Example:\n  dipper clean runs/quick cache");
   sub->add_option("PLACE", o->places, "runs' folders, or the word cache")->required();
   sub->add_flag("--yes", o->yes, "remove it; else it is only told");
   return {sub, [o, &reporter] { return clean(*o, reporter); }};

@@ -72,6 +72,8 @@ std::string manual_page(const CLI::App& app) {
   for (const CLI::App* command : commands_of(app)) {
     out += fmt::format(".SS dipper {}\n{}\n", roff(command->get_name()),
                        roff(command->get_description()));
+    if (const std::string more = command->get_footer(); !more.empty())
+      out += fmt::format(".PP\n{}\n", roff(more));
     for (const CLI::Option* option : command->get_options())
       out +=
           fmt::format(".TP\n.B {}\n{}\n", roff(words_of(*option)), roff(option->get_description()));
@@ -87,8 +89,10 @@ std::string manual_page(const CLI::App& app) {
 Command add_completion_command(CLI::App& app, Reporter& reporter) {
   const auto man = std::make_shared<bool>(false);
   auto* sub = app.add_subcommand(
-      "completion",
-      "the script by which bash completes dipper's words: eval \"$(dipper completion)\"");
+      "completion", "the script by which bash completes dipper's words, or the manual page");
+  sub->footer(
+      "Both are made from the options themselves. Example, in ~/.bashrc:\n  eval \"$(dipper "
+      "completion)\"");
   sub->add_flag("--man", *man, "the manual page instead: dipper completion --man | man -l -");
   return {sub, [man, &app, &reporter] {
             reporter.line(*man ? manual_page(app) : bash_completion(app));

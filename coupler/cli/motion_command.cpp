@@ -64,6 +64,9 @@ Command add_motion_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<MotionOptions>();
   auto* sub =
       app.add_subcommand("motion", "motion.csv of a plan: how the teeth go through the face");
+  sub->footer(
+      "Checked against rope, crowd, door, speeds and the ground; nothing is written where the "
+      "machine cannot follow (docs/motion.md). Example:\n  dipper motion cases/aitik");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
   sub->add_option("--plan", o->plan, "the plan; plan.yaml in the case's folder");
   sub->add_option("--out", o->out, "the curves; the case's machine.motion");

@@ -33,6 +33,9 @@ int observe(const ObserveOptions& o) {
 Command add_observe_command(CLI::App& app) {
   const auto o = std::make_shared<ObserveOptions>();
   auto* sub = app.add_subcommand("observe", "a run as the mine's instruments would show it");
+  sub->footer(
+      "Writes a measured folder, as dipper gap reads it, with the instruments' rate and lag. "
+      "Example:\n  dipper observe runs/quick --out measured");
   sub->add_option("DIR", o->folder, "a run's folder")->required()->check(CLI::ExistingDirectory);
   sub->add_option("--out", o->out, "the folder to write")->required();
   sub->add_option("--set", o->set, "observation.KEY=VALUE instead of what the run's case says");

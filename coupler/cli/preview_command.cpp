@@ -59,10 +59,12 @@ int preview(const PreviewOptions& o, Reporter& reporter) {
 
 Command add_preview_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<PreviewOptions>();
-  auto* sub = app.add_subcommand(
-      "preview",
-      "a page with the machine at work over the pile, truck and the way of the teeth in three "
-      "dimensions, before anything is computed. Example: dipper preview cases/quick");
+  auto* sub =
+      app.add_subcommand("preview", "a case in three dimensions before anything is computed");
+  sub->footer(
+      "One page with the machine at work over the pile, the truck, the way of the teeth, and what "
+      "the drives are asked for. "
+      "Example:\n  dipper preview cases/quick --out look.html");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
   sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
   sub->add_option("--out", o->out, "the page (default: NAME-preview.html)");

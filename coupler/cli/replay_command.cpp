@@ -64,6 +64,9 @@ int replay(const ReplayOptions& o, Reporter& reporter) {
 Command add_replay_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<ReplayOptions>();
   auto* sub = app.add_subcommand("replay", "run one side against the other's recording");
+  sub->footer(
+      "Shows whether a side gives the same answers again, to the bit, or what another machine "
+      "would have felt. Example:\n  dipper replay runs/quick --side dem");
   sub->add_option("DIR", o->folder, "a run's folder")->required()->check(CLI::ExistingDirectory);
   sub->add_option("--set", o->set,
                   "KEY=VALUE of another machine, which is observed into --out (with --side mbs)");

@@ -104,6 +104,9 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
 Command add_report_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<ReportOptions>();
   auto* sub = app.add_subcommand("report", "metrics, tables and the page of a run, or of dumps");
+  sub->footer(
+      "Writes report.html, metrics.json, tables and ParaView's files; of dumps of plain LIGGGHTS, "
+      "too. Example:\n  dipper report runs/quick --poster dig.png");
   sub->add_option("DIR", o->folder, "a run's folder, or one with dumps of LIGGGHTS")->required();
   sub->add_option("--out", o->out, "the report's folder (default: DIR/report)");
   sub->add_option("--timestep", o->timestep_s, "of the DEM [s], when no file tells it")

@@ -114,6 +114,10 @@ int run(const RunOptions& o, Reporter& reporter) {
 Command add_run_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<RunOptions>();
   auto* sub = app.add_subcommand("run", "run a case: LIGGGHTS digs, Simbody drives");
+  sub->footer(
+      "Settles the pile or finds it in the cache, digs, and leaves record, dumps and summary in "
+      "the run's folder; Ctrl-C leaves a checkpoint. Example:\n  dipper run cases/quick --set "
+      "machine.rake_angle_deg=63.8 --out runs/steep");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
   sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
   sub->add_option("--out", o->out, "the run's folder (default: runs/NAME)");
