@@ -169,11 +169,11 @@ class PairedRun(RunTest):
 
     @staticmethod
     def change_an_answer(log, channel):
-        """Flips the last bit of the last number in the log's hundredth packet on `channel` with a number at its end: a
+        """Flips the last bit of the last number in the log's fiftieth packet on `channel` with a number at its end: a
         prediction ends with how many channels it has, none."""
         data = bytearray(log.read_bytes())
         at = count = 0
-        while count < 100:
+        while count < 50:
             name, size = struct.unpack_from(">II", data, at + 20)
             at += 28 + name + size
             answer = bytes(data[at - size:at])
