@@ -34,8 +34,9 @@ class Help(unittest.TestCase):
                 program = pathlib.Path(folder, name)
                 program.write_text(f"#!/bin/sh\n{text}\n")
                 program.chmod(0o755)
+            env = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"}
             done = subprocess.run([SOURCE / "scripts" / "setup", "packages"], capture_output=True, text=True,
-                                  stdin=subprocess.DEVNULL, env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})
+                                  stdin=subprocess.DEVNULL, env=env)
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertIn("an administrator does it with: apt-get install g++ cmake", done.stderr)
 
