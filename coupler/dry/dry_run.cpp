@@ -50,12 +50,9 @@ transport::PeerConfig machine_config(const cases::Case& c, const run::RunFolder&
 /// bench, and the regions in which rock is weighed.
 void write_scene(const cases::Case& c, const run::RunFolder& folder) {
   deck::write_deck(c, c.rock.shape_folder, folder.deck());
-  const nlohmann::json dem =
-      sides::dem_settings(c, sides::read_mesh_facts(c), folder.deck(), folder.dumps(),
-                          folder.logs(), fs::path(), std::nullopt);
-  std::ofstream out(folder.scales());
-  out << nlohmann::json{{"scales", dem.at("scales")}}.dump() << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write " + folder.scales().string());
+  run::write_scales(folder,
+                    sides::dem_settings(c, sides::read_mesh_facts(c), folder.deck(), folder.dumps(),
+                                        folder.logs(), fs::path(), std::nullopt));
 }
 
 /// Steps to the end of the motion, or until interrupted. Whether the end is reached.
@@ -64,23 +61,13 @@ bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& l
   core::Coupling coupling(lone.machine(), rock, core::scheme_from(c.coupling.scheme));
   const run::RunEnd end = run::run_end(c);
   run::RunRecord record(folder.record(), lone.machine().info(), rock.info(),
-                        {{"case", c.text},
-                         {"case_folder", c.folder.string()},
-                         {"case_hash", cases::case_hash(c)},
-                         {"version", version()},
-                         {"machine_version", lone.machine().info().version},
-                         {"rock_version", rock.info().version}},
+                        run::record_attributes(c, lone.machine().info(), rock.info()),
                         run::RecordPosition{});
   run::Stepper stepper(coupling, c.coupling.sync_steps, end.step);
   run::Progress progress(reporter, 0,
                          end.path_s.value_or(static_cast<double>(end.step) * c.dem.timestep_s),
                          core::channel_index(rock.info(), "mass_in_dipper"));
-  if (end.path_s) {
-    const std::size_t path = core::channel_index(lone.machine().info(), "path_time");
-    stepper.end_when([path, end_s = *end.path_s](const core::MachineState& machine) {
-      return machine.channels[path] >= end_s;
-    });
-  }
+  run::end_with_path(stepper, end, lone.machine().info());
   stepper.add(record);
   stepper.add(progress);
   stepper.start();
@@ -128,7 +115,8 @@ void tell_limits(const std::vector<LimitUse>& uses, Reporter& reporter) {
                       u.name, u.most, u.unit, u.at_s, u.limit, u.over_s));
 }
 
-json summarise(const cases::Case& c, Rock rock, const run::RunFolder& folder, double mbs_cpu_s) {
+json summarise(const cases::Case& c, Rock rock, const run::RunFolder& folder,
+               const std::vector<LimitUse>& limits, double mbs_cpu_s) {
   const auto time_s = record::read_channel(folder.record(), "time_s");
   const double sim_s = time_s.empty() ? 0 : time_s.back();
   const json passes = run::pass_rows(c, folder.record());
@@ -138,7 +126,7 @@ json summarise(const cases::Case& c, Rock rock, const run::RunFolder& folder, do
       {"version", version()},
       {"rock_model", rock == Rock::none ? "none" : "estimate"},
       {"passes", passes},
-      {"limits", describe(limit_uses(folder.record(), machine::load_machine(c.machine.model)))},
+      {"limits", describe(limits)},
       {"faces", faces(c, passes, folder.record())},
       {"base_m", {c.machine.base_position_m.x(), c.machine.base_position_m.y()}},
       {"mbs", {{"cpu_s", mbs_cpu_s}, {"realtime_factor", mbs_cpu_s > 0 ? sim_s / mbs_cpu_s : 0.0}}},
@@ -170,13 +158,15 @@ run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& fo
     reporter.error("interrupted; a run without rock is not resumed: it is begun anew");
     return run::RunStatus::interrupted;
   }
-  json summary = summarise(c, rock, folder, mbs_cpu_s);
+  const std::vector<LimitUse> limits =
+      limit_uses(folder.record(), machine::load_machine(c.machine.model));
+  json summary = summarise(c, rock, folder, limits, mbs_cpu_s);
   summary["status"] = "complete";
   std::ofstream out(folder.summary());
   out << summary.dump(2) << '\n';
   if (!out.flush()) throw std::runtime_error("cannot write " + folder.summary().string());
   run::tell_passes(summary.at("passes"), reporter);
-  tell_limits(limit_uses(folder.record(), machine::load_machine(c.machine.model)), reporter);
+  tell_limits(limits, reporter);
   return run::RunStatus::complete;
 }
 

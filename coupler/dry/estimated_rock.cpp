@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "common/gravity.hpp"
-#include "coupler/case/mesh_facts.hpp"
 #include "coupler/deck/contact_table.hpp"
+#include "coupler/sides/sides_setup.hpp"
 #include "machine/door.hpp"
 #include "machine/machine_data.hpp"
 
@@ -23,9 +22,7 @@ Vector3d forward(const Pose& X_WB) { return X_WB.R * Vector3d::UnitX(); }
 }  // namespace
 
 DiggingEstimate digging_estimate(const cases::Case& c) {
-  std::vector<Finding> findings;
-  const cases::DipperFacts facts = cases::read_dipper_facts(c, findings);
-  if (!findings.empty()) throw std::runtime_error(to_string(findings.front()));
+  const cases::DipperFacts facts = sides::read_mesh_facts(c).dipper;
   const machine::MachineData::Dipper dipper = machine::load_machine(c.machine.model).dipper;
   DiggingEstimate e;
   e.bulk_density_kg_m3 = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3;

@@ -8,6 +8,7 @@
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
 #include "common/seconds.hpp"
+#include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/run/pile.hpp"
@@ -66,6 +67,29 @@ bool is_done(const RunEnd& end, std::int64_t dem_step, const fs::path& record) {
          (end.path_s && record::read_channel(record, "machine/path_time").back() >= *end.path_s);
 }
 
+void end_with_path(Stepper& stepper, const RunEnd& end, const core::ServerInfo& machine) {
+  if (!end.path_s) return;
+  const std::size_t path = core::channel_index(machine, "path_time");
+  stepper.end_when([path, end_s = *end.path_s](const core::MachineState& state) {
+    return state.channels[path] >= end_s;
+  });
+}
+
+std::map<std::string, std::string> record_attributes(const cases::Case& c,
+                                                     const core::ServerInfo& machine,
+                                                     const core::ServerInfo& rock) {
+  return {{"case", c.text},
+          {"case_folder", c.folder.string()},
+          {"case_hash", cases::case_hash(c)},
+          {"version", version()},
+          {"machine_version", machine.version},
+          {"rock_version", rock.version}};
+}
+
+void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings) {
+  write(folder.scales(), nlohmann::json{{"scales", dem_settings.at("scales")}}.dump() + "\n");
+}
+
 sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
                           const std::optional<Checkpoint>& from, Reporter& reporter) {
   folder.unseal();
@@ -99,8 +123,7 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   setup.message_log = folder.root() / ("events" + setup.segment + ".lcmlog");
   setup.dem = sides::dem_settings(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
                                   from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
-  // For those who may not read the run's secret, which is beside the settings.
-  write(folder.scales(), nlohmann::json{{"scales", setup.dem.at("scales")}}.dump() + "\n");
+  write_scales(folder, setup.dem);
   setup.mbs = sides::mbs_settings(c, layers);
   return setup;
 }

@@ -1,12 +1,16 @@
 // Before a run: its deck, its pile, and what both sides are told.
 #pragma once
 
+#include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/run_folder.hpp"
+#include "coupler/run/stepper.hpp"
 #include "coupler/sides/sides.hpp"
 
 namespace dipper::run {
@@ -27,6 +31,18 @@ RunEnd run_end(const cases::Case& c);
 /// Whether a run whose record stands at that step is done. Throws std::runtime_error naming the
 /// record.
 bool is_done(const RunEnd& end, std::int64_t dem_step, const std::filesystem::path& record);
+
+/// Lets a stepper end when the machine's path does, where the end asks for that.
+void end_with_path(Stepper& stepper, const RunEnd& end, const core::ServerInfo& machine);
+
+/// What record.h5 says of its run.
+std::map<std::string, std::string> record_attributes(const cases::Case& c,
+                                                     const core::ServerInfo& machine,
+                                                     const core::ServerInfo& rock);
+
+/// Writes scales.json of dipper-dem's settings: for those who may not read the run's secret, which
+/// is beside the settings. Throws std::runtime_error naming the file.
+void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings);
 
 /// Writes deck and identity into the run's folder, settles the pile or finds it in the cache, and
 /// says so. \param from  what the run goes on from; nothing: a new run. Throws what settled_pile

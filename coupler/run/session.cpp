@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "common/sha256.hpp"
-#include "common/version.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/run/dump_index.hpp"
 #include "coupler/run/preparation.hpp"
@@ -24,16 +23,6 @@ core::Coupling coupled(const cases::Case& c, sides::Sides& sides, TimedRock& roc
     coupling.resume(from->coupling);
   }
   return coupling;
-}
-
-std::map<std::string, std::string> attributes(const cases::Case& c, sides::Sides& sides,
-                                              const std::string& case_hash) {
-  return {{"case", c.text},
-          {"case_folder", c.folder.string()},
-          {"case_hash", case_hash},
-          {"version", version()},
-          {"machine_version", sides.machine().info().version},
-          {"rock_version", sides.rock().info().version}};
 }
 
 double channel(const core::Window& w, const core::ServerInfo& rock, const std::string& name) {
@@ -58,7 +47,8 @@ Session::Session(const cases::Case& c, const RunFolder& folder,
       rock_(sides_.rock()),
       coupling_(coupled(c, sides_, rock_, from)),
       record_(folder.record(), sides_.machine().info(), rock_.info(),
-              attributes(c, sides_, setup.case_hash), from ? from->record : RecordPosition{}),
+              record_attributes(c, sides_.machine().info(), rock_.info()),
+              from ? from->record : RecordPosition{}),
       end_(run_end(c)),
       stepper_(coupling_, c.coupling.sync_steps, end_.step),
       progress_(reporter, static_cast<double>(coupling_.t_ns()) * 1e-9,
@@ -66,12 +56,7 @@ Session::Session(const cases::Case& c, const RunFolder& folder,
                 core::channel_index(rock_.info(), "mass_in_dipper")),
       checkpointer_(folder.checkpoints(), c.output.checkpoint_every_s,
                     {coupling_, sides_.machine(), rock_, record_, [this] { return cost(); }}) {
-  if (end_.path_s) {
-    const std::size_t path = core::channel_index(sides_.machine().info(), "path_time");
-    stepper_.end_when([path, end_s = *end_.path_s](const core::MachineState& machine) {
-      return machine.channels[path] >= end_s;
-    });
-  }
+  end_with_path(stepper_, end_, sides_.machine().info());
   stepper_.add(record_);
   stepper_.add(progress_);
   stepper_.add(checkpointer_);
