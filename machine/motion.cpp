@@ -10,6 +10,7 @@
 #include "common/csv_table.hpp"
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
+#include "machine/monotone_slope.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -79,10 +80,7 @@ void Motion::set_slopes() {
     for (std::size_t j = 0; j < 4; ++j) {
       const double d0 = (position_[i][j] - position_[i - 1][j]) / h0;
       const double d1 = (position_[i + 1][j] - position_[i][j]) / h1;
-      if (d0 * d1 <= 0) continue;  // an extremum stays one: slope 0
-      const double parabola = (h1 * d0 + h0 * d1) / (h0 + h1);
-      const double most = 3 * std::min(std::abs(d0), std::abs(d1));
-      slope_[i][j] = std::clamp(parabola, -most, most);
+      slope_[i][j] = monotone_slope(h0, d0, h1, d1);
     }
   }
 }

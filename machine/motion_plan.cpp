@@ -1,12 +1,9 @@
 #include "machine/motion_plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "common/angles.hpp"
+#include "machine/motion_row.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -27,8 +24,6 @@ Way way(const MotionPlan& plan, std::size_t pass) {
   w.back = spline(back);
   return w;
 }
-
-double rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
 
 }  // namespace
 
@@ -66,15 +61,7 @@ std::string motion_rows(const MotionPlan& plan, const ShovelKinematics& shovel) 
       swing += (next - plan.dump_rad) * plan.swing_back.share(tau);
       door -= plan.door_rad * plan.door_close.share(tau);
     }
-    try {
-      const Drives d = shovel.teeth_at(tip);
-      rows += fmt::format("{:.2f},{:.4f},{:.4f},{:.4f},{:.4f}\n", t, rounded(d.hoist),
-                          rounded(d.crowd), rounded(degrees(swing)), rounded(degrees(door)));
-    } catch (const std::domain_error& e) {
-      throw std::domain_error(
-          fmt::format("at {:.2f} s the teeth cannot be at x = {:.2f} m, z = {:.2f} m: {}", t,
-                      tip.x(), tip.y(), e.what()));
-    }
+    rows += motion_row(t, tip, swing, door, shovel);
   }
   return rows;
 }

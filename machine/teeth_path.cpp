@@ -5,10 +5,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "machine/monotone_slope.hpp"
+
 namespace dipper::machine {
 namespace {
 
-constexpr std::size_t kPoints = 4000;   // of a path
+constexpr std::size_t kPoints = 4000;  // of a path
+constexpr std::size_t kLegPoints = 200;
 constexpr double kStep_m = 0.1;         // of a face's surface
 constexpr double kPolygonSide_m = 1.6;  // coarse: the spline rounds what the rocks made uneven
 
@@ -82,6 +85,38 @@ TeethPath spline(const TeethPath& polygon) {
   return evenly(points, kPoints);
 }
 
+std::vector<TeethPath> legs_through(const TeethPath& points) {
+  const std::size_t n = points.size();
+  std::vector<double> h(n - 1);
+  TeethPath d(n - 1);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    h[i] = (points[i + 1] - points[i]).norm();
+    d[i] = (points[i + 1] - points[i]) / h[i];
+  }
+  const auto slope = [&](std::size_t i) -> Vector2d {
+    if (i == 0 || i + 1 == n) return d[i == 0 ? 0 : n - 2];
+    return {monotone_slope(h[i - 1], d[i - 1].x(), h[i], d[i].x()),
+            monotone_slope(h[i - 1], d[i - 1].y(), h[i], d[i].y())};
+  };
+  std::vector<TeethPath> legs;
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    const Vector2d m0 = h[i] * slope(i), m1 = h[i] * slope(i + 1), way = points[i + 1] - points[i];
+    TeethPath leg;
+    for (std::size_t k = 0; k < kLegPoints; ++k) {
+      const double s = static_cast<double>(k) / static_cast<double>(kLegPoints - 1);
+      leg.push_back(points[i] + s * (m0 + s * (3 * way - 2 * m0 - m1 + s * (m0 + m1 - 2 * way))));
+    }
+    legs.push_back(evenly(leg, kLegPoints));
+  }
+  return legs;
+}
+
+double length(const TeethPath& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
+  return length;
+}
+
 Vector2d at_share(const TeethPath& path, double share) {
   const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(path.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(place), path.size() - 2);
@@ -112,9 +147,7 @@ TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle
       path.push_back(saddle + arm.norm() * Vector2d(std::cos(a), std::sin(a)));
     }
   }
-  double length = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
-  const auto sides = std::max(6L, std::lround(length / kPolygonSide_m));
+  const auto sides = std::max(6L, std::lround(length(path) / kPolygonSide_m));
   return evenly(path, static_cast<std::size_t>(sides) + 1);
 }
 

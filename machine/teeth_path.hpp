@@ -14,6 +14,14 @@ using TeethPath = std::vector<Vector2d>;
 /// The clamped uniform cubic B-spline of a control polygon, as points at equal steps of its length.
 TeethPath spline(const TeethPath& polygon);
 
+/// A smooth curve through the points, which does not go beyond them in x or z where it need not:
+/// for each point but the first the way to it, as points at equal steps of its length. No point may
+/// be where the one before is.
+std::vector<TeethPath> legs_through(const TeethPath& points);
+
+/// Along the line through the points, m.
+double length(const TeethPath& path);
+
 /// The point at a share 0 ... 1 of the way along points at equal steps.
 Vector2d at_share(const TeethPath& path, double share);
 

@@ -2,59 +2,131 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 
 #include "common/angles.hpp"
 #include "common/input_error.hpp"
+#include "common/seconds.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/outline_file.hpp"
+#include "coupler/check/checked_case.hpp"
+#include "coupler/cli/preview_command.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/deck/pile_shape.hpp"
+#include "coupler/launch/interrupt.hpp"
 #include "machine/motion_plan_file.hpp"
+#include "machine/motion_row.hpp"
+#include "machine/timed_path.hpp"
 
 namespace dipper::cli {
 namespace fs = std::filesystem;
 namespace {
 
 struct MotionOptions {
-  std::string folder, plan, out;
+  std::string folder, path, plan, out, page;
   std::vector<std::string> set;
 };
 
-cases::Case load(const MotionOptions& o) {
-  std::vector<Finding> findings;
-  cases::Case c = cases::load_case(o.folder, overrides_of(o.set, "pile.height_m=9"), findings);
-  if (!findings.empty()) throw InputError(std::move(findings));
-  return c;
+constexpr double kDryWindow_s = 5e-3;  // the machine alone is as exact as in shorter ones
+
+/// A file that goes again unless it is kept.
+class Draft {
+ public:
+  explicit Draft(const fs::path& final) : final_(final), path_(final.string() + ".part") {}
+  ~Draft() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  const fs::path& path() const { return path_; }
+  void write(const std::string& text) const {
+    std::ofstream file(path_);
+    file << text;
+    if (!file.flush()) throw InputError({{final_, 0, "", "cannot be written"}});
+  }
+  void keep() const { fs::rename(path_, final_); }
+
+ private:
+  fs::path final_, path_;
+};
+
+std::string planned_rows(const MotionOptions& o, const cases::Case& c,
+                         const machine::MachineData& data,
+                         const machine::ShovelKinematics& shovel) {
+  const fs::path file = o.plan.empty() ? c.folder / "plan.yaml" : fs::path(o.plan);
+  const machine::PlanFile plan =
+      machine::read_plan(file, data, shovel, [&](const std::string& name, double heading_rad) {
+        return name == "pile" ? deck::bench_along_boom(c, heading_rad)
+                              : cases::read_outline(file.parent_path() / name);
+      });
+  return fmt::format("# {}\n# Made of {} by dipper motion.\n{}{}", plan.source,
+                     file.filename().string(), machine::kMotionHead,
+                     machine::motion_rows(plan.plan, shovel));
+}
+
+std::string rows_along(const machine::TimedPath& path, const fs::path& file,
+                       const machine::ShovelKinematics& shovel) {
+  return fmt::format("# Made of {} by dipper motion.\n{}{}", file.filename().string(),
+                     machine::kMotionHead, machine::motion_rows(path, shovel));
+}
+
+/// Tells what a motion asks that the machine cannot do; whether there is any of it.
+bool beyond_limits(const machine::Motion& motion, const machine::ShovelKinematics& shovel,
+                   const std::string& from, Reporter& reporter) {
+  const std::vector<std::string> beyond = shovel.check(motion);
+  for (const std::string& what : beyond) reporter.error(from + ": " + what);
+  return !beyond.empty();
+}
+
+void tell_times(const machine::TimedPath& path, Reporter& reporter) {
+  std::string times;
+  for (const machine::PathPoint& p : path.points) times += fmt::format(" {:.1f}", p.t_s);
+  reporter.line(fmt::format("the points are reached at{} s", times));
 }
 
 int motion_command(const MotionOptions& o, Reporter& reporter) {
-  const cases::Case c = load(o);
-  const fs::path plan_file = o.plan.empty() ? c.folder / "plan.yaml" : fs::path(o.plan);
-  const fs::path out = o.out.empty() ? c.machine.motion : fs::path(o.out);
+  launch::catch_interrupts();
+  std::vector<cases::Override> set = overrides_of(o.set, "pile.height_m=9");
+  std::vector<Finding> findings;
+  const cases::Case c = cases::load_case(o.folder, set, findings);
+  if (!findings.empty()) throw InputError(std::move(findings));
   const machine::MachineData data = machine::load_machine(c.machine.model);
   Pose X_W0;
   X_W0.p = c.machine.base_position_m;
   const machine::ShovelKinematics shovel(data, X_W0, radians(c.machine.rake_angle_deg));
-  const machine::PlanFile plan =
-      machine::read_plan(plan_file, data, shovel, [&](const std::string& name, double heading_rad) {
-        return name == "pile" ? deck::bench_along_boom(c, heading_rad)
-                              : cases::read_outline(plan_file.parent_path() / name);
-      });
-  std::string text = fmt::format("# {}\n# Made of {} by dipper motion.\n", plan.source,
-                                 plan_file.filename().string());
-  text += "time_s,hoist_m,crowd_m,swing_deg,door_deg\n" + motion_rows(plan.plan, shovel);
-  const std::vector<std::string> beyond =
-      shovel.check(machine::Motion::parse(text, plan_file.string()));
-  for (const std::string& what : beyond) reporter.error(plan_file.string() + ": " + what);
-  if (!beyond.empty()) return 2;
-  std::ofstream file(out);
-  file << text;
-  if (!file.flush()) throw std::runtime_error("cannot write " + out.string());
-  reporter.line(fmt::format("{}: {} passes, {:.1f} s", out.string(), plan.plan.passes.size(),
-                            plan.plan.cycle_s * static_cast<double>(plan.plan.passes.size())));
+
+  std::string text;
+  if (o.path.empty()) {
+    text = planned_rows(o, c, data, shovel);
+  } else {
+    const machine::TimedPath path = machine::read_timed_path(o.path);
+    tell_times(path, reporter);
+    text = rows_along(path, o.path, shovel);
+  }
+  const fs::path out = o.out.empty() ? c.machine.motion : fs::path(o.out);
+  const machine::Motion motion = machine::Motion::parse(text, out.string());
+  if (beyond_limits(motion, shovel, o.path.empty() ? "the plan" : o.path, reporter)) return 2;
+
+  const Draft draft(fs::absolute(out));
+  draft.write(text);
+  set.push_back({"machine.motion", draft.path().string()});
+  auto sound = check::checked_case(o.folder, set, reporter);
+  if (!sound) return 2;
+  sound->coupling.sync_steps =
+      std::max(sound->coupling.sync_steps,
+               static_cast<int>(std::lround(kDryWindow_s / sound->dem.timestep_s)));
+  const fs::path page = o.page.empty() ? fs::path(sound->name + "-motion.html") : fs::path(o.page);
+  const int status = write_dry_page(*sound, dry::Rock::estimate, page, reporter);
+  if (status != 0) return status;
+  draft.keep();
+  reporter.line(fmt::format("{}: {:.1f} s", out.string(), seconds(motion.end_ns())));
   return 0;
 }
 
@@ -62,14 +134,17 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
 
 Command add_motion_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<MotionOptions>();
-  auto* sub =
-      app.add_subcommand("motion", "motion.csv of a plan: how the teeth go through the face");
+  auto* sub = app.add_subcommand("motion", "motion.csv of a plan or of a path of the teeth");
   sub->footer(
       "Checked against rope, crowd, door, speeds and the ground; nothing is written where the "
-      "machine cannot follow (docs/motion.md). Example:\n  dipper motion cases/aitik");
+      "machine cannot follow. Then tried against an estimate of the rock: warns of drives beyond "
+      "their limits, and leaves a page with the way over the pile (docs/motion.md). Examples:\n"
+      "  dipper motion cases/aitik\n  dipper motion cases/quick docs/data/path.csv --out mine.csv");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
-  sub->add_option("--plan", o->plan, "the plan; plan.yaml in the case's folder");
+  auto* path = sub->add_option("PATH", o->path, "points of the teeth with speeds, a CSV");
+  sub->add_option("--plan", o->plan, "the plan; plan.yaml in the case's folder")->excludes(path);
   sub->add_option("--out", o->out, "the curves; the case's machine.motion");
+  sub->add_option("--page", o->page, "the page (default: NAME-motion.html)");
   sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
   return {sub, [o, &reporter] {
             try {

@@ -10,13 +10,13 @@
 #include "coupler/check/checked_case.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
-#include "coupler/dry/dry_run.hpp"
 #include "coupler/launch/interrupt.hpp"
 
 namespace dipper::cli {
-namespace {
 
 namespace fs = std::filesystem;
+
+namespace {
 
 struct PreviewOptions {
   std::string folder, out;
@@ -44,18 +44,23 @@ int preview(const PreviewOptions& o, Reporter& reporter) {
   const auto c = check::checked_case(
       o.folder, overrides_of(o.set, "machine.base_position_m=[0,0,0]"), reporter);
   if (!c) return 2;
-  const fs::path page = o.out.empty() ? fs::path(c->name + "-preview.html") : fs::path(o.out);
+  return write_dry_page(*c, dry::Rock::none,
+                        o.out.empty() ? fs::path(c->name + "-preview.html") : fs::path(o.out),
+                        reporter);
+}
+
+}  // namespace
+
+int write_dry_page(const cases::Case& c, dry::Rock rock, const fs::path& page, Reporter& reporter) {
   const Scratch scratch;
-  const run::RunFolder folder = run::RunFolder::create(scratch.path / c->name);
+  const run::RunFolder folder = run::RunFolder::create(scratch.path / c.name);
   enter_own_network(reporter);
-  const run::RunStatus status = dry::dry_run(*c, dry::Rock::none, folder, reporter);
+  const run::RunStatus status = dry::dry_run(c, rock, folder, reporter);
   if (status != run::RunStatus::complete) return static_cast<int>(status);
   analysis::report::write_dry_page(folder.root(), page);
   reporter.line(page.string());
   return 0;
 }
-
-}  // namespace
 
 Command add_preview_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<PreviewOptions>();

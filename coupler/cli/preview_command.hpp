@@ -1,10 +1,18 @@
 // dipper preview: a case in three dimensions before anything is computed.
 #pragma once
 
+#include <filesystem>
+
 #include "common/reporter.hpp"
 #include "coupler/cli/command.hpp"
+#include "coupler/dry/dry_run.hpp"
 
 namespace dipper::cli {
+
+/// A dry run of a sound case, of which the page alone is left; tells what the run tells, and the
+/// page's name. The exit status.
+int write_dry_page(const cases::Case& c, dry::Rock rock, const std::filesystem::path& page,
+                   Reporter& reporter);
 
 Command add_preview_command(CLI::App& app, Reporter& reporter);
 

@@ -75,6 +75,43 @@ class DryRun(RunTest):
         self.assertIn(str(page), done.stdout)
         self.assertGreater(page.stat().st_size, 1e5)
 
+    def motion(self, *words, status=0):
+        done = subprocess.run([DIPPER, "motion", QUICK, *words, "--out", "motion.csv"], text=True, capture_output=True,
+                              cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def test_path_of_the_teeth_becomes_a_motion_over_the_pile(self):
+        said = self.motion(SOURCE / "docs/data/path.csv")
+        self.assertIn("the points are reached at 0.0 5.4", said)
+        self.assertIn("warning: crowd_force reaches", said)
+        names = ("motion.csv", "quick-motion.html")
+        self.assertEqual(sorted(file.name for file in self.folder.iterdir()), sorted(names))
+        run = self.folder / "run"
+        self.run_case(run, "--no-rock", *COARSE, "--set", f"machine.motion={self.folder / 'motion.csv'}", case=QUICK)
+        points = np.genfromtxt(SOURCE / "docs/data/path.csv", delimiter=",", names=True, skip_header=1)
+        with h5py.File(run / "record.h5") as record:
+            out = np.hypot(record["rock/teeth_x"][:], record["rock/teeth_y"][:])
+            up = record["rock/teeth_z"][:]
+        for x, z in zip(points["x_m"], points["z_m"]):
+            # The ropes stretch under the empty dipper by 0.2 m.
+            self.assertLess(np.hypot(out - x, up - z).min(), 0.25)
+        with Browser() as browser:
+            browser.open(self.folder / "quick-motion.html")
+            self.assertEqual(browser.run("return document.querySelectorAll('figure.way').length"), 1)
+
+    def test_path_that_the_machine_cannot_follow_leaves_nothing(self):
+        path = self.folder / "path.csv"
+        head = "x_m,z_m,speed_m_s,wait_s,swing_deg,door_deg\n"
+        path.write_text(head + "13.1,0.45,0,0,0,0\n18,2,3,0,0,0\n33,7,0,0,0,0\n")
+        said = self.motion(path, status=2)
+        self.assertIn("crowd is", said)
+        self.assertIn("above the limit of 3.200 m", said)
+        path.write_text(head + "13.1,0.45,0,0,0,0\n18,-1,1,0,0,0\n20,2,0,0,0,0\n")
+        self.assertIn("lowest point is", self.motion(path, status=2))
+        self.assertEqual(list(self.folder.iterdir()), [path])
+        self.assertIn("excludes", self.motion(path, "--plan", "plan.yaml", status=2))
+
     def test_is_begun_anew(self):
         out = self.folder / "none"
         _, said = self.run_case(out, "--no-rock", "--resume", status=2)
