@@ -64,9 +64,7 @@ bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& l
                         run::record_attributes(c, lone.machine().info(), rock.info()),
                         run::RecordPosition{});
   run::Stepper stepper(coupling, c.coupling.sync_steps, end.step);
-  run::Progress progress(reporter, 0,
-                         end.path_s.value_or(static_cast<double>(end.step) * c.dem.timestep_s),
-                         core::channel_index(rock.info(), "mass_in_dipper"));
+  run::Progress progress(reporter, c, end, lone.machine().info(), rock.info(), 0);
   run::end_with_path(stepper, end, lone.machine().info());
   stepper.add(record);
   stepper.add(progress);

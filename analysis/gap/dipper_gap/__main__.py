@@ -30,7 +30,8 @@ from .workflow import analyse
 
 
 def arguments(words):
-    parser = argparse.ArgumentParser(prog="dipper gap", description=__doc__.split("\n")[0])
+    parser = argparse.ArgumentParser(prog="dipper gap", description=__doc__.split("\n")[0],
+                                     epilog="example: dipper gap cases/screening --measured mine/shift/measured")
     parser.add_argument("case", metavar="CASE", type=Path, help="a folder with a case.yaml")
     parser.add_argument("--measured", metavar="FOLDER", type=Path, required=True,
                         help="channels.yaml, passes.csv and signals.csv of the mine")

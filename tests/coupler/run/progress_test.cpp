@@ -1,0 +1,86 @@
+#include "coupler/run/progress.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "common/seconds.hpp"
+
+namespace dipper::run {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+const std::filesystem::path kSource = DIPPER_SOURCE;
+
+struct Lines final : Reporter {
+  void line(const std::string&) override {}
+  void error(const std::string&) override {}
+  void progress(const std::string& text) override { last = text; }
+  std::string last;
+};
+
+core::ServerInfo info(const std::string& channel) {
+  core::ServerInfo i;
+  i.channels = {{channel, "kg", "-"}};
+  return i;
+}
+
+TEST(MotionPhases, ArePassByPassThoseOfTheMotion) {
+  const auto motion = machine::Motion::load(kSource / "cases" / "aitik" / "motion.csv");
+  const MotionPhases phases(motion);
+  EXPECT_EQ(phases.at(-1), "");
+  EXPECT_EQ(phases.at(0), "1 approach");
+  EXPECT_EQ(phases.at(27), "1 dump");
+  EXPECT_EQ(phases.at(35), "1 return");
+  EXPECT_EQ(phases.at(48 + 8), "2 fill");
+  EXPECT_EQ(phases.at(seconds(motion.end_ns())), "3 return") << "the way home is the last pass's";
+  EXPECT_EQ(phases.at(1e4), "3 return");
+}
+
+TEST(MotionPhases, AMotionThatDumpsNothingIsOnePass) {
+  const MotionPhases phases(machine::Motion::parse(
+      "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,0,0,0,0\n5,0,1,0,0\n10,0,2,0,0\n", "m"));
+  EXPECT_EQ(phases.at(5), "1 fill");
+}
+
+class ProgressTest : public testing::Test {
+ protected:
+  ProgressTest() { c_.machine.motion = kSource / "cases" / "aitik" / "motion.csv"; }
+
+  core::Window window(double t_s) const {
+    core::Window w;
+    w.step_index = 1;
+    w.rock.t_ns = std::llround(t_s * 1e9);
+    w.rock.channels = {81900};
+    w.machine.channels = {9};
+    return w;
+  }
+  Lines lines_;
+  cases::Case c_;
+  RunEnd end_{1107693, std::nullopt};
+};
+
+TEST_F(ProgressTest, TellsPhasePayloadTimeLeftAndSpeedInTheWidthOfATerminal) {
+  c_.dem.timestep_s = 1.3e-4;
+  Progress progress(lines_, c_, end_, info("energy"), info("mass_in_dipper"), 0);
+  progress.window(window(101.2));
+  EXPECT_THAT(lines_.last,
+              AllOf(HasSubstr("[####..] 101.2/144.0 s  3 penetrate  payload 81.9 t  0 s left"),
+                    HasSubstr("  speed ")));
+  EXPECT_LE(lines_.last.size(), 79U);
+}
+
+TEST_F(ProgressTest, LimitedDrivesAreWhereTheirPathIs) {
+  c_.dem.timestep_s = 1.3e-4;
+  c_.machine.drives = "limited";
+  Progress progress(lines_, c_, end_, info("path_time"), info("mass_in_dipper"), 0);
+  progress.window(window(107.7));
+  EXPECT_THAT(lines_.last, HasSubstr("  1 "));
+}
+
+}  // namespace
+}  // namespace dipper::run
