@@ -4,6 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "analysis/run/figure.hpp"
+#include "analysis/run/pass_figures.hpp"
+#include "common/angles.hpp"
 
 namespace dipper::analysis::metrics {
 namespace {
@@ -61,16 +67,6 @@ json payload_notes(const PassFacts& f) {
   return out;
 }
 
-double dig_work_J(const run::RunData& run, const PassFacts& f) {
-  double work = 0;
-  for (const signals::Phase& p : f.phases) {
-    if (p.name != "penetrate" && p.name != "fill" && p.name != "breakout") continue;
-    const Effort e = effort(run.signals, p.t_start_s, p.t_end_s);
-    work += e.hoist_work_J + e.crowd_work_J;
-  }
-  return work;
-}
-
 }  // namespace
 
 json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Survey& survey) {
@@ -100,6 +96,9 @@ json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Surve
 
 json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes, double struck_m3) {
   json out = json::array();
+  std::optional<signals::PayloadMonitor> monitor;
+  if (const auto file = run.folder / run::kMachineFile; std::filesystem::exists(file))
+    monitor.emplace(machine::load_machine(file), radians(run.number("machine.rake_angle_deg")));
   for (const PassFacts& f : passes) {
     const signals::Pass& p = f.pass;
     json row = {{"pass", p.pass},
@@ -120,7 +119,8 @@ json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes,
     if (f.dig_phases_force_mean_N) row["dig_phases_force_mean_N"] = *f.dig_phases_force_mean_N;
     if (f.dig_slack_share) row["dig_slack_share"] = *f.dig_slack_share;
     row["dig_force_peak_N"] = p.dig_force_peak_N;
-    row["dig_work_J"] = dig_work_J(run, f);
+    run::put_dig_energy(row, run.signals, f);
+    if (monitor) run::put_monitor(row, run.signals, f, *monitor);
     row["lifted_kg"] = f.fate.lifted_kg;
     row["carry_back_kg"] = f.fate.carry_back_kg;
     row["back_in_pile_kg"] = f.fate.back_in_pile_kg;
@@ -141,19 +141,17 @@ json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes)
   for (const PassFacts& f : passes) {
     for (const signals::Phase& p : f.phases) {
       const Effort e = effort(run.signals, p.t_start_s, p.t_end_s);
-      out.push_back(
-          {{"pass", f.pass.pass},
-           {"phase", p.name},
-           {"t_start_s", p.t_start_s},
-           {"t_end_s", p.t_end_s},
-           {"dig_force_mean_N", e.dig_force_mean_N},
-           {"dig_force_peak_N", e.dig_force_peak_N},
-           {"hoist_work_J", e.hoist_work_J},
-           {"crowd_work_J", e.crowd_work_J},
-           {"swing_work_J", e.swing_work_J},
-           {"rock_work_J", e.rock_work_J},
-           {"mass_gain_kg", e.mass_gain_kg},
-           {"slack_share", signals::slack_share(run.signals.pass, p.t_start_s, p.t_end_s)}});
+      json row = {{"pass", f.pass.pass},
+                  {"phase", p.name},
+                  {"t_start_s", p.t_start_s},
+                  {"t_end_s", p.t_end_s},
+                  {"dig_force_mean_N", e.dig_force_mean_N},
+                  {"dig_force_peak_N", e.dig_force_peak_N},
+                  {"rock_work_J", e.rock_work_J},
+                  {"mass_gain_kg", e.mass_gain_kg},
+                  {"slack_share", signals::slack_share(run.signals.pass, p.t_start_s, p.t_end_s)}};
+      run::put_work(row, e.drives);
+      out.push_back(row);
     }
   }
   return out;

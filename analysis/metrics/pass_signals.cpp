@@ -30,15 +30,10 @@ Effort effort(const run::RunSignals& s, double t_start_s, double t_end_s) {
     for (std::size_t i = a; i < b; ++i) sum += 0.5 * (value(i) + value(i + 1)) * (t[i + 1] - t[i]);
     return sum;
   };
-  const auto work = [&](const std::vector<double>& power) {
-    return integral([&](std::size_t i) { return power[i]; });
-  };
   Effort e;
   e.dig_force_mean_N = integral(force) / (t[b] - t[a]);
   for (std::size_t i = a; i <= b; ++i) e.dig_force_peak_N = std::max(e.dig_force_peak_N, force(i));
-  e.hoist_work_J = work(s.hoist_power_W);
-  e.crowd_work_J = work(s.crowd_power_W);
-  e.swing_work_J = work(s.swing_power_W);
+  e.drives = signals::drives_work(s.drive, t_start_s, t_end_s);
   e.rock_work_J = s.rock_work_J[b] - s.rock_work_J[a];
   e.mass_gain_kg = s.pass.dipper_mass_kg[b] - s.pass.dipper_mass_kg[a];
   return e;

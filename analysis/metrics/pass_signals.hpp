@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "analysis/run/run_folder.hpp"
+#include "analysis/signals/drive_work.hpp"
 
 namespace dipper::analysis::metrics {
 
@@ -11,7 +12,7 @@ namespace dipper::analysis::metrics {
 struct Effort {
   double dig_force_mean_N = 0;  ///< sqrt(crowd² + hoist²), time-weighted (paper, Eq. 11)
   double dig_force_peak_N = 0;
-  double hoist_work_J = 0, crowd_work_J = 0, swing_work_J = 0;  ///< integrals of the drives' power
+  signals::DrivesWork drives;
   double rock_work_J = 0;   ///< by the rock on the walls: negative while digging
   double mass_gain_kg = 0;  ///< of the dipper
 };

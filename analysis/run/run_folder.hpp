@@ -17,8 +17,6 @@ namespace dipper::analysis::run {
 struct RunSignals {
   signals::PassSignals pass;
   signals::DriveSignals drive;
-  std::vector<double> hoist_power_W, crowd_power_W,
-      swing_power_W;                             ///< the drives', into the machine
   std::vector<double> rock_work_J;               ///< the rock's on the walls, from the start
   std::vector<double> weight_N;                  ///< down, of the rock on dipper and door together
   std::vector<double> rock_kg;                   ///< all there is

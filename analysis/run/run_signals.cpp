@@ -17,7 +17,8 @@ record::Columns read_drives(const fs::path& record) {
   record::Columns c(record);
   for (const char* channel :
        {"time_s", "machine/door", "machine/hoist", "machine/crowd", "machine/swing",
-        "machine/hoist_force", "machine/crowd_force", "rock/mass_in_dipper", "rock/mass_in_truck"})
+        "machine/hoist_force", "machine/crowd_force", "machine/hoist_power", "machine/crowd_power",
+        "machine/swing_power", "rock/mass_in_dipper", "rock/mass_in_truck"})
     c.read(channel);
   for (std::size_t k = 3; k < 6; ++k) c.read("bodies/dipper/wrench_mean", k);
   return c;
@@ -25,9 +26,7 @@ record::Columns read_drives(const fs::path& record) {
 
 record::Columns read_columns(const fs::path& record) {
   record::Columns c = read_drives(record);
-  for (const char* channel : {"machine/hoist_power", "machine/crowd_power", "machine/swing_power",
-                              "rock/rock_mass", "coupling/rock_work"})
-    c.read(channel);
+  for (const char* channel : {"rock/rock_mass", "coupling/rock_work"}) c.read(channel);
   c.read("bodies/door/wrench_mean", 5);
   for (const std::string body : kBodies) {
     for (std::size_t k = 0; k < 7; ++k) c.read("bodies/" + body + "/wall_pose", k);
@@ -67,9 +66,15 @@ RunSignals drives_of(const record::Columns& c) {
                fz = c.get("bodies/dipper/wrench_mean", 5);
   for (std::size_t i = 0; i < fx.size(); ++i)
     p.dipper_force_N.push_back(std::hypot(fx[i], fy[i], fz[i]));
-  s.drive = {
-      p.time_s,        c.get("machine/hoist"), c.get("machine/crowd"), c.get("machine/swing"),
-      p.hoist_force_N, p.crowd_force_N};
+  s.drive = {p.time_s,
+             c.get("machine/hoist"),
+             c.get("machine/crowd"),
+             c.get("machine/swing"),
+             p.hoist_force_N,
+             p.crowd_force_N,
+             c.get("machine/hoist_power"),
+             c.get("machine/crowd_power"),
+             c.get("machine/swing_power")};
   return s;
 }
 
@@ -78,9 +83,6 @@ RunSignals signals_of(const record::Columns& c) {
   const Column dipper_fz = c.get("bodies/dipper/wrench_mean", 5),
                door_fz = c.get("bodies/door/wrench_mean", 5);
   for (std::size_t i = 0; i < door_fz.size(); ++i) s.weight_N.push_back(-dipper_fz[i] - door_fz[i]);
-  s.hoist_power_W = c.get("machine/hoist_power");
-  s.crowd_power_W = c.get("machine/crowd_power");
-  s.swing_power_W = c.get("machine/swing_power");
   s.rock_work_J = c.get("coupling/rock_work");
   s.rock_kg = c.get("rock/rock_mass");
   for (const char* body : kBodies) s.walls[body] = track_of(c, body);

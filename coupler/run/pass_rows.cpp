@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "analysis/run/run_folder.hpp"
+#include "analysis/run/pass_figures.hpp"
 #include "analysis/signals/pass_phases.hpp"
+#include "common/angles.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/run/teeth_deviation.hpp"
 #include "coupler/sides/sides_setup.hpp"
@@ -18,6 +19,8 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
   const analysis::run::RunSignals signals = analysis::run::read_drive_signals(record);
   json passes = json::array();
   const TeethDeviation teeth(record, c);
+  const analysis::signals::PayloadMonitor monitor(machine::load_machine(c.machine.model),
+                                                  radians(c.machine.rake_angle_deg));
   for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
     const auto& p = found.pass;
     json row = {{"pass", p.pass},
@@ -36,6 +39,16 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
       row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
     if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
     if (const auto dig = found.dig()) row["teeth_deviation_m"] = teeth.most(*dig);
+    analysis::run::put_dig_energy(row, signals, found);
+    analysis::run::put_monitor(row, signals, found, monitor);
+    json& phases = row["phases"] = json::array();
+    for (const auto& phase : found.phases) {
+      json one = {
+          {"phase", phase.name}, {"t_start_s", phase.t_start_s}, {"t_end_s", phase.t_end_s}};
+      analysis::run::put_work(
+          one, analysis::signals::drives_work(signals.drive, phase.t_start_s, phase.t_end_s));
+      phases.push_back(one);
+    }
     passes.push_back(row);
   }
   return passes;

@@ -16,7 +16,7 @@ export function number(x, digits = 3) {
 }
 
 export function fixed(x, places) {
-  return typeof x === 'number' && Number.isFinite(x) ? grouped(x.toFixed(places)) : '–';
+  return typeof x === 'number' && Number.isFinite(x) ? grouped((Math.abs(x) < 0.5 * 10 ** -places ? 0 : x).toFixed(places)) : '–';
 }
 
 /// A number beside an axis: no more digits than it has.
@@ -37,6 +37,7 @@ function power(e) {
 
 export const tonnes = (kg, places = 1) => fixed(kg / 1e3, places);
 export const meganewtons = (n, places = 2) => fixed(n / 1e6, places);
+export const megawatts = (w, places = 2) => fixed(w / 1e6, places);
 export const megajoules = (j, places = 1) => fixed(j / 1e6, places);
 export const percent = (x, places = 0) => (Number.isFinite(x) ? `${fixed(100 * x, places)} %` : '–');
 export const seconds = (s, places = 2) => `${fixed(s, places)}${THIN}s`;

@@ -22,14 +22,15 @@ run::RunSignals signals() {
     s.pass.crowd_force_N.push_back(dig ? -3e6 : 0);
     s.pass.hoist_force_N.push_back(dig ? 4e6 : 0);
     s.pass.dipper_mass_kg.push_back(6e3 * t);
-    s.hoist_power_W.push_back(1e3 * t);
-    s.crowd_power_W.push_back(-2e3);
-    s.swing_power_W.push_back(0);
+    s.drive.hoist_power_W.push_back(1e3 * t);
+    s.drive.crowd_power_W.push_back(-2e3);
+    s.drive.swing_power_W.push_back(0);
     s.rock_work_J.push_back(-500 * t);
     s.weight_N.push_back(t < 15 ? 1e6 : (t > 17.75 ? 40e3 : 60e3) * 9.81);
     X_WB.push_back({Quaterniond::Identity(), {0, 0, std::min(t, 15.0)}});
     V_WB_W.push_back({Vector3d::Zero(), {0.5, 0, t < 15 ? 1.0 : 0.0}});
   }
+  s.drive.time_s = s.pass.time_s;
   s.walls["dipper"] = rock::PoseTrack(s.pass.time_s, X_WB, V_WB_W);
   return s;
 }
@@ -38,8 +39,8 @@ TEST(Effort, IsTheIntegralOverAPhase) {
   const Effort e = effort(signals(), 6, 10);
   EXPECT_NEAR(e.dig_force_mean_N, 5e6, 1e-3);
   EXPECT_NEAR(e.dig_force_peak_N, 5e6, 1e-3);
-  EXPECT_NEAR(e.hoist_work_J, 1e3 * (100 - 36) / 2, 1e-6);
-  EXPECT_NEAR(e.crowd_work_J, -2e3 * 4, 1e-6);
+  EXPECT_NEAR(e.drives.hoist.work_J, 1e3 * (100 - 36) / 2, 1e-6);
+  EXPECT_NEAR(e.drives.crowd.work_J, -2e3 * 4, 1e-6);
   EXPECT_NEAR(e.rock_work_J, -500 * 4, 1e-6);
   EXPECT_NEAR(e.mass_gain_kg, 24e3, 1e-6);
   EXPECT_NEAR(effort(signals(), 0, 20).dig_force_mean_N, 5e6 * 5.1 / 20, 1e-3);

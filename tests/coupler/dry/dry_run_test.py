@@ -29,6 +29,9 @@ class DryRun(RunTest):
         self.assertEqual(summary["status"], "complete")
         self.assertEqual(summary["rock_model"], "none")
         self.assertEqual([p["payload_kg"] for p in summary["passes"]], [0])
+        (one,) = summary["passes"]
+        self.assertLess(abs(one["monitor_payload_kg"]), 1000, "the monitor knows the empty machine")
+        self.assertNotIn("specific_dig_energy_J_kg", one, "nothing is loaded")
         self.assertNotIn("above it", text, "an empty dipper asks no drive for too much")
         self.assertFalse((out / "dumps").exists(), "no rock, no frames")
         with h5py.File(out / "record.h5") as record:
@@ -47,6 +50,7 @@ class DryRun(RunTest):
         # LIGGGHTS's rock: 3.2 MN (README); a path is designed by a force that is right by a third.
         self.assertGreater(first["dig_phases_force_mean_N"], 2.2e6)
         self.assertLess(first["dig_phases_force_mean_N"], 4.3e6)
+        self.check_outputs(out, first)
         limits = {row["name"]: row for row in summary["limits"]}
         self.assertGreater(limits["crowd_force"]["over_s"], 1)
         self.assertIn("warning: crowd_force reaches", text)
@@ -66,6 +70,25 @@ class DryRun(RunTest):
             rows = browser.run("return document.querySelectorAll('#limits tbody tr').length")
             self.assertEqual(rows, len(summary["limits"]))
             self.assertEqual(browser.run("return document.querySelectorAll('#forces figure').length"), 5)
+            names = "return [...document.querySelectorAll('#work tbody tr th')].map((e) => e.textContent)"
+            phases = browser.run(names)
+            self.assertEqual(phases, [row["phase"] for row in first["phases"]])
+
+    def check_outputs(self, run, one):
+        """Work by phase adds up to the drives' over the run; the monitor finds the load that is there."""
+        self.assertTrue(one["monitor_at_rest"])
+        inside_kg = one["monitor_inside_kg"]
+        self.assertAlmostEqual(one["monitor_payload_kg"], inside_kg, delta=0.015 * inside_kg)
+        dug = [row for row in one["phases"] if row["phase"] in ("penetrate", "fill", "breakout")]
+        work = sum(row["hoist_work_J"] + row["crowd_work_J"] for row in dug)
+        self.assertAlmostEqual(one["dig_work_J"], work, delta=1e-6 * work)
+        self.assertAlmostEqual(one["specific_dig_energy_J_kg"], work / one["payload_kg"], delta=1e-6 * work)
+        with h5py.File(run / "record.h5") as record:
+            time, power = record["time_s"][:], record["machine/swing_power"][:]
+        whole = np.sum((power[1:] + power[:-1]) / 2 * np.diff(time))
+        self.assertAlmostEqual(sum(row["swing_work_J"] for row in one["phases"]), whole, delta=1e3)
+        for row in one["phases"]:
+            self.assertGreaterEqual(row["hoist_power_peak_W"], row["hoist_power_mean_W"])
 
     def test_preview_is_the_page_alone(self):
         page = self.folder / "look.html"

@@ -5,6 +5,7 @@ import { forces } from '../sections/dry/forces.js';
 import { limits } from '../sections/dry/limits.js';
 import { passes } from '../sections/dry/passes.js';
 import { way } from '../sections/dry/way.js';
+import { work } from '../sections/work.js';
 import { Clock, listenToKeys } from '../clock.js';
 import { section } from '../dom.js';
 import { replay } from '../replay/replay.js';
@@ -30,6 +31,7 @@ showPage((data) => {
     limits(summary.limits),
     way(data.ways, summary.faces),
     forces(data),
+    work(summary.passes),
     foot(summary.version),
   ];
 });

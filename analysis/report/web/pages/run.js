@@ -12,6 +12,7 @@ import { head, headline } from '../sections/run/headline.js';
 import { payload } from '../sections/run/payload.js';
 import { rock } from '../sections/run/rock.js';
 import { signals } from '../sections/run/signals.js';
+import { work } from '../sections/work.js';
 import { Frames } from '../unpack.js';
 
 showPage((data) => {
@@ -26,6 +27,7 @@ showPage((data) => {
     frames && section('replay', 'The dig', null, replay(model.replay, frames, clock, model.phases, { sizes: model.rockSizes(), classes: model.classes }, readout(model))),
     filling(model, clock),
     signals(model, clock),
+    work(model.passes.map((p) => ({ ...p, phases: (model.metrics.phases ?? []).filter((row) => row.pass === p.pass) }))),
     payload(model),
     rock(model),
     coupling(model, clock),

@@ -1,6 +1,6 @@
 // What each pass takes and how long it lasts.
 import { h } from '../../dom.js';
-import { fixed, meganewtons, tonnes } from '../../format.js';
+import { fixed, megajoules, meganewtons, tonnes } from '../../format.js';
 import { table } from '../../parts/table.js';
 
 export function passes({ passes: rows, rock_model: rock }) {
@@ -13,6 +13,8 @@ export function passes({ passes: rows, rock_model: rock }) {
       { name: 'Fill factor', cell: (p) => fixed(p.fill_factor, 2) },
       { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_phases_force_mean_N ?? p.dig_force_mean_N) },
       { name: 'peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
+      { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
+      { name: 'by load', unit: 'J/kg', cell: (p) => fixed(p.specific_dig_energy_J_kg, 0) },
     ]),
   ], rows));
 }

@@ -29,6 +29,7 @@ export function headline(model) {
     { name: 'to the dump', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
     { name: 'peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
     { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
+    { name: 'by payload', unit: 'J/kg', cell: (p) => fixed(p.specific_dig_energy_J_kg, 0) },
     { name: 'Spilt', unit: 't', cell: (p) => tonnes(p.spillage_kg, 2) },
     { name: 'Cycle', unit: 's', cell: (p) => fixed(p.t_end_s - p.t_start_s, 1) },
     { name: 'Cost', unit: 'CPU s', cell: (p) => number((p.t_end_s - p.t_start_s) * run.cpu_s_per_sim_s, 3) },

@@ -1,4 +1,4 @@
-// The payload by three ways, and where the rock went that they do not share.
+// The payload by the ways there are to weigh it, and where the rock went that they do not share.
 import { h, section } from '../../dom.js';
 import { percent, seconds, tonnes } from '../../format.js';
 import { bar } from '../../parts/bar.js';
@@ -7,8 +7,8 @@ import { table } from '../../parts/table.js';
 export function payload(model) {
   const passes = model.passes.filter((p) => p.payload_ways);
   if (!passes.length) return null;
-  return section('payload', 'The payload by three ways',
-    'The rock counted inside the dipper, what the walls weigh while the dipper hangs still, and what arrives in the truck.',
+  return section('payload', 'The payload, weighed in several ways',
+    'The rock counted inside the dipper, what the walls weigh while the dipper hangs still, what arrives in the truck, and what the shovel\'s own monitor would show.',
     passes.flatMap((p) => [passes.length > 1 && h('h3', `Pass ${p.pass}`), ways(p), notes(p), fate(p)]));
 }
 
@@ -18,6 +18,7 @@ function ways(pass) {
     ['rocks inside the dipper', w.inside_kg, `mean over ${span(w)}`],
     ['weight on dipper and door', w.wrench_kg, `while it hangs still, ${span(w)}`],
     ['gained by the truck', w.truck_kg, 'to the end of the pass'],
+    ['the shovel\'s monitor', pass.monitor_payload_kg, `from hoist and crowd force, ${monitored(pass)}`],
   ].filter(([, kg]) => Number.isFinite(kg));
   const first = rows[0][1];
   return table(null, [
@@ -28,6 +29,9 @@ function ways(pass) {
 }
 
 const span = (w) => (Number.isFinite(w.still_from_s) ? `${seconds(w.still_from_s)} to ${seconds(w.still_to_s)}` : 'the last second before the door opens');
+
+const monitored = (p) => `${seconds(p.monitor_from_s)} to ${seconds(p.monitor_to_s)}${p.monitor_at_rest ? '' : ', while they move'}; `
+  + `${tonnes(p.monitor_inside_kg, 2)} t were inside then`;
 
 function notes(pass) {
   const list = pass.payload_ways.notes ?? [];

@@ -1,0 +1,50 @@
+#include "analysis/signals/drive_work.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace dipper::analysis::signals {
+namespace {
+
+constexpr double kRoundOff_s = 1e-9;
+
+DriveWork work_between(const std::vector<double>& time_s, const std::vector<double>& power_W,
+                       double t_start_s, double t_end_s) {
+  if (power_W.size() != time_s.size())
+    throw std::invalid_argument("a drive's powers are not as many as the times");
+  const auto row = [&](double at) {
+    return static_cast<std::size_t>(
+        std::lower_bound(time_s.begin(), time_s.end(), at - kRoundOff_s) - time_s.begin());
+  };
+  const std::size_t a = row(t_start_s), b = std::min(row(t_end_s), time_s.size() - 1);
+  DriveWork w;
+  if (time_s.empty() || b <= a) return w;
+  w.power_peak_W = power_W[a];
+  for (std::size_t i = a; i < b; ++i) {
+    w.work_J += 0.5 * (power_W[i] + power_W[i + 1]) * (time_s[i + 1] - time_s[i]);
+    w.power_peak_W = std::max(w.power_peak_W, power_W[i + 1]);
+  }
+  w.power_mean_W = w.work_J / (time_s[b] - time_s[a]);
+  return w;
+}
+
+}  // namespace
+
+DrivesWork drives_work(const DriveSignals& s, double t_start_s, double t_end_s) {
+  const auto of = [&](const std::vector<double>& power_W) {
+    return work_between(s.time_s, power_W, t_start_s, t_end_s);
+  };
+  return {of(s.hoist_power_W), of(s.crowd_power_W), of(s.swing_power_W)};
+}
+
+std::optional<DigEnergy> dig_energy(const DriveSignals& s, const PassPhases& pass) {
+  const auto dig = pass.dig();
+  if (!dig) return std::nullopt;
+  const DrivesWork w = drives_work(s, dig->t_start_s, dig->t_end_s);
+  DigEnergy e;
+  e.work_J = w.hoist.work_J + w.crowd.work_J;
+  if (pass.pass.payload_kg > 0) e.specific_J_kg = e.work_J / pass.pass.payload_kg;
+  return e;
+}
+
+}  // namespace dipper::analysis::signals
