@@ -44,6 +44,7 @@ HandBalance balance(const machine::MachineData& m, const machine::ShovelKinemati
 
 TEST_F(ShovelTest, StartsInStaticBalance) {
   for (const char* rows : {"0,0,-1.5,0,0\n1,0,-1.5,0,0\n", "0,-4,0.5,30,0\n1,-4,0.5,30,0\n",
+                           "0,-6,3,0,0\n1,-6,3,0,0\n", "0,-9,-1,-45,0\n1,-9,-1,-45,0\n",
                            "0,-10.5,1,0,60\n1,-10.5,1,0,60\n"}) {
     Shovel shovel(machine, motion(rows), Pose{}, rake);
     auto c = named(shovel, shovel.state());
