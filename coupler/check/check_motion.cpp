@@ -11,6 +11,7 @@
 #include "coupler/check/check_parts.hpp"
 #include "machine/kinematics.hpp"
 #include "machine/machine_data.hpp"
+#include "machine/machine_geometry.hpp"
 
 namespace fs = std::filesystem;
 
@@ -139,6 +140,12 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
       load_reported(c, "machine.model", c.machine.model, machine::load_machine, findings);
   auto motion =
       load_reported(c, "machine.motion", c.machine.motion, &machine::Motion::load, findings);
+  if (machine) {
+    const auto faults = machine::geometry_faults(*machine, radians(c.machine.rake_angle_deg));
+    for (const std::string& fault : faults)
+      findings.push_back({c.machine.model, 0, "machine.model", fault});
+    if (!faults.empty()) return motion;
+  }
   if (!machine || !motion) return motion;
 
   const Pose X_W0{Quaterniond::Identity(), c.machine.base_position_m};

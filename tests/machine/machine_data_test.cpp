@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <string>
 
 #include "tests/common/input_errors.hpp"
 
@@ -43,6 +45,25 @@ TEST(MachineData, HoldsThePapersNumbers) {
   EXPECT_EQ(m.dipper.mass + m.door.mass, 50e3);
   EXPECT_LE(m.limits.crowd_min, -1.5);
   EXPECT_GE(m.limits.crowd_max, 3);
+}
+
+// A source is the paper, another publication, with its year or number, or an assumption with its
+// grounds.
+TEST(MachineData, SaysWhereEveryNumberComesFrom) {
+  const std::regex source("source: \"([^\"]*)\"");
+  const std::regex sound("paper [A-Z0-9].*|assumed: .{5,}|.*((19|20)[0-9]{2}|10\\.[0-9]{4}/).*");
+  int numbers = 0;
+  for (const auto& file : std::filesystem::directory_iterator(kMachine.parent_path())) {
+    if (file.path().extension() != ".yaml") continue;
+    std::ifstream in(file.path());
+    for (std::string line; std::getline(in, line);) {
+      std::smatch found;
+      if (!std::regex_search(line, found, source)) continue;
+      EXPECT_TRUE(std::regex_match(found[1].str(), sound)) << file.path() << ": " << line;
+      ++numbers;
+    }
+  }
+  EXPECT_GE(numbers, 2 * 51);
 }
 
 TEST(MachineData, NamesAnUnknownKey) {

@@ -312,6 +312,17 @@ TEST(CheckCase, BrokenMachine) {
   }
 }
 
+TEST(CheckCase, MachineThatCannotClose) {
+  const Checkout checkout;
+  const fs::path model = checkout.root / "mbs/bucyrus495.yaml";
+  std::string text = read_text(model);
+  const std::string length = "length_at_zero_hoist: {value: 39.88";
+  text.replace(text.find(length), length.size(), "length_at_zero_hoist: {value: 19.88");
+  write_text(model, text);
+  expect_findings(check(checkout),
+                  {{model, 0, "machine.model", "at a crowd of -1.70 m the ropes hold the bail"}});
+}
+
 TEST(CheckCase, StepAboveTheStabilityLimit) {
   Checkout checkout;
   const int line = checkout.replace("timestep_s", "timestep_s: 1.0e-3");

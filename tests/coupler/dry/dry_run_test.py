@@ -7,6 +7,7 @@ import unittest
 
 import h5py
 import numpy as np
+import yaml
 
 sys.path.insert(0, __file__.rsplit("/tests/", 1)[0] + "/tests/coupler/run")
 sys.path.insert(0, __file__.rsplit("/tests/", 1)[0] + "/tests/analysis/report")
@@ -89,6 +90,20 @@ class DryRun(RunTest):
         self.assertAlmostEqual(sum(row["swing_work_J"] for row in one["phases"]), whole, delta=1e3)
         for row in one["phases"]:
             self.assertGreaterEqual(row["hoist_power_peak_W"], row["hoist_power_mean_W"])
+
+    def test_another_machine_is_data_alone(self):
+        out = self.folder / "another"
+        self.run_case(out, "--no-rock=estimate", case=SOURCE / "cases" / "shovel20")
+        (one,) = self.summary(out)["passes"]
+        self.assertGreater(one["payload_kg"], 0.8 * 20 * 1903, "most of its 20 m3")
+        self.assertLess(one["payload_kg"], 20.1 * 1903)
+        inside_kg = one["monitor_inside_kg"]
+        self.assertAlmostEqual(one["monitor_payload_kg"], inside_kg, delta=0.015 * inside_kg)
+        machine = yaml.safe_load((SOURCE / "mbs" / "shovel20.yaml").read_text())
+        for body in ("dipper", "door"):
+            mesh = yaml.safe_load((SOURCE / "meshes" / "shovel20" / f"{body}.yaml").read_text())
+            self.assertAlmostEqual(machine[body]["mass"]["value"], 7850 * mesh["solid_volume_m3"],
+                                   delta=0.02 * machine[body]["mass"]["value"], msg=f"the {body}'s steel")
 
     def test_preview_is_the_page_alone(self):
         page = self.folder / "look.html"
