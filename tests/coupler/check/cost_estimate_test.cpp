@@ -26,7 +26,7 @@ TEST(CostEstimate, IsWhatRunsHaveTaken) {
   const CostEstimate quick = cost_estimate(load(checkout.folder(), {}));
   EXPECT_THAT(quick.spheres, about(5701));
   EXPECT_THAT(quick.dig_s, about(106 + 7));
-  EXPECT_THAT(quick.disk_B, about(289e6));
+  EXPECT_THAT(quick.disk_B, about(184e6));
 
   const std::filesystem::path source = DIPPER_SOURCE;
   const CostEstimate aitik = cost_estimate(load(source / "cases" / "aitik", {{"end_s", "94.5"}}));
