@@ -8,6 +8,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import yaml
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -55,6 +57,30 @@ class Tutorials(unittest.TestCase):
             for file in ("motion.csv", "import.png", "import.txt", "measured/signals.csv"):
                 self.assertTrue((here / "mine/shift" / file).exists())
             self.assertFalse((here / "mine/wrong").exists())
+
+
+class MachinePage(unittest.TestCase):
+    """docs/machine_file.md and its drawing against the machine's file, whose keys are the reader's, all of them."""
+
+    def setUp(self):
+        data = yaml.safe_load((ROOT / "mbs/bucyrus495.yaml").read_text())
+        self.unit = {"machine": data.pop("machine")["unit"]}
+        self.unit |= {f"{group}.{key}": e["unit"] for group, entries in data.items() for key, e in entries.items()}
+
+    def test_every_key_has_its_row_with_its_unit(self):
+        rows = re.findall(r"^\| `([\w.]+)` \| (.+?) \|", (ROOT / "docs/machine_file.md").read_text(), re.M)
+        self.assertEqual(dict(rows), self.unit)
+        self.assertEqual([key for key, _ in rows], list(self.unit))
+
+    def test_drawing_shows_every_length_and_angle(self):
+        with tempfile.TemporaryDirectory() as folder:
+            drawn = Path(folder) / "drawn.svg"
+            subprocess.run([ROOT / "scripts/machine_drawing", ROOT / "mbs/bucyrus495.yaml", drawn], check=True)
+            for file in (drawn, ROOT / "docs/images/machine.svg"):
+                text = file.read_text()
+                for key, unit in self.unit.items():
+                    if unit in ("m", "deg"):
+                        self.assertRegex(text, key.removeprefix("limits.").replace(".", r"\."), file.name)
 
 
 class Links(unittest.TestCase):
