@@ -46,19 +46,20 @@ def plot(made, what, title, file):
     for name, axis in zip(names, axes):
         if name in made.fits:
             readings, fit = made.readings[name], made.fits[name]
-            axis.plot(readings.time_s, readings.value, ".", color=DOTS, markersize=3, label="log")
-            axis.plot(made.grid, fit.value, "-", color=CURVE, linewidth=1, label="motion.csv")
+            axis.plot(readings.time_s, readings.value, ".", color=DOTS, markersize=3.5, alpha=0.6, label="log")
+            axis.plot(made.grid, fit.value, "-", color=CURVE, linewidth=0.9, label="motion.csv", zorder=1)
         else:
             axis.plot(made.rows.time_s, made.rows.values[name], "-", color=DOTS, linewidth=0.8)
         for start, end in made.gaps:
-            axis.axvspan(start, end, color=GAP)
+            axis.axvspan(start, end, color=GAP, zorder=0)
         for _, end in made.spans:
-            axis.axvline(end, color=DOTS, linewidth=0.5, linestyle=":")
+            axis.axvline(end, color="black", linewidth=1, linestyle=":")
         axis.set_ylabel(f"{name.replace('_', ' ')} [{CHANNELS[name].unit}]", fontsize=8)
         axis.tick_params(labelsize=8)
         axis.grid(alpha=0.3)
-    axes[0].legend(loc="upper right", fontsize=8)
-    axes[0].set_title(f"{title}: gaps shaded, ends of passes dotted", fontsize=9)
+    axes[0].set_title(f"{title}: gaps shaded, ends of passes dotted", fontsize=9, loc="left")
+    axes[0].legend(loc="lower right", bbox_to_anchor=(1, 1), ncol=2, fontsize=8, frameon=False, borderaxespad=0.2)
+    axes[0].margins(x=0.01)
     axes[-1].set_xlabel("time [s]", fontsize=8)
     figure.savefig(file, dpi=110)
     plt.close(figure)
