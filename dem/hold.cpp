@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "common/gravity.hpp"
+#include "dem/rest_group.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -100,6 +101,8 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
   }
   if (const int group = lmp.group->find(kLayerGroup); group >= 0)
     layer_ = lmp.group->bitmask[group];
+  lmp.input->one(fmt::format("group {} subtract all all", kRestGroup).c_str());  // empty, if new
+  resting_ = lmp.group->bitmask[lmp.group->find(kRestGroup)];
 }
 
 HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm)
@@ -363,10 +366,10 @@ void HoldRock::set_held(const std::vector<Rest>& rest) {
     const std::size_t rock = numbers_.of_sphere(atom->tag[i]);
     if (!rocks_[rock].of_layer) atom->mask[i] &= ~layer_;
     if (rest[rock] == Rest::moving) {
-      atom->mask[i] |= rocks_[rock].groups;
+      atom->mask[i] = (atom->mask[i] | rocks_[rock].groups) & ~resting_;
       continue;
     }
-    atom->mask[i] &= ~integrated_;
+    atom->mask[i] = (atom->mask[i] & ~integrated_) | resting_;
     std::fill_n(atom->v[i], 3, 0.0);
     std::fill_n(atom->omega[i], 3, 0.0);
   }

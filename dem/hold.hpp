@@ -109,6 +109,7 @@ class HoldRock {
   double largest_m_ = 0;           ///< radius of the largest sphere
   int integrated_ = 0;             ///< mask bits of the groups of the spheres' integrators
   int layer_ = 0;                  ///< mask bit of the layer's group; 0: none
+  int resting_ = 0;                ///< mask bit of kRestGroup
   std::vector<HeldRecord> rocks_;  ///< by number; what the rules keep of each is in policy_
   std::int64_t checked_ = 0, gathered_ = 0, followed_ = 0;  ///< steps of the last looks
   bool park_again_ = false;                                 ///< a dump wanted all rock in

@@ -30,36 +30,56 @@ bool WallZone::holds(const Vector3d& p_W, double radius_m) const {
                      [&](const Pose& X_BW) { return box.holds(X_BW * p_W); });
 }
 
-Reach::Reach(std::vector<Mover> movers, double largest_m) : movers_(std::move(movers)) {
+Reach::Reach(std::vector<Mover> movers, double largest_m) {
+  if (movers.empty()) return;
   double reach = 0;
-  for (const Mover& m : movers_) reach = std::max(reach, m.radius_m + m.gap_m);
-  cell_m_ = std::max(reach + largest_m, 1e-3);
-  for (std::size_t k = 0; k < movers_.size(); ++k) {
-    const Mover& m = movers_[k];
-    cells_[cell(at(m.x), at(m.y), at(m.z))].push_back(k);
+  for (const Mover& m : movers) {
+    reach = std::max(reach, m.radius_m + m.gap_m);
+    box_.add({m.x, m.y, m.z});
   }
+  // A rock far off must not ask for many cells.
+  const double most = 8.0 * static_cast<double>(movers.size()) + 1000;
+  double count = 0;
+  for (cell_m_ = std::max(reach + largest_m, 1e-3);; cell_m_ *= 1.25) {
+    const Eigen::Array3d n = (box_.sides_m().array() / cell_m_).floor() + 1;
+    count = n.prod();
+    if (count > most) continue;
+    for (int k = 0; k < 3; ++k) cells_[k] = static_cast<int>(n[k]);
+    break;
+  }
+  first_.assign(static_cast<std::size_t>(count) + 1, 0);
+  std::vector<std::size_t> cell_of;
+  cell_of.reserve(movers.size());
+  for (const Mover& m : movers) {
+    const int row = cell(2, m.z) * cells_[1] + cell(1, m.y);
+    cell_of.push_back(static_cast<std::size_t>(row * cells_[0] + cell(0, m.x)));
+    ++first_[cell_of.back() + 1];
+  }
+  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+  movers_.resize(movers.size());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t m = 0; m < movers.size(); ++m) movers_[next[cell_of[m]]++] = movers[m];
 }
 
-int Reach::at(double x) const { return static_cast<int>(std::floor(x / cell_m_)); }
-
-std::int64_t Reach::cell(int i, int j, int k) const {
-  constexpr std::int64_t kSpan = 1 << 20;  // cells an axis
-  return ((i + kSpan / 2) * kSpan + (j + kSpan / 2)) * kSpan + (k + kSpan / 2);
+int Reach::cell(int axis, double x) const {
+  const double at = std::floor((x - box_.min_m[axis]) / cell_m_);
+  return static_cast<int>(std::clamp(at, -2.0, cells_[axis] + 1.0));
 }
 
 bool Reach::touches(const Vector3d& p, double radius_m) const {
-  const int i = at(p.x()), j = at(p.y()), k = at(p.z());
-  for (int a = i - 1; a <= i + 1; ++a)
-    for (int b = j - 1; b <= j + 1; ++b)
-      for (int c = k - 1; c <= k + 1; ++c) {
-        const auto found = cells_.find(cell(a, b, c));
-        if (found == cells_.end()) continue;
-        for (const std::size_t n : found->second) {
-          const Mover& m = movers_[n];
-          const double reach = radius_m + m.radius_m + m.gap_m;
-          if ((Vector3d(m.x, m.y, m.z) - p).squaredNorm() < reach * reach) return true;
-        }
+  const int i = cell(0, p.x()), j = cell(1, p.y()), k = cell(2, p.z());
+  const int from = std::max(i - 1, 0), to = std::min(i + 1, cells_[0] - 1);
+  if (from > to) return false;
+  for (int c = std::max(k - 1, 0); c <= std::min(k + 1, cells_[2] - 1); ++c)
+    for (int b = std::max(j - 1, 0); b <= std::min(j + 1, cells_[1] - 1); ++b) {
+      const auto row = static_cast<std::size_t>((c * cells_[1] + b) * cells_[0]);
+      const std::size_t end = first_[row + static_cast<std::size_t>(to) + 1];
+      for (std::size_t n = first_[row + static_cast<std::size_t>(from)]; n < end; ++n) {
+        const Mover& m = movers_[n];
+        const double reach = radius_m + m.radius_m + m.gap_m;
+        if ((Vector3d(m.x, m.y, m.z) - p).squaredNorm() < reach * reach) return true;
       }
+    }
   return false;
 }
 

@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -64,8 +63,8 @@ struct Mover {
   double x, y, z, radius_m, gap_m;
 };
 
-/// Tells what is within the gap of a mover. Movers are sorted into cells as wide as the largest
-/// reach, so a question looks at 27 of them.
+/// Tells what is within the gap of a mover. Movers are sorted into cells at least as wide as the
+/// largest reach, x running fastest, so a question looks at nine rows of three.
 class Reach {
  public:
   /// \param largest_m  radius of the largest sphere that will be asked about
@@ -73,11 +72,12 @@ class Reach {
   bool touches(const Vector3d& p, double radius_m) const;
 
  private:
-  std::int64_t cell(int i, int j, int k) const;
-  int at(double x) const;
+  int cell(int axis, double x) const;
+  Box box_;  ///< of the movers' centres
   double cell_m_ = 1;
-  std::vector<Mover> movers_;
-  std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
+  int cells_[3] = {0, 0, 0};
+  std::vector<std::size_t> first_;  ///< mover of each cell
+  std::vector<Mover> movers_;       ///< cell by cell
 };
 
 /// What the rules keep of one rock; the same on every rank, but for flags until they are joined.

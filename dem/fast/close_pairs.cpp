@@ -10,7 +10,7 @@ namespace dipper::dem {
 const std::vector<ClosePair>& ClosePairs::now(const LAMMPS_NS::Atom& atom,
                                               const LAMMPS_NS::NeighList& list,
                                               const LAMMPS_NS::NeighList& contacts, double reach,
-                                              bool renewed) {
+                                              bool renewed, int resting) {
   if (!renewed && !moved(atom, 0.5 * reach)) return pairs_;
   const double *x = atom.x[0], *radius = atom.radius;
   x_.assign(x, x + 3 * static_cast<std::ptrdiff_t>(atom.nlocal + atom.nghost));
@@ -18,9 +18,11 @@ const std::vector<ClosePair>& ClosePairs::now(const LAMMPS_NS::Atom& atom,
   for (int k = 0; k < list.inum; ++k) {
     const int i = list.ilist[k], count = list.numneigh[i];
     const int *const near = list.firstneigh[i], *const touched = contacts.firstneigh[i];
+    const bool rests = (atom.mask[i] & resting) != 0;
     const double xi[3] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]}, ri = radius[i];
     for (int n = 0; n < count; ++n) {
       const int j = near[n];
+      if (rests && (atom.mask[j] & resting) != 0) continue;
       const double dx = xi[0] - x[3 * j], dy = xi[1] - x[3 * j + 1], dz = xi[2] - x[3 * j + 2];
       const double most = ri + radius[j] + reach;
       if (dx * dx + dy * dy + dz * dz < most * most || touched[n] != 0) pairs_.push_back({i, j, n});

@@ -19,10 +19,11 @@ struct ClosePair {
 class ClosePairs {
  public:
   /// In the list's order. `reach`: a gap [m] within which pairs are kept; they are looked for anew
-  /// once a sphere has moved half of it, and when `renewed`, as the list is.
+  /// once a sphere has moved half of it, and when `renewed`, as the list is. Pairs of two spheres
+  /// with the mask bit `resting` are left out.
   const std::vector<ClosePair>& now(const LAMMPS_NS::Atom& atom, const LAMMPS_NS::NeighList& list,
                                     const LAMMPS_NS::NeighList& contacts, double reach,
-                                    bool renewed);
+                                    bool renewed, int resting);
 
  private:
   bool moved(const LAMMPS_NS::Atom& atom, double most) const;

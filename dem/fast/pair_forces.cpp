@@ -7,6 +7,7 @@
 #include <fix_mesh_surface.h>
 #include <force.h>
 #include <global_properties.h>
+#include <group.h>
 #include <lammps.h>
 #include <modify.h>
 #include <neigh_list.h>
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "dem/fast/close_pairs.hpp"
+#include "dem/rest_group.hpp"
 
 // These count on what the headers above bring in.
 #include <contact_models.h>
@@ -310,10 +312,15 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
     add_forces({*lmp_.atom, spheres_.data(), *pair->listgranhistory, laws_, types_, pair->dnum(),
                 lmp_.update->dt, limit_, pair->shearupdate() != 0},
                close_.now(*lmp_.atom, *pair->list, *pair->listgranhistory, lists.skin * kCloseness,
-                          lists.ago == 0));
+                          lists.ago == 0, resting()));
   }
 
  private:
+  int resting() const {
+    const int known = lmp_.group->find(kRestGroup);
+    return known < 0 ? 0 : lmp_.group->bitmask[known];
+  }
+
   void read_laws() {
     const int n = types_ = lmp_.force->registry.max_type() + 1;  // the tables' own length
     laws_.assign(static_cast<std::size_t>(n) * n, Law{});

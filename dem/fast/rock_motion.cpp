@@ -195,22 +195,22 @@ double RockMotion::move_bodies() {
   return fastest;
 }
 
-void RockMotion::final_integrate(bool velocities) {
+void RockMotion::final_integrate(bool seen) {
   const bool ranks = lmp_.comm->nprocs > 1;
   if (ranks) {
     fix_bodies_->*OpenMultisphere::forward = LAMMPS_NS::MS_COMM_FW_F_TORQUE;
     fix_bodies_->forward_comm();
   }
-  kick_spheres();
-  kick_bodies(velocities);
-  if (!ranks || !velocities) return;
+  kick_spheres(seen);
+  kick_bodies(seen);
+  if (!ranks || !seen) return;
   fix_bodies_->*OpenMultisphere::reverse = LAMMPS_NS::MS_COMM_REV_V_OMEGA;
   fix_bodies_->reverse_comm();
   fix_bodies_->*OpenMultisphere::forward = LAMMPS_NS::MS_COMM_FW_V_OMEGA;
   fix_bodies_->forward_comm();
 }
 
-void RockMotion::kick_spheres() {
+void RockMotion::kick_spheres(bool seen) {
   const LAMMPS_NS::Atom& atom = *lmp_.atom;
   const auto weigh = [&](int i) {
     if ((atom.mask[i] & fix_gravity_->groupbit) == 0) return;
@@ -225,13 +225,16 @@ void RockMotion::kick_spheres() {
       w[k] += s.dtf_I * torque[k];
     }
   }
+  if (!seen) return;
   for (const int i : held_) weigh(i);
 }
 
-void RockMotion::kick_bodies(bool velocities) {
+void RockMotion::kick_bodies(bool seen) {
   const LAMMPS_NS::Atom& atom = *lmp_.atom;
   const double dtf = 0.5 * lmp_.update->dt * lmp_.force->ftm2v;
   for (int b = 0; b < bodies_.n; ++b) {
+    const bool rests = held(b);
+    if (rests && !seen) continue;
     const double* xcm = bodies_.x[b];
     double F[3], T[3];
     std::copy_n(bodies_.force[b], 3, F);
@@ -248,7 +251,7 @@ void RockMotion::kick_bodies(bool velocities) {
     for (int n = 0; n < 3; ++n) F[n] += bodies_.mass[b] * g_[n];
     std::copy_n(F, 3, bodies_.force[b]);
     std::copy_n(T, 3, bodies_.torque[b]);
-    if (held(b)) continue;
+    if (rests) continue;
 
     double *vcm = bodies_.v[b], *w = bodies_.omega[b];
     const double dtf_m = dtf / bodies_.mass[b];
@@ -258,7 +261,7 @@ void RockMotion::kick_bodies(bool velocities) {
     }
     MathExtra::angmom_to_omega(bodies_.angmom[b], bodies_.ex[b], bodies_.ey[b], bodies_.ez[b],
                                bodies_.inertia[b], w);
-    if (!velocities) continue;
+    if (!seen) continue;
     for (int k = first_[b]; k < first_[b + 1]; ++k) {
       const int i = of_body_[k];
       double d[3], *v = atom.v[i];

@@ -34,8 +34,9 @@ class RockMotion {
   /// The first half of a step. Returns the largest speed of a sphere's centre, on this rank [m/s].
   double initial_integrate();
 
-  /// The second half, from forces without gravity. `velocities`: spheres of bodies get theirs.
-  void final_integrate(bool velocities);
+  /// The second half, from forces without gravity. Unless the step is `seen`, spheres of bodies do
+  /// not get their velocities, nor rock at rest its forces.
+  void final_integrate(bool seen);
 
   /// The same in LIGGGHTS's own way, for a step that wants its virial.
   void library_initial_integrate(int vflag);
@@ -58,8 +59,8 @@ class RockMotion {
   bool held(int body) const;
   double move_spheres();
   double move_bodies();
-  void kick_spheres();
-  void kick_bodies(bool velocities);
+  void kick_spheres(bool seen);
+  void kick_bodies(bool seen);
 
   LAMMPS_NS::LAMMPS& lmp_;
   LAMMPS_NS::FixMultisphere* fix_bodies_ = nullptr;

@@ -51,6 +51,12 @@ TEST(Reach, AgreesWithTryingAll) {
   EXPECT_GT(touched, 200);
   EXPECT_LT(touched, 1800);
   EXPECT_FALSE(Reach({}, 0.4).touches({0, 0, 0}, 0.1)) << "nothing moves";
+
+  movers.push_back({4e5, -3e5, 2e5, 0.2, 0.3});
+  const Reach far(movers, 0.4);
+  EXPECT_TRUE(far.touches({4e5 + 0.6, -3e5, 2e5}, 0.2)) << "one that flew off";
+  for (const Mover& m : movers) EXPECT_TRUE(far.touches({m.x, m.y, m.z + 0.3}, 0.1));
+  EXPECT_FALSE(far.touches({2e5, 0, 0}, 0.4));
 }
 
 TEST(HoldPolicy, HoldsWhatHasBeenCalmLongEnough) {
