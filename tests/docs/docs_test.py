@@ -34,7 +34,7 @@ class Tutorials(unittest.TestCase):
     def test_every_command_of_the_first_case_leaves_what_the_page_says(self):
         with tempfile.TemporaryDirectory() as folder:
             here = Path(folder) / "dipper"
-            self.follow("tutorial_first_case.md", here, "cases/quick")
+            self.follow("tutorial_first_case.md", here, "cases/quick", "cases/rock")
             summaries = [json.loads((here / f"mine/{name}/summary.json").read_text()) for name in ("look", "wide")]
             for summary in summaries:
                 self.assertEqual(summary["status"], "complete")

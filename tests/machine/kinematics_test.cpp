@@ -141,9 +141,9 @@ TEST_F(Kinematics, TheCasesMotionsAreWithinTheLimits) {
   }
 }
 
-// cases/quick: where the recipe says the teeth are.
+// The narrow case: where the recipe says the teeth are.
 TEST_F(Kinematics, QuickStartsAtTheToeAndDumpsHigh) {
-  const Motion m = Motion::load(kSource / "cases/quick/motion.csv");
+  const Motion m = Motion::load(kSource / "tests/coupler/case/narrow/motion.csv");
   const Vector3d teeth_B(4.6, 0, -1.5);
   const Vector3d start = shovel.pose(m.value(0)).X_WB * teeth_B;
   EXPECT_NEAR((start - Vector3d(13.1, 0, 0.45)).norm(), 0, 1e-3);

@@ -205,7 +205,7 @@ TEST_F(LimitedDrivesTest, TheDoorKeepsThePathsTime) {
 }
 
 // A crowd that can move has a finite mass against the rock: the coupling makes little energy
-// against the rock's work at the window of cases/quick (docs/drives.md has other windows).
+// against the rock's work at the window of the narrow case (docs/drives.md has other windows).
 TEST_F(LimitedDrivesTest, TheCouplingMakesNoEnergyWithAFreeCrowd) {
   Shovel shovel = limited(crowd_out());
   Dig dig(shovel, teeth_B(), teeth_W(shovel) + Vector3d(0.5, 0, 0), Vector3d(-1, 0, 0), 3e7);

@@ -24,7 +24,7 @@ TEST_F(ShovelTest, FreeSwingConservesEnergy) {
   EXPECT_GT(most, 1e3);
 }
 
-// Drives + rock - damping = change of energy, over the whole of cases/quick with a rough load.
+// Drives + rock - damping = change of energy, over the whole of the narrow case with a rough load.
 TEST_F(ShovelTest, PowersBalanceOverACycle) {
   const machine::Motion m = quick();
   Shovel shovel(machine, m, Pose{}, rake);

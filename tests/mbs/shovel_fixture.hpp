@@ -29,7 +29,7 @@ class ShovelTest : public testing::Test {
   }
   static machine::Motion still() { return motion("0,-4,0.5,0,0\n1,-4,0.5,0,0\n"); }
   static machine::Motion quick() {
-    return machine::Motion::load(source() / "cases/quick/motion.csv");
+    return machine::Motion::load(source() / "tests/coupler/case/narrow/motion.csv");
   }
 
   /// Channels by name.

@@ -43,7 +43,8 @@ def test_a_case_with_the_imported_motion_is_sound(case):
 
 
 def test_cases_quick_with_the_imported_motion_passes_check(tmp_path):
-    shutil.copytree(ROOT / "cases/quick", tmp_path / "cases/quick")
+    for case in ("quick", "rock"):
+        shutil.copytree(ROOT / "cases" / case, tmp_path / "cases" / case)
     for part in ("meshes", "mbs"):
         (tmp_path / part).symlink_to(ROOT / part)
     dipper("import", LOG, "--map", MAP, "--out", tmp_path / "cases/quick")

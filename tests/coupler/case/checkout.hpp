@@ -1,4 +1,4 @@
-// A copy of the quick case, its machine and its meshes in a temporary folder, to be broken.
+// A copy of the narrow case as cases/quick, its machine and its meshes in a temporary folder, to be broken.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -38,7 +38,11 @@ class Checkout {
     const fs::path source = DIPPER_SOURCE;
     fs::create_directories(root / "cases");
     fs::create_directories(root / "mbs");
-    fs::copy(source / "cases/quick", folder(), fs::copy_options::recursive);
+    fs::copy(source / "tests/coupler/case/narrow", folder(), fs::copy_options::recursive);
+    std::string text = read_text(file());
+    for (std::size_t at; (at = text.find("../../../../")) != std::string::npos;)
+      text.replace(at, 12, "../../");
+    write_text(file(), text);
     fs::copy(source / "meshes", root / "meshes", fs::copy_options::recursive);
     fs::copy(source / "mbs/bucyrus495.yaml", root / "mbs/bucyrus495.yaml");
     if (whole_motion) return;

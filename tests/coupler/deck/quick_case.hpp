@@ -1,4 +1,4 @@
-// The case dem_in/default is generated from: a bench like that of cases/quick, with all of Table 1
+// The case dem_in/default is generated from: a bench like that of tests/coupler/case/narrow, with all of Table 1
 // at twice its size, and paths seen from the repository.
 #pragma once
 

@@ -106,7 +106,7 @@ class PairedRun(RunTest):
         self.assertEqual(self.summary(self.folder / "s")["coupling"]["scheme"], "serial")
 
     def test_limited_drives_end_with_their_path_and_go_on_to_the_bit(self):
-        rows = (TINY.parents[3] / "cases/quick/motion.csv").read_text().splitlines(True)
+        rows = (TINY.parents[3] / "tests/coupler/case/narrow/motion.csv").read_text().splitlines(True)
         motion = self.folder / "motion.csv"
         motion.write_text("".join(r for r in rows if not r[0].isdigit() or float(r.split(",")[0]) <= 2))
         settings = ["--set", "machine.drives=limited", "--set", f"machine.motion={motion}"]
