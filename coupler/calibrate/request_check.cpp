@@ -9,7 +9,6 @@
 #include "common/case_lines.hpp"
 #include "common/installation.hpp"
 #include "coupler/calibrate/search_scale.hpp"
-#include "coupler/check/check.hpp"
 #include "coupler/check/checked_case.hpp"
 #include "coupler/deck/liggghts_path.hpp"
 
@@ -101,8 +100,7 @@ cases::Case changed_case(const CalibrationRequest& request,
   std::vector<cases::Override> all = with(request, parameters);
   all.push_back({"seed", std::to_string(seed)});
   std::vector<Finding> findings;
-  cases::Case c = cases::load_case(request.case_folder, all, findings);
-  if (findings.empty()) findings = check::check_case(c);
+  cases::Case c = check::read_case(request.case_folder, all, findings);
   if (!findings.empty()) throw std::invalid_argument(to_string(findings[0]));
   return c;
 }

@@ -127,10 +127,12 @@ class Loader {
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, double& out) {
-    const auto value = number_in<double>(node);
+    const bool word =
+        std::find(spec.allowed.begin(), spec.allowed.end(), node.scalar) != spec.allowed.end();
+    const auto value = word ? std::optional<double>(0) : number_in<double>(node);
     if (!value) return wrong_type(node, key, spec);
     out = *value;
-    check_range(node, key, spec, out);
+    if (!word) check_range(node, key, spec, out);
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,

@@ -35,8 +35,9 @@ std::string KeySpec::stem() const {
 }
 
 std::string KeySpec::expected() const {
-  if (!allowed.empty()) return fmt::format("one of {}", fmt::join(allowed, ", "));
-  return type_name(*this) + (unit.empty() ? "" : " in " + unit);
+  const std::string type = type_name(*this), words = fmt::format("{}", fmt::join(allowed, ", "));
+  if (!allowed.empty() && type == "text") return "one of " + words;
+  return type + (unit.empty() ? "" : " in " + unit) + (allowed.empty() ? "" : ", or " + words);
 }
 
 const KeySpec* find_spec(const std::string& key) {

@@ -26,7 +26,8 @@ struct KeySpec {
   std::string key;   ///< dotted; `#` stands for a list index, `*` for a name
   std::string unit;  ///< "kg/m3", "%"; "" for a pure number or no number
   Range range;
-  std::vector<std::string> allowed;  ///< of a text; empty: any
+  /// Of a text; empty: any. Of a number: words in its place, for which it is kept as 0.
+  std::vector<std::string> allowed;
   bool required = true;
   std::string doc;
   Slot (*slot)(Case&, const Place&);

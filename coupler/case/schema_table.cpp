@@ -226,8 +226,9 @@ std::vector<KeySpec> make_schema() {
       {"domain.max_m", "m", place, {}, required,
        "upper corner of the DEM box, in W", SLOT(c.domain.max_m)},
 
-      {"dem.timestep_s", "s", up_to(0.1), {}, required,
-       "below the stability limit, which `dipper check` tells", SLOT(c.dem.timestep_s)},
+      {"dem.timestep_s", "s", up_to(0.1), {"auto"}, required,
+       "below the stability limit, which `dipper check` tells; auto: 0.85 of it",
+       SLOT(c.dem.timestep_s)},
       {"dem.ranks", "", between(1, 4096), {}, optional,
        "MPI processes; 1", SLOT(c.dem.ranks)},
       {"dem.hold_below_m_s", "m/s", between(0, 1), {}, optional,

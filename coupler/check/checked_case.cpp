@@ -9,6 +9,7 @@
 #include "common/case_lines.hpp"
 #include "common/seconds.hpp"
 #include "coupler/case/case_hash.hpp"
+#include "coupler/case/case_text.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/check/cost_estimate.hpp"
 #include "coupler/check/doubts.hpp"
@@ -76,15 +77,6 @@ void tell_digs(const cases::Case& c, Reporter& reporter) {
   }
 }
 
-/// The case that was read, and what is wrong with it.
-std::pair<cases::Case, std::vector<Finding>> checked(
-    const std::filesystem::path& folder, const std::vector<cases::Override>& overrides) {
-  std::vector<Finding> findings;
-  cases::Case c = cases::load_case(folder, overrides, findings);
-  if (findings.empty()) findings = check_case(c);
-  return {std::move(c), std::move(findings)};
-}
-
 json as_json(const Finding& f) {
   return {{"file", f.file.string()},
           {"line", f.line},
@@ -107,10 +99,24 @@ json values_of(const cases::Case& c) {
 
 }  // namespace
 
+cases::Case read_case(const std::filesystem::path& folder,
+                      const std::vector<cases::Override>& overrides,
+                      std::vector<Finding>& findings) {
+  cases::Case c = cases::load_case(folder, overrides, findings);
+  if (!findings.empty()) return c;
+  if (c.dem.timestep_s == 0) {
+    c.dem.timestep_s = deck::chosen_timestep(c);
+    c.text = cases::case_text(c);
+  }
+  findings = check_case(c);
+  return c;
+}
+
 std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
                                         const std::vector<cases::Override>& overrides,
                                         Reporter& reporter) {
-  auto [c, findings] = checked(folder, overrides);
+  std::vector<Finding> findings;
+  cases::Case c = read_case(folder, overrides, findings);
   for (const Finding& finding : findings) reporter.line(to_string(finding));
   if (!findings.empty()) {
     reporter.line(fmt::format("{} error{}", findings.size(), findings.size() == 1 ? "" : "s"));
@@ -120,13 +126,14 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
   reporter.line(to_string(cost_estimate(c)));
   tell_digs(c, reporter);
   for (const Finding& doubt : doubts(c)) reporter.line("warning: " + to_string(doubt));
-  return std::move(c);
+  return c;
 }
 
 bool check_as_json(const std::filesystem::path& folder,
                    const std::vector<cases::Override>& overrides, const std::string& source_hash,
                    Reporter& reporter) {
-  const auto [c, findings] = checked(folder, overrides);
+  std::vector<Finding> findings;
+  const cases::Case c = read_case(folder, overrides, findings);
   json said = {{"case", c.name},
                {"sound", findings.empty()},
                {"findings", json::array()},

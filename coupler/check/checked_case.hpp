@@ -11,7 +11,13 @@
 
 namespace dipper::check {
 
-/// Loads and checks a case and tells the reporter a line a finding, `file:line: key: message`, and
+/// Loads a case, chooses its step where it says `auto`, and checks it. Sound when
+/// `findings`, empty before, still is.
+cases::Case read_case(const std::filesystem::path& folder,
+                      const std::vector<cases::Override>& overrides,
+                      std::vector<Finding>& findings);
+
+/// Reads a case and tells the reporter a line a finding, `file:line: key: message`, and
 /// "N errors"; or "CASE is sound: ..." with what a run of it will take, and "warning: " and a line
 /// for every doubt (doubts.hpp). The case when it is sound.
 std::optional<cases::Case> checked_case(const std::filesystem::path& folder,

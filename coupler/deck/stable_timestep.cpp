@@ -1,8 +1,11 @@
 #include "coupler/deck/stable_timestep.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace dipper::deck {
 
@@ -20,6 +23,10 @@ double stable_timestep(const cases::Case& c) {
     if (t.kn(i) > 0)
       step = std::min(step, critical_step(n * std::sqrt(t.kn(i) / t.meff_kg(i)), n * damping));
   return step;
+}
+
+double chosen_timestep(const cases::Case& c) {
+  return std::stod(fmt::format("{:.1e}", 0.85 * stable_timestep(c)));
 }
 
 }  // namespace dipper::deck

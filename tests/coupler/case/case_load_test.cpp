@@ -209,7 +209,7 @@ TEST(LoadCase, EveryErrorAtOnce) {
                    {file, ranks, "dem.ranks", "0 is out of range"},
                    {file, ranks + 1, "dem.ranks", "given twice"},
                    {file, scheme, "coupling.scheme", "write one of corrected, serial"},
-                   {"--set", 0, "dem.timestep_s", "is 'fast'; write a number in s"},
+                   {"--set", 0, "dem.timestep_s", "is 'fast'; write a number in s, or auto"},
                    {"--set", 0, "rock.sise", "unknown key"}});
 }
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include "coupler/check/check.hpp"
 #include "coupler/check/checked_case.hpp"
 #include "coupler/deck/pile_shape.hpp"
+#include "coupler/deck/stable_timestep.hpp"
 #include "tests/common/memory_reporter.hpp"
 #include "tests/coupler/case/checkout.hpp"
 #include "tests/coupler/deck/height_field.hpp"
@@ -43,16 +45,10 @@ TEST(CheckCase, QuickIsSound) {
   expect_findings(check(checkout), {});
 }
 
-TEST(CheckCase, QuickAsCalibratedIsSound) {
-  const Checkout checkout;
-  std::istringstream in(read_text(checkout.folder() / "calibrated.set"));
-  std::vector<cases::Override> set;
-  for (std::string line; std::getline(in, line);) {
-    const auto sign = line.find('=');
-    set.push_back({line.substr(0, sign), line.substr(sign + 1)});
-  }
-  EXPECT_THAT(set, testing::Not(testing::IsEmpty()));
-  expect_findings(check(checkout, set), {});
+TEST(CheckCase, TheRepositorysQuickIsSound) {
+  std::vector<Finding> findings;
+  read_case(fs::path(DIPPER_SOURCE) / "cases/quick", {}, findings);
+  expect_findings(findings, {});
 }
 
 TEST(CheckCase, JsonTellsWhatAProgramAsks) {
@@ -330,6 +326,21 @@ TEST(CheckCase, StepAboveTheStabilityLimit) {
   expect_findings(findings, {{checkout.file(), line, "dem.timestep_s",
                               "0.001 s is above the stability limit of "}});
   EXPECT_THAT(findings[0].message, MatchesRegex(".* limit of 0\\.000[0-9]+ s .*"));
+}
+
+TEST(CheckCase, StepIsChosenWhereTheCaseSaysAuto) {
+  Checkout checkout;
+  checkout.replace("timestep_s", "timestep_s: auto");
+  std::vector<Finding> findings;
+  const cases::Case c = read_case(checkout.folder(), {}, findings);
+  expect_findings(findings, {});
+  EXPECT_NEAR(c.dem.timestep_s / deck::stable_timestep(c), 0.85, 0.04) << "two digits";
+  EXPECT_THAT(c.text,
+              testing::HasSubstr(fmt::format("dem.timestep_s={:.17g}\n", c.dem.timestep_s)));
+  // Stiffer rock, a shorter step.
+  const cases::Case stiff =
+      read_case(checkout.folder(), {{"contact.normal_scale", "0.04"}}, findings);
+  EXPECT_NEAR(stiff.dem.timestep_s / c.dem.timestep_s, 0.5, 0.04);
 }
 
 TEST(CheckCase, StepOfAFractionOfANanosecond) {
