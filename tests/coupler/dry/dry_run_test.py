@@ -79,7 +79,7 @@ class DryRun(RunTest):
         """Work by phase adds up to the drives' over the run; the monitor finds the load that is there."""
         self.assertTrue(one["monitor_at_rest"])
         inside_kg = one["monitor_inside_kg"]
-        self.assertAlmostEqual(one["monitor_payload_kg"], inside_kg, delta=0.015 * inside_kg)
+        self.assertAlmostEqual(one["monitor_payload_kg"], inside_kg, delta=0.02 * inside_kg)
         dug = [row for row in one["phases"] if row["phase"] in ("penetrate", "fill", "breakout")]
         work = sum(row["hoist_work_J"] + row["crowd_work_J"] for row in dug)
         self.assertAlmostEqual(one["dig_work_J"], work, delta=1e-6 * work)
@@ -122,7 +122,7 @@ class DryRun(RunTest):
     def test_path_of_the_teeth_becomes_a_motion_over_the_pile(self):
         said = self.motion(SOURCE / "docs/data/path.csv")
         self.assertIn("the points are reached at 0.0 5.4", said)
-        self.assertIn("warning: crowd_force reaches", said)
+        self.assertIn("warning: swing_torque reaches", said)
         names = ("motion.csv", "quick-motion.html")
         self.assertEqual(sorted(file.name for file in self.folder.iterdir()), sorted(names))
         run = self.folder / "run"
