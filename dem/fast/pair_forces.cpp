@@ -101,7 +101,7 @@ struct Batch {
 void Batch::load(const Pass& p) {
   for (int c = 0; c < n; ++c) {
     const Sphere &a = p.spheres[i[c]], &b = p.spheres[j[c]];
-    const Law& law = p.laws[static_cast<std::size_t>(a.type * p.types + b.type)];
+    const Law& law = p.laws[static_cast<std::size_t>(a.type) * p.types + b.type];
     mi[c] = a.mass;
     mj[c] = b.mass;
     ri[c] = a.radius;
@@ -129,7 +129,9 @@ __attribute__((target_clones("default", "avx2", "avx512f"))) void Batch::compute
                                                                                  bool limit,
                                                                                  bool remember) {
   const double remembered = remember ? 1 : 0;
+#ifndef __clang__
 #pragma GCC ivdep
+#endif
   for (int c = 0; c < kBatch; ++c) {
     const double dx = d[0][c], dy = d[1][c], dz = d[2][c];
     const double r = std::sqrt(dx * dx + dy * dy + dz * dz), rinv = 1.0 / r;
@@ -224,7 +226,7 @@ void Batch::store(const Pass& p) {
 }
 
 void gather(const LAMMPS_NS::Atom& atom, std::vector<Sphere>& to) {
-  to.resize(static_cast<std::size_t>(atom.nlocal + atom.nghost));
+  to.resize(static_cast<std::size_t>(atom.nlocal) + atom.nghost);
   const double *x = atom.x[0], *v = atom.v[0], *omega = atom.omega[0];
   for (Sphere& s : to) {
     const std::ptrdiff_t i = &s - to.data();
@@ -327,7 +329,7 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
     const auto read = [&](const char* name, double**& table, double Law::*to) {
       lmp_.force->registry.connect(name, table, "pair forces");
       for (int i = 1; i < n; ++i)
-        for (int j = 1; j < n; ++j) laws_[static_cast<std::size_t>(i * n + j)].*to = table[i][j];
+        for (int j = 1; j < n; ++j) laws_[static_cast<std::size_t>(i) * n + j].*to = table[i][j];
     };
     read("k_n", tables_[0], &Law::kn);
     read("k_t", tables_[1], &Law::kt);

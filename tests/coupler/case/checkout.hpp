@@ -1,4 +1,5 @@
-// A copy of the narrow case as cases/quick, its machine and its meshes in a temporary folder, to be broken.
+// A copy of the narrow case as cases/quick, its machine and its meshes in a temporary folder, to be
+// broken.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The case dem_in/default is generated from: a bench like that of tests/coupler/case/narrow, with all of Table 1
-// at twice its size, and paths seen from the repository.
+// The case dem_in/default is generated from: a bench like that of tests/coupler/case/narrow, with
+// all of Table 1 at twice its size, and paths seen from the repository.
 #pragma once
 
 #include "coupler/case/case.hpp"
