@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <vector>
 
 namespace dipper::launch {
@@ -37,9 +38,14 @@ std::string error_line(const std::filesystem::path& log, const std::filesystem::
     const std::string line = last_with(all, word);
     if (!line.empty()) return line;
   }
-  const auto plain = std::find_if(all.rbegin(), all.rend(), [](const std::string& line) {
-    return line.rfind("---", 0) != 0 && line.find("mpirun") == std::string::npos;
-  });
+  // What mpirun says stands between rules, and after what its program has said.
+  const auto rule = [](const std::string& line) { return line.rfind("---", 0) == 0; };
+  const auto boxed = std::find_if(all.begin(), all.end(), rule);
+  const auto end = boxed == all.begin() ? all.end() : boxed;
+  const auto plain =
+      std::find_if(std::make_reverse_iterator(end), all.rend(), [&](const std::string& line) {
+        return !rule(line) && line.find("mpirun") == std::string::npos;
+      });
   return plain == all.rend() ? "" : *plain;
 }
 

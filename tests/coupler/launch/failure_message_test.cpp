@@ -44,6 +44,13 @@ TEST_F(FailureMessage, ASignalIsReportedAsMpirunSawIt) {
   EXPECT_EQ(error_line(log), "mpirun noticed that process rank 1 exited on signal 9");
 }
 
+TEST_F(FailureMessage, WhatAProgramSaidBeatsWhatMpirunSaysOfAnAbort) {
+  const auto log = write("log",
+                         "sh: 1: ./bench-cut: not found\n-----\nMPI_ABORT was invoked on rank 0\n"
+                         "exactly when Open MPI kills them.\n-----\n");
+  EXPECT_EQ(error_line(log), "sh: 1: ./bench-cut: not found");
+}
+
 TEST_F(FailureMessage, NothingSaidIsEmpty) {
   EXPECT_EQ(error_line(write("log", "")), "");
   EXPECT_EQ(error_line("/no/such/file"), "");
