@@ -2,6 +2,7 @@
 
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
@@ -112,6 +113,7 @@ class OneOfYourOwn(RunTest):
         case = self.folder / "case"
         (case / "effects").mkdir(parents=True)
         (case / file[1]).write_text(file[3])
+        shutil.copy(TINY / "motion.csv", case)
         (case / "case.yaml").write_text((TINY / "case.yaml").read_text().replace("../../../..", str(ROOT)))
 
         words = command[1].split()

@@ -71,6 +71,7 @@ class RunTest(unittest.TestCase):
         folder = self.folder / "a" / "b" / "case"
         folder.mkdir(parents=True)
         shutil.copy(SOURCE / "mbs" / "bucyrus495.yaml", folder / "machine.yaml")
+        shutil.copy(TINY / "motion.csv", folder)
         case = (TINY / "case.yaml").read_text().replace("../../../../mbs/bucyrus495.yaml", "machine.yaml")
         (folder / "case.yaml").write_text(case.replace("../../../../", f"{SOURCE}/"))
         return folder

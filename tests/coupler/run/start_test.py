@@ -19,6 +19,7 @@ class Start(RunTest):
         folder = self.folder / "a" / "b" / "case"
         folder.mkdir(parents=True)
         (folder / scan).write_text(text)
+        shutil.copy(TINY / "motion.csv", folder)
         case = (TINY / "case.yaml").read_text().replace("../../../../", f"{TINY.parents[3]}/")
         lines = [line for line in case.splitlines() if not line.strip().startswith(REPLACED)]
         at = next(i for i, line in enumerate(lines) if line.startswith("pile:"))
