@@ -6,7 +6,6 @@ import pathlib
 import pwd
 import shutil
 import stat
-import statistics
 import subprocess
 import sys
 import time
@@ -86,14 +85,14 @@ class Network(RunTest):
         return took, counts
 
     def test_a_third_of_all_packets_lost_costs_less_than_twice_the_time_again(self):
-        """In turn with what the relay itself takes, as other work comes and goes; the medians count."""
+        """In turn with what the relay itself takes. The quickest of each count: other work on the machine only adds."""
         carried, lost = [], []
         for seed in (1, 2, 3):
             carried.append(self.through(f"carried{seed}")[0])
             took, counts = self.through(f"loss{seed}", drop=0.3, seed=seed)
             lost.append(took)
             self.assertGreater(counts["resends"], 20)
-        self.assertLess(statistics.median(lost), 3 * statistics.median(carried))
+        self.assertLess(min(lost), 3 * min(carried))
 
     def test_lost_doubled_swapped_and_late(self):
         self.through("all", drop=0.3, double=0.2, swap=0.2, late=0.1, late_s=0.1)
