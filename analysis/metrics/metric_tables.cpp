@@ -101,14 +101,7 @@ json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes,
     monitor.emplace(machine::load_machine(file), radians(run.number("machine.rake_angle_deg")));
   for (const PassFacts& f : passes) {
     const signals::Pass& p = f.pass;
-    json row = {{"pass", p.pass},
-                {"t_start_s", p.t_start_s},
-                {"t_dig_s", p.t_dig_s},
-                {"t_dump_s", p.t_dump_s},
-                {"t_end_s", p.t_end_s},
-                {"dumped", p.dumped},
-                {"payload_kg", p.payload_kg},
-                {"truck_kg", p.truck_kg}};
+    json row = run::pass_row(p);
     // As dense as the load is found to be; the case's figure is of its pile at rest.
     const bool measured = f.load_volume_m3 > 0 && f.load_in_volume_kg > 0;
     const double bulk_density_kg_m3 =

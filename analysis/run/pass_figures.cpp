@@ -7,6 +7,17 @@ namespace dipper::analysis::run {
 
 using json = nlohmann::ordered_json;
 
+json pass_row(const signals::Pass& p) {
+  return {{"pass", p.pass},
+          {"t_start_s", p.t_start_s},
+          {"t_dig_s", p.t_dig_s},
+          {"t_dump_s", p.t_dump_s},
+          {"t_end_s", p.t_end_s},
+          {"dumped", p.dumped},
+          {"payload_kg", p.payload_kg},
+          {"truck_kg", p.truck_kg}};
+}
+
 void put_work(json& row, const signals::DrivesWork& work) {
   for (const auto& [name, drive] :
        {std::pair{"hoist", &work.hoist}, {"crowd", &work.crowd}, {"swing", &work.swing}}) {

@@ -1,4 +1,5 @@
-// What a pass's drives tell, under the names that metrics.json and summary.json share.
+// What a pass is, and what its drives tell, under the names that metrics.json and summary.json
+// share.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,9 @@
 #include "analysis/signals/payload_monitor.hpp"
 
 namespace dipper::analysis::run {
+
+/// pass, its times (t_start_s, t_dig_s, t_dump_s, t_end_s), dumped, payload_kg, truck_kg.
+nlohmann::ordered_json pass_row(const signals::Pass& p);
 
 /// hoist_work_J, hoist_power_mean_W, hoist_power_peak_W, and so for crowd and swing.
 void put_work(nlohmann::ordered_json& row, const signals::DrivesWork& work);

@@ -23,18 +23,11 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
                                                   radians(c.machine.rake_angle_deg));
   for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
     const auto& p = found.pass;
-    json row = {{"pass", p.pass},
-                {"t_start_s", p.t_start_s},
-                {"t_dig_s", p.t_dig_s},
-                {"t_dump_s", p.t_dump_s},
-                {"t_end_s", p.t_end_s},
-                {"dumped", p.dumped},
-                {"payload_kg", p.payload_kg},
-                {"truck_kg", p.truck_kg},
-                {"fill_factor", p.payload_kg / full_kg},
-                {"dig_force_mean_N", p.dig_force_mean_N},
-                {"dig_force_peak_N", p.dig_force_peak_N},
-                {"dig_force_peak_t_s", p.dig_force_peak_t_s}};
+    json row = analysis::run::pass_row(p);
+    row["fill_factor"] = p.payload_kg / full_kg;
+    row["dig_force_mean_N"] = p.dig_force_mean_N;
+    row["dig_force_peak_N"] = p.dig_force_peak_N;
+    row["dig_force_peak_t_s"] = p.dig_force_peak_t_s;
     if (found.dig_phases_force_mean_N)
       row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
     if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;

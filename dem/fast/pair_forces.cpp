@@ -310,11 +310,12 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
     if (!known) return Granular::compute_force(pair, energy, virial, add);
     pair->evflag = pair->vflag_fdotr = 0;
     const LAMMPS_NS::Neighbor& lists = *lmp_.neighbor;
+    if (lists.ago == 0) resting_ = resting();  // who rests changes only as lists are built
     gather(*lmp_.atom, spheres_);
     add_forces({*lmp_.atom, spheres_.data(), *pair->listgranhistory, laws_, types_, pair->dnum(),
                 lmp_.update->dt, limit_, pair->shearupdate() != 0},
                close_.now(*lmp_.atom, *pair->list, *pair->listgranhistory, lists.skin * kCloseness,
-                          lists.ago == 0, resting()));
+                          lists.ago == 0, resting_));
   }
 
  private:
@@ -343,6 +344,7 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
   bool plain_ = false;  ///< no settings but those of the decks
   bool limit_ = false;
   int types_ = 0;
+  int resting_ = 0;          ///< mask bit of kRestGroup; 0: there is none
   double** tables_[6] = {};  ///< LIGGGHTS's
   std::vector<Law> laws_;
   std::vector<Sphere> spheres_;
