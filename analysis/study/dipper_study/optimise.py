@@ -15,6 +15,7 @@ from scipy.stats import qmc
 from dipper_run.findings import BadInput
 from dipper_run.program import ProgramFailed
 
+from .motions import PREFIX
 from .statistics import compare, summary
 from .study_file import Point
 from .surrogate import Surrogate, expected_improvement, pooled_variance, probability_inside
@@ -109,7 +110,8 @@ def _base(session):
     study = session.study
     point = Point((), study.fixed)
     session.planner.check([point])
-    base = [_value(session.planner.told(point), r.key) for r in study.optimise.ranges]
+    base = [session.planner.motions.own(r.key) if r.key.startswith(PREFIX) else
+            _value(session.planner.told(point), r.key) for r in study.optimise.ranges]
     wrong = [f"{study.file}:{r.line}: {r.key}: the case has {value}; a range that holds it, since the answer is "
              "compared with the case as it is" for r, value in zip(study.optimise.ranges, base)
              if value is None or not r.low <= value <= r.high]

@@ -10,6 +10,8 @@ from dipper_run.findings import BadInput
 from dipper_run.kept_runs import HEAVY, QUIET, Job
 from dipper_run.program import check_json
 
+from .motions import Motions
+
 ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
 # What a study removes of a run, by `keep`. A run's own page and its figures stay always.
 DROPPED = {"all": (), "record": HEAVY, "summary": (*HEAVY, "record.h5", "observed", "deck")}
@@ -45,11 +47,14 @@ class Planner:
 
     def __init__(self, study, program, cache):
         self.study, self.program, self.cache = study, program, cache
-        self._told = {}  # {point: what check told}
+        self.motions = Motions(study.case, program, cache.with_name("motions"))
+        self._told = {}      # {point: what check told}
+        self._settings = {}  # {point: its settings as `--set` takes them}
 
     def check(self, points):
         """Raises BadInput with what `dipper check` has against any of them, each finding once."""
         new = [p for p in dict.fromkeys(points) if p not in self._told]
+        self._settings.update((p, self.motions.resolved(self.study.file, p.settings)) for p in new)
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             told = list(pool.map(self._ask, new))
         wrong = {}
@@ -86,7 +91,7 @@ class Planner:
         return stays, PAGE_BYTES + record + heavy - stays
 
     def _words(self, point):
-        return [word for s in point.settings for word in ("--set", str(s))]
+        return [word for s in self._settings[point] for word in ("--set", str(s))]
 
     def _ask(self, point):
         words = [*self._words(point), "--set", f"dem.ranks={self.study.ranks}", "--set", "seed=1"]
@@ -96,7 +101,7 @@ class Planner:
         """A finding about a --set is one about the line of the study that says so."""
         place = f"{finding['file']}:{finding['line']}" if finding["line"] else finding["file"]
         if finding["file"] == "--set":
-            lines = [s.line for s in point.settings if s.key == finding["key"] or s.key == "" or
+            lines = [s.line for s in self._settings[point] if s.key == finding["key"] or s.key == "" or
                      finding["key"].startswith(s.key + ".") or s.key.startswith(finding["key"] + ".")]
             place = f"{self.study.file}:{lines[0]}" if lines else str(self.study.file)
         return f"{place}: {finding['key']}: {finding['message']}"
@@ -109,7 +114,7 @@ class Planner:
         quiet = () if study.keep == "all" else QUIET[:2] if study.executor == "slurm" else QUIET
         words = [str(study.case.resolve()), "--ranks", str(study.ranks), "--seed", str(seed), *quiet,
                  *self._words(point)]
-        facts = {"settings": [str(s) for s in point.settings], "seed": seed}
+        facts = {"settings": [str(s) for s in self._settings[point]], "seed": seed}
         return PlannedRun(point, seed, Job(folder, tuple(words), f"{point}, seed {seed}", DROPPED[study.keep], True,
                                            facts))
 

@@ -10,6 +10,8 @@ import random
 import sys
 import time
 
+import yaml
+
 HERE = pathlib.Path(__file__).resolve().parent
 KEYS = {"machine.rake_angle_deg": (0, 90), "pile.toe_x_m": (-100, 100), "seed": (0, 2**31), "dem.ranks": (1, 64),
         "output.dump_every_s": (0, 1e9), "output.checkpoint_every_s": (0, 1e9), "flat": (0, 1)}
@@ -27,7 +29,7 @@ def settings(words):
 def check(words):
     told, findings = settings(words), []
     for key, value in told.items():
-        if key == "bodies.dipper":
+        if key in ("bodies.dipper", "machine.motion"):
             continue
         low, high = KEYS.get(key, (1, 0))
         if key not in KEYS:
@@ -50,6 +52,8 @@ def model(told, seed):
     payload = 70 + shared.gauss(0, 3) + own.gauss(0, 0.5) + (5 if told.get("bodies.dipper") == "wide.stl" else 0)
     if float(told.get("flat", 0)) == 0:
         payload -= 0.5 * (rake - 64) ** 2 + 2 * (toe - 1) ** 2
+    if "machine.motion" in told:
+        payload += json.loads(pathlib.Path(told["machine.motion"]).read_text())["depth_m"]
     return payload, 8 + 0.5 * (rake - 60) + own.gauss(0, 0.1), 20.0
 
 
@@ -75,6 +79,19 @@ def run(words):
     return 0
 
 
+def motion(words):
+    """A motion is its plan's only cut; no machine digs deeper than 5 m."""
+    file, out = (pathlib.Path(words[words.index(option) + 1]) for option in ("--plan", "--out"))
+    cut = yaml.safe_load(file.read_text())["passes"][0]["cut"]
+    with open(HERE / "motions", "a") as f:
+        f.write(f"{json.dumps(cut)}\n")
+    if cut["depth_m"] > 5:
+        print("dipper: the plan: the dipper is under the ground", file=sys.stderr)
+        return 2
+    out.write_text(json.dumps(cut))
+    return 0
+
+
 def report(words):
     out = pathlib.Path(words[0])
     (out / "report").mkdir()
@@ -87,4 +104,4 @@ def report(words):
 if __name__ == "__main__":
     if sys.argv[1] == "page":
         os.execv(read("real", ""), sys.argv)
-    sys.exit({"check": check, "run": run, "report": report}[sys.argv[1]](sys.argv[2:]))
+    sys.exit({"check": check, "run": run, "motion": motion, "report": report}[sys.argv[1]](sys.argv[2:]))

@@ -1,0 +1,106 @@
+"""`plan.KEY` in a study: the case's motion, planned anew with another number in its plan.yaml (docs/motion.md)."""
+import hashlib
+import os
+import subprocess
+from pathlib import Path
+
+import yaml
+
+from dipper_run.findings import BadInput
+from dipper_run.program import ProgramFailed, check_json
+
+from .study_file import Setting
+
+PREFIX = "plan."
+FACE_FILES = "face"  # names a file beside the plan, or the pile
+
+
+class Motions:
+    """Motions of the case's plan with other numbers, each made once by `dipper motion`, in a folder named by the hash
+    of the plan, the case with all its files, and the program's sources.
+
+    They are planned for the case as it is: what else a point sets (a rake, a distance) is not what the operator knew.
+    """
+
+    def __init__(self, case, program, folder):
+        self.case, self.program, self.folder = Path(case).resolve(), program, Path(folder)
+        self._made_of = None
+
+    def resolved(self, study_file, settings):
+        """The settings, with those of the plan replaced by the one of the motion they make. Raises BadInput."""
+        planned = [s for s in settings if s.key.startswith(PREFIX)]
+        if not planned:
+            return tuple(settings)
+        plan = self._plan(study_file, planned[0])
+        for s in planned:
+            number, holder, key = self._find(plan, study_file, s)
+            holder[key] = number
+        motion = self._motion(study_file, planned, yaml.safe_dump(plan, sort_keys=False))
+        return tuple(s for s in settings if s not in planned) + (
+            Setting("machine.motion", str(motion), planned[0].line),)
+
+    def own(self, key):
+        """The number that the case's plan has at `plan.KEY`; None where there is none."""
+        try:
+            holder, last = _walk(yaml.safe_load((self.case / "plan.yaml").read_text()), key)
+            return float(holder[last])
+        except (OSError, KeyError, IndexError, TypeError, ValueError):
+            return None
+
+    def _plan(self, study_file, setting):
+        file = self.case / "plan.yaml"
+        if not file.is_file():
+            raise BadInput([f"{study_file}:{setting.line}: {setting.key}: {self.case} has no plan.yaml; "
+                            "a case whose motion is planned (docs/motion.md)"])
+        plan = yaml.safe_load(file.read_text())
+        for one in plan.get("passes", ()):
+            face = one.get("cut", {}).get(FACE_FILES, "pile")
+            if face != "pile":
+                one["cut"][FACE_FILES] = os.path.join(self.case, face)
+        return plan
+
+    def _find(self, plan, study_file, setting):
+        where = f"{study_file}:{setting.line}: {setting.key}"
+        try:
+            holder, last = _walk(plan, setting.key)
+            found = holder[last]
+        except (KeyError, IndexError, TypeError, ValueError):
+            raise BadInput([f"{where}: {self.case / 'plan.yaml'} has no such key; "
+                            "plan.cycle_s, plan.passes.0.cut.depth_m or the like"]) from None
+        if isinstance(found, bool) or not isinstance(found, (int, float)):
+            raise BadInput([f"{where}: is no number in {self.case / 'plan.yaml'}; a key that is one"])
+        try:
+            return float(setting.text), holder, last
+        except ValueError:
+            raise BadInput([f"{where}: is {setting.text}; a number"]) from None
+
+    def _motion(self, study_file, planned, text):
+        if self._made_of is None:
+            told = check_json(self.case, of=self.program)
+            if told["findings"]:
+                raise BadInput(f"{f['file']}:{f['line']}: {f['key']}: {f['message']}" for f in told["findings"])
+            self._made_of = f"{told['case_hash']}\n{told['source_hash']}"
+        folder = self.folder / hashlib.sha256(f"{self._made_of}\n{text}".encode()).hexdigest()[:24]
+        motion = folder / "motion.csv"
+        if motion.exists():
+            return motion
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "plan.yaml").write_text(text)
+        words = ["motion", self.case, "--plan", folder / "plan.yaml", "--out", motion, "--page", folder / "motion.html"]
+        try:
+            made = subprocess.run([self.program, *map(str, words)], capture_output=True, text=True)
+        except OSError as e:
+            raise ProgramFailed(f"{self.program}: {e.strerror}; build it, or set DIPPER to it") from e
+        if made.returncode:
+            said = ", ".join(map(str, planned))
+            first = next((line for line in made.stderr.splitlines() if line.strip()), f"exit status {made.returncode}")
+            raise BadInput([f"{study_file}:{planned[0].line}: {said}: {first}"])
+        return motion
+
+
+def _walk(plan, key):
+    """(map or list, key or index) that `plan.a.0.b` names in a plan."""
+    *way, last = key[len(PREFIX):].split(".")
+    for part in way:
+        plan = plan[int(part)] if isinstance(plan, list) else plan[part]
+    return plan, int(last) if isinstance(plan, list) else last
