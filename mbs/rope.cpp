@@ -1,7 +1,5 @@
 #include "mbs/rope.hpp"
 
-#include <algorithm>
-
 #include "machine/sheave_path.hpp"
 
 namespace dipper::mbs {
@@ -44,15 +42,9 @@ Rope::Path Rope::path(const SimTK::State& state) const {
   return r;
 }
 
-double Rope::stiffness(double free_length) const {
-  return spec_.axial_stiffness / (spec_.elastic_fraction * free_length);
-}
-
 RopeState Rope::evaluate(const SimTK::State& state) const { return evaluate(state, path(state)); }
 
 RopeState Rope::evaluate(const SimTK::State& state, const Path& rope) const {
-  const FreeLength free = free_length_(state);
-  RopeState r{};
   // dl/dt: each end's velocity against the sheave's body, along the rope; moving the tangent
   // points does not change the length to first order.
   const SimTK::SpatialVec& V_GS = spec_.sheave_body.getBodyVelocity(state);
@@ -64,24 +56,13 @@ RopeState Rope::evaluate(const SimTK::State& state, const Path& rope) const {
     const SimTK::Vec3 v_sheave = V_GS[1] + V_GS[0] % (e->p_GE - p_GS);
     length_rate -= SimTK::dot(e->toward_G, v_end - v_sheave);
   }
-  r.stretch = rope.length - free.length;
-  r.stretch_rate = length_rate - free.rate;
-  if (r.stretch <= 0) return r;
-  const double elastic = stiffness(free.length) * r.stretch;
-  r.tension = std::max(0.0, elastic + spec_.damping * r.stretch_rate);
-  r.elastic_energy = 0.5 * elastic * r.stretch;
-  r.dissipation = (r.tension - elastic) * r.stretch_rate;
-  r.winch_pull = r.tension + 0.5 * elastic * r.stretch / free.length;
-  r.winch_power = -r.winch_pull * free.rate;
-  return r;
+  return spec_.at(rope.length, length_rate, free_length_(state));
 }
 
 void Rope::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
-                     SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector& mobility_forces) const {
+                     SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const {
   const Path rope = path(state);
   const RopeState now = evaluate(state, rope);
-  if (spec_.drum_radius > 0)
-    spec_.drum.applyOneMobilityForce(state, 0, spec_.drum_radius * now.winch_pull, mobility_forces);
   const double tension = now.tension;
   if (tension <= 0) return;
   SimTK::Vec3 on_sheave(0);
@@ -96,9 +77,7 @@ void Rope::calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec
 }
 
 double Rope::calcPotentialEnergy(const SimTK::State& state) const {
-  const double free = free_length_(state).length;
-  const double stretch = std::max(0.0, path(state).length - free);
-  return 0.5 * stiffness(free) * stretch * stretch;
+  return spec_.at(path(state).length, 0, free_length_(state)).elastic_energy;
 }
 
 }  // namespace dipper::mbs

@@ -14,7 +14,7 @@ namespace {
 // they are in memory: a checkpoint stays on the kind of machine that wrote it.
 constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
 
-const char* magic_of(const Snapshot& s) { return s.path.size() == 0 ? kPrescribed : kLimited; }
+const char* magic_of(const Snapshot& s) { return s.path.empty() ? kPrescribed : kLimited; }
 
 template <typename T>
 void put(std::ostream& out, const T& value) {
@@ -28,9 +28,10 @@ void get(std::istream& in, T& value) {
 /// Calls f with every number of the snapshot, in the file's order.
 template <typename S, typename F>
 void each_number(S& s, F f) {
-  for (auto* v : {&s.q, &s.u, &s.works, &s.path}) {
-    for (int i = 0; i < v->size(); ++i) f((*v)[i]);
-  }
+  for (int i = 0; i < kJoints; ++i) f(s.q[i]);
+  for (int i = 0; i < kJoints; ++i) f(s.u[i]);
+  for (int i = 0; i < 3; ++i) f(s.works[i]);
+  for (auto& x : s.path) f(x);
   for (auto& F_Bo_W : s.F_Bo_W) {
     for (int i = 0; i < 3; ++i) f(F_Bo_W.torque[i]);
     for (int i = 0; i < 3; ++i) f(F_Bo_W.force[i]);
@@ -42,13 +43,6 @@ std::array<std::int64_t, 3> sizes(const Snapshot& s) {
 }
 
 }  // namespace
-
-bool is_finite(const SimTK::Vector& v) {
-  for (int i = 0; i < v.size(); ++i) {
-    if (!std::isfinite(v[i])) return false;
-  }
-  return true;
-}
 
 void save(const Snapshot& s, const std::filesystem::path& file) {
   std::ofstream out(file, std::ios::binary | std::ios::trunc);

@@ -1,0 +1,49 @@
+// How much faster than the real machine it runs: windows of 2 ms, predicted and committed.
+#include <sys/resource.h>
+
+#include <cstdio>
+
+#include "tests/mbs/shovel_fixture.hpp"
+
+namespace dipper::mbs {
+namespace {
+
+double user_seconds() {
+  rusage r{};
+  getrusage(RUSAGE_SELF, &r);
+  return static_cast<double>(r.ru_utime.tv_sec) + 1e-6 * static_cast<double>(r.ru_utime.tv_usec);
+}
+
+class ShovelSpeed : public ShovelTest {
+ protected:
+  /// Simulated time over processor time, of the dig of the narrow case with a rough load.
+  double realtime_factor(machine::DriveMode mode, int windows) {
+    Shovel shovel(machine, quick(), Pose{}, rake, kLongestSubstep_ns, mode);
+    std::vector<Wrench> held = no_rock;
+    const double before = user_seconds();
+    for (int i = 1; i <= windows; ++i) {
+      const double t = 2e-3 * i;
+      const std::vector<Wrench> felt = {
+          Wrench{Vector3d(1e5 * std::sin(3 * t), -4e5, 2e5 * std::cos(5 * t)),
+                 Vector3d(1e5 * std::sin(60 * t), 5e4 * std::sin(7 * t), -5e5)},
+          Wrench{Vector3d(0, 2e4, 0), Vector3d(-3e4, 0, -5e4)}};
+      shovel.step(2 * i * kMillisecond, held, false);
+      shovel.step(2 * i * kMillisecond, felt, true);
+      held = felt;
+    }
+    return 2e-3 * windows / (user_seconds() - before);
+  }
+};
+
+// 130 on a busy core; the bound is for the slowest.
+TEST_F(ShovelSpeed, ManyTimesRealTime) {
+  for (const auto mode : {machine::DriveMode::prescribed, machine::DriveMode::limited}) {
+    const double factor = realtime_factor(mode, 5000);
+    std::printf("%s drives: %.0f x real time\n",
+                mode == machine::DriveMode::limited ? "limited" : "prescribed", factor);
+    EXPECT_GT(factor, 40);
+  }
+}
+
+}  // namespace
+}  // namespace dipper::mbs
