@@ -1,13 +1,18 @@
 // dipper-dem CONFIG: the rock side of a paired run, under mpirun. Rank 0 listens; every rank does.
+// dipper-dem --hosts: where each rank is.
 #include <fmt/core.h>
 #include <mpi.h>
 #include <sys/prctl.h>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include "common/host_identity.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/peer_config.hpp"
 #include "coupler/transport/sealed_transport.hpp"
@@ -36,6 +41,20 @@ std::string share(std::string bytes) {
   bytes.resize(size);
   broadcast(bytes.data(), static_cast<int>(size));
   return bytes;
+}
+
+/// As launch::read_places takes it.
+void tell_hosts() {
+  int rank = 0, ranks = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  using Line = std::array<char, 512>;
+  Line own{};
+  std::vector<Line> all(rank == 0 ? static_cast<std::size_t>(ranks) : 0);
+  fmt::format_to_n(own.data(), own.size() - 1, "rank\t{}\t{}\t{}\n", rank, host_name(),
+                   network_identity());
+  MPI_Gather(own.data(), own.size(), MPI_CHAR, all.data(), own.size(), MPI_CHAR, 0, MPI_COMM_WORLD);
+  for (const Line& line : all) fmt::print("{}", line.data());
 }
 
 bool is_stop(const core::Message& m) {
@@ -79,7 +98,7 @@ int main(int argc, char** argv) {
     MPI_Abort(MPI_COMM_WORLD, 2);
   }
   try {
-    dipper::dem::run(argv[1]);
+    std::string(argv[1]) == "--hosts" ? dipper::dem::tell_hosts() : dipper::dem::run(argv[1]);
   } catch (const std::exception& e) {
     fmt::print(stderr, "dipper-dem: {}\n", e.what());
     MPI_Abort(MPI_COMM_WORLD, 3);

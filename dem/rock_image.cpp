@@ -17,7 +17,8 @@
 #include <array>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -133,44 +134,53 @@ void write_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp,
                  const std::function<void(ByteWriter&)>& put) {
   ByteWriter mine;
   put(mine);
+  if (mine.bytes().size() > std::numeric_limits<int>::max())
+    throw std::runtime_error(
+        fmt::format("{}: a rank's part of it is {} bytes, and MPI sends 2^31; "
+                    "more ranks have less each",
+                    file.string(), mine.bytes().size()));
   const int ranks = lmp.comm->nprocs;
   const auto size = static_cast<int>(mine.bytes().size());
-  std::vector<int> sizes(static_cast<std::size_t>(ranks)), offsets(sizes.size(), 0);
+  std::vector<int> sizes(static_cast<std::size_t>(ranks));
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, lmp.world);
-  for (std::size_t r = 1; r < sizes.size(); ++r) offsets[r] = offsets[r - 1] + sizes[r - 1];
-  std::string all(static_cast<std::size_t>(offsets.back() + sizes.back()), '\0');
-  MPI_Gatherv(mine.bytes().data(), size, MPI_BYTE, all.data(), sizes.data(), offsets.data(),
-              MPI_BYTE, 0, lmp.world);
-  if (lmp.comm->me != 0) return;
+  if (lmp.comm->me != 0) {
+    MPI_Send(mine.bytes().data(), size, MPI_BYTE, 0, 0, lmp.world);
+    return;
+  }
+  // One after the other: all of them may be more than rank 0 can hold.
   ByteWriter head;
   head.put_all(sizes);
   std::ofstream out(file, std::ios::binary);
-  out << head.bytes() << all;
+  out << head.bytes() << mine.bytes();
+  for (int r = 1; r < ranks; ++r) {
+    std::string part(static_cast<std::size_t>(sizes[static_cast<std::size_t>(r)]), '\0');
+    MPI_Recv(part.data(), static_cast<int>(part.size()), MPI_BYTE, r, 0, lmp.world,
+             MPI_STATUS_IGNORE);
+    out << part;
+  }
   if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
 ByteReader read_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp) {
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
   if (!in) throw std::runtime_error(file.string() + ": cannot be read");
-  const std::string all = text.str();
+  const auto read = [&](void* to, std::size_t size) {
+    in.read(static_cast<char*>(to), static_cast<std::streamsize>(size));
+    if (!in) throw std::runtime_error(file.string() + ": it is cut short");
+  };
   const auto ranks = static_cast<std::size_t>(lmp.comm->nprocs);
-  std::vector<int> sizes;
-  try {
-    sizes = ByteReader(all).get_all<int>();
-  } catch (const std::runtime_error& e) {
-    throw std::runtime_error(file.string() + ": " + e.what());
-  }
-  if (sizes.size() != ranks)
+  std::size_t written = 0;
+  read(&written, sizeof written);
+  if (written != ranks)
     throw std::runtime_error(fmt::format("{}: written by {} ranks; {} cannot go on from it",
-                                         file.string(), sizes.size(), ranks));
-  std::size_t at = sizeof(std::size_t) + ranks * sizeof(int);
-  for (int r = 0; r < lmp.comm->me; ++r)
-    at += static_cast<std::size_t>(sizes[static_cast<std::size_t>(r)]);
-  const auto size = static_cast<std::size_t>(sizes[static_cast<std::size_t>(lmp.comm->me)]);
-  if (at + size > all.size()) throw std::runtime_error(file.string() + ": it is cut short");
-  return ByteReader(all.substr(at, size));
+                                         file.string(), written, ranks));
+  std::vector<int> sizes(ranks);
+  read(sizes.data(), ranks * sizeof(int));
+  const auto mine = sizes.begin() + lmp.comm->me;
+  in.seekg(std::accumulate(sizes.begin(), mine, std::streamoff{0}), std::ios::cur);
+  std::string part(static_cast<std::size_t>(*mine), '\0');
+  read(part.data(), part.size());
+  return ByteReader(std::move(part));
 }
 
 }  // namespace dipper::dem

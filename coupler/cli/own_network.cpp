@@ -1,14 +1,28 @@
 #include "coupler/cli/own_network.hpp"
 
+#include <exception>
+#include <set>
+#include <string>
+
+#include "common/input_error.hpp"
 #include "coupler/launch/network.hpp"
+#include "coupler/transport/lcm_transport.hpp"
+#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::cli {
 
-void enter_own_network(Reporter& reporter) {
-  if (launch::enter_private_network()) return;
+bool enter_own_network(Reporter& reporter) {
+  if (launch::enter_private_network()) return true;
   reporter.error(
       "the kernel refuses this run a network of its own; it shares the host's. Its messages are "
       "sealed, so nobody can speak in them, but all users can read them");
+  return false;
+}
+
+void check_host_network() try {
+  const transport::LcmTransport heard(transport::kLcmUrl, {});
+} catch (const std::exception& e) {
+  throw InputError({{{}, 0, "--mpirun", e.what()}});
 }
 
 }  // namespace dipper::cli

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -18,6 +19,7 @@
 #include "coupler/deck/liggghts_path.hpp"
 #include "coupler/dry/dry_run.hpp"
 #include "coupler/launch/interrupt.hpp"
+#include "coupler/launch/rank_places.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/paired_run.hpp"
 #include "coupler/run/same_run.hpp"
@@ -33,6 +35,7 @@ struct RunOptions {
   std::vector<std::string> set;
   int ranks = 0;
   std::optional<long> seed;
+  std::optional<std::string> mpirun;  ///< its options
   bool resume = false;
   std::string no_rock;  ///< "none" or "estimate"; empty: there is rock
 };
@@ -55,6 +58,36 @@ double resumed_from_s(const run::RunFolder& folder, const cases::Case& c) {
   return last ? static_cast<double>(last->coupling.dem_step) * c.dem.timestep_s : 0;
 }
 
+constexpr const char* kMpirun = "mpirun";  // among a run's settings, the one that is no key
+
+/// mpirun's options: those asked for, else those kept, which are taken out of the settings.
+std::string take_mpirun(const std::optional<std::string>& asked,
+                        std::vector<cases::Override>& kept) {
+  std::string text = asked.value_or("");
+  const auto of_mpirun = [](const cases::Override& o) { return o.key == kMpirun; };
+  const auto found = std::find_if(kept.begin(), kept.end(), of_mpirun);
+  if (found != kept.end()) {
+    if (!asked) text = found->value;
+    kept.erase(found);
+  }
+  std::replace(text.begin(), text.end(), '\n', ' ');  // a line a setting
+  return text;
+}
+
+/// Where the ranks will be; over several hosts, says what that means for the run's own messages.
+/// Nothing is started or written that stays.
+launch::MpiPlaces place(int ranks, const std::string& mpirun, Reporter& reporter) {
+  const launch::PlacedRanks placed =
+      launch::place_ranks(ranks, launch::mpirun_options(mpirun), installed_program("dipper-dem"));
+  if (!placed.places.several_hosts) return placed.places;
+  check_host_network();
+  reporter.line(fmt::format(
+      "network: this host's, as MPI needs it: ranks are on {}. The run's own messages stay on this "
+      "host; they are sealed, so nobody can speak in them, but all its users can read them",
+      placed.hosts));
+  return placed.places;
+}
+
 int run(const RunOptions& o, Reporter& reporter) {
   if (o.resume && !o.no_rock.empty())
     throw InputError({{{}, 0, "--resume", "a run without rock takes seconds and is begun anew"}});
@@ -63,6 +96,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   // A run that goes on keeps what it was asked for, but for what is asked now.
   std::vector<cases::Override> set;
   if (o.resume) set = run::read_settings(out);
+  const std::string mpirun = take_mpirun(o.mpirun, set);
   for (const cases::Override& one : overrides_of(o.set, "coupling.scheme=serial"))
     set.push_back(one);
   if (o.ranks > 0) set.push_back({"dem.ranks", std::to_string(o.ranks)});
@@ -70,7 +104,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   const std::optional<cases::Case> c = check::checked_case(o.folder, set, reporter);
   if (!c) return 2;
   if (const int cores = static_cast<int>(std::thread::hardware_concurrency());
-      o.no_rock.empty() && cores > 0 && c->dem.ranks > cores)
+      o.no_rock.empty() && mpirun.empty() && cores > 0 && c->dem.ranks > cores)
     reporter.line(
         fmt::format("warning: dem.ranks: {} ranks share {} cores, and wait for each other; "
                     "--ranks {} is faster",
@@ -85,6 +119,8 @@ int run(const RunOptions& o, Reporter& reporter) {
     return 2;
   }
   try {
+    const launch::MpiPlaces places =
+        o.no_rock.empty() ? place(c->dem.ranks, mpirun, reporter) : launch::MpiPlaces{};
     const run::RunFolder folder =
         o.resume ? run::RunFolder::resume(out) : run::RunFolder::create(out);
     if (o.resume) require_undamaged(folder.root());
@@ -94,18 +130,23 @@ int run(const RunOptions& o, Reporter& reporter) {
     for (const auto& line : changed)
       reporter.error(fmt::format("not as in {}: {}", out.string(), line));
     if (!changed.empty()) return 2;
+    if (!mpirun.empty()) set.push_back({kMpirun, mpirun});
     run::write_settings(folder.root(), set);
-    enter_own_network(reporter);
+    if (!places.several_hosts && enter_own_network(reporter) && o.no_rock.empty())
+      reporter.line("network: the run's own, as all ranks are on this host");
     if (!o.no_rock.empty()) {
       const auto rock = o.no_rock == "none" ? dry::Rock::none : dry::Rock::estimate;
       const run::RunStatus status = dry::dry_run(*c, rock, folder, reporter);
       if (status == run::RunStatus::complete) reporter.line(folder.summary().string());
       return static_cast<int>(status);
     }
-    return static_cast<int>(run::paired_run(*c, folder, o.resume, reporter));
+    return static_cast<int>(run::paired_run(*c, folder, o.resume, places, reporter));
   } catch (const InputError& e) {
     reporter.error(e.what());
     return 2;
+  } catch (const launch::Interrupted&) {
+    reporter.error("interrupted before the run began");
+    return 4;
   }
 }
 
@@ -123,6 +164,8 @@ Command add_run_command(CLI::App& app, Reporter& reporter) {
   sub->add_option("--out", o->out, "the run's folder (default: runs/NAME)");
   sub->add_option("--ranks", o->ranks, "MPI ranks of the rock side")
       ->check(whole_number_in({1, 4096}));
+  sub->add_option("--mpirun", o->mpirun,
+                  "options of mpirun, such as its hosts: --mpirun '--hostfile hosts'");
   sub->add_option("--seed", o->seed, "seed of the pile")->check(whole_number_in(kSeeds));
   sub->add_flag("--resume", o->resume, "continue from the last checkpoint");
   sub->add_flag(

@@ -33,6 +33,10 @@ std::string error_line(const std::filesystem::path& log, const std::filesystem::
     if (!error.empty()) return error;
   }
   const auto all = lines(log);
+  // mpirun of another host: "  Remote daemon: [[1,0],1] on node h2".
+  const std::string lost = last_with(all, "Remote daemon:"), on = " on node ";
+  if (const auto at = lost.find(on); at != std::string::npos)
+    return "mpirun has lost the host " + lost.substr(at + on.size());
   for (const char* word : {"ERROR", "exited on signal 9",
                            "dipper-dem:", "dipper-mbs:", "exited on signal", "cannot start"}) {
     const std::string line = last_with(all, word);

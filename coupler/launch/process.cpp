@@ -14,7 +14,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "coupler/launch/mpi_scratch.hpp"
 #include "coupler/launch/process_tree.hpp"
 
 namespace dipper::launch {
@@ -131,26 +130,6 @@ void Process::end() {
   wait(std::chrono::milliseconds(1500));
   kill(-pid_, SIGKILL);  // and whatever of its group is left
   wait(std::chrono::milliseconds(1500));
-}
-
-std::vector<std::string> mpirun(int ranks, std::vector<std::string> program) {
-  // Two ranks unbound tend to stay on one core. A single rank is left to the scheduler, so that two
-  // runs of one rank share a machine.
-  const std::string binding = ranks > 1 ? "core:overload-allowed" : "none";
-  // A rank that yields while it waits gives a whole slice of the scheduler (3 ms) to any other work
-  // on its core, thousands of times a second of the run: it yields only where ranks share cores.
-  const std::string yield =
-      static_cast<unsigned>(ranks) > std::thread::hardware_concurrency() ? "1" : "0";
-  std::vector<std::string> command = {"mpirun", "--oversubscribe",     "--bind-to", binding,
-                                      "--mca",  "mpi_yield_when_idle", yield,       "--mca",
-                                      "btl",    "self,vader"};
-  for (const char* where : {"orte_tmpdir_base", "btl_vader_backing_directory"}) {
-    command.insert(command.end(), {"--mca", where, mpi_scratch().string()});
-  }
-  if (geteuid() == 0) command.push_back("--allow-run-as-root");
-  command.insert(command.end(), {"-np", std::to_string(ranks)});
-  command.insert(command.end(), program.begin(), program.end());
-  return command;
 }
 
 }  // namespace dipper::launch

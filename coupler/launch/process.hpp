@@ -55,8 +55,4 @@ class Process {
   double cpu_s_ = 0;
 };
 
-/// "mpirun -np N ..." for a program, with what one machine needs: more ranks than cores allowed,
-/// and then idle ranks that yield.
-std::vector<std::string> mpirun(int ranks, std::vector<std::string> program);
-
 }  // namespace dipper::launch

@@ -60,7 +60,7 @@ void conclude(const cases::Case& c, const RunFolder& folder, std::unique_ptr<Ses
 }  // namespace
 
 RunStatus paired_run(const cases::Case& c, const RunFolder& folder, bool resume,
-                     Reporter& reporter) {
+                     const launch::MpiPlaces& places, Reporter& reporter) {
   const auto from = resume ? last_checkpoint(folder.checkpoints()) : std::nullopt;
   if (resume && summary_status(folder.summary()) == "complete") {
     if (!from)
@@ -81,7 +81,7 @@ RunStatus paired_run(const cases::Case& c, const RunFolder& folder, bool resume,
     return fmt::format("at t = {:.4f} s (sync step {})", time_s(at, c), at.step_index);
   };
   try {
-    session = std::make_unique<Session>(c, folder, from, reporter);
+    session = std::make_unique<Session>(c, folder, from, places, reporter);
     status = session->run() ? RunStatus::complete : RunStatus::interrupted;
   } catch (const launch::Interrupted&) {
     status = RunStatus::interrupted;

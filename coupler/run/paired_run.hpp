@@ -3,6 +3,7 @@
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
+#include "coupler/launch/mpirun.hpp"
 #include "coupler/run/run_folder.hpp"
 
 namespace dipper::run {
@@ -15,6 +16,6 @@ enum class RunStatus { complete = 0, failed = 3, interrupted = 4 };
 /// fails on the way ends here and is told to the reporter. A run that is complete already is left
 /// as it is.
 RunStatus paired_run(const cases::Case& c, const RunFolder& folder, bool resume,
-                     Reporter& reporter);
+                     const launch::MpiPlaces& places, Reporter& reporter);
 
 }  // namespace dipper::run

@@ -76,7 +76,8 @@ class Links {
 
 }  // namespace
 
-Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& logs) {
+Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& logs,
+                  const launch::MpiPlaces& places) {
   const fs::path entry = cache_folder() / "piles" / pile_hash(c, deck);
   const auto heed_interrupts = [] {
     if (launch::interrupts() > 0) throw launch::Interrupted();
@@ -90,7 +91,8 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
                        {installed_program("dipper-liggghts"), "-in", "dem_in/settle.in", "-log",
                         fs::absolute(logs / "settle.liggghts").string(), "-screen",
                         fs::absolute(screen).string(), "-var", "deck", "deck", "-var", "out", ".",
-                        "-var", "bench_cut", "./bench-cut"}),
+                        "-var", "bench_cut", "./bench-cut"},
+                       places),
         logs / "settle.log", out);
     launch::HangWatch watch(c.coupling.timeout_s);
     while (!liggghts.wait(std::chrono::milliseconds(100))) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "coupler/case/case.hpp"
+#include "coupler/launch/mpirun.hpp"
 
 namespace dipper::run {
 
@@ -18,8 +19,9 @@ struct Pile {
 /// this at once and either may be killed (cache_entry.hpp).
 /// \param deck  the folder write_deck filled
 /// \param logs  where LIGGGHTS's output goes
+/// \param places  of the ranks that settle it
 /// Throws std::runtime_error with LIGGGHTS's own message.
 Pile settled_pile(const cases::Case& c, const std::filesystem::path& deck,
-                  const std::filesystem::path& logs);
+                  const std::filesystem::path& logs, const launch::MpiPlaces& places);
 
 }  // namespace dipper::run

@@ -36,9 +36,10 @@ void write(const fs::path& file, const std::string& text) {
   if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
-fs::path find_pile(const cases::Case& c, const RunFolder& folder, Reporter& reporter) {
+fs::path find_pile(const cases::Case& c, const RunFolder& folder, const launch::MpiPlaces& places,
+                   Reporter& reporter) {
   reporter.line("pile: looking in the cache, else settling");
-  const Pile pile = settled_pile(c, folder.deck(), folder.logs());
+  const Pile pile = settled_pile(c, folder.deck(), folder.logs(), places);
   reporter.line(pile.cached ? "pile: cached"
                             : fmt::format("pile: settled in {:.0f} s", pile.wall_s));
   return pile.restart;
@@ -91,7 +92,8 @@ void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings) {
 }
 
 sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
-                          const std::optional<Checkpoint>& from, Reporter& reporter) {
+                          const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
+                          Reporter& reporter) {
   folder.unseal();
   const sides::MeshFacts shovel = sides::read_mesh_facts(c);
   const sides::DipperLayers layers = sides::dipper_layers(c, shovel.dipper.cavity);
@@ -109,12 +111,13 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
     reporter.line(fmt::format("going on from t = {:.3f} s",
                               static_cast<double>(from->coupling.dem_step) * c.dem.timestep_s));
   }
-  const fs::path restart = from ? from->rock() : find_pile(c, folder, reporter);
+  const fs::path restart = from ? from->rock() : find_pile(c, folder, places, reporter);
 
   sides::SidesSetup setup;
   setup.run_id = folder.root().filename().string();
   setup.case_hash = cases::case_hash(c);
   setup.ranks = c.dem.ranks;
+  setup.places = places;
   setup.timeout_s = c.coupling.timeout_s;
   setup.logs = folder.logs();
   setup.checkpoints = folder.checkpoints();

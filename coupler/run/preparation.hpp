@@ -45,9 +45,10 @@ std::map<std::string, std::string> record_attributes(const cases::Case& c,
 void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings);
 
 /// Writes deck and identity into the run's folder, settles the pile or finds it in the cache, and
-/// says so. \param from  what the run goes on from; nothing: a new run. Throws what settled_pile
-/// throws, launch::Interrupted too.
+/// says so. \param from  what the run goes on from; nothing: a new run. \param places  of the
+/// ranks. Throws what settled_pile throws, launch::Interrupted too.
 sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
-                          const std::optional<Checkpoint>& from, Reporter& reporter);
+                          const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
+                          Reporter& reporter);
 
 }  // namespace dipper::run

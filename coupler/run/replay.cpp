@@ -9,6 +9,7 @@
 
 #include "common/installation.hpp"
 #include "coupler/launch/failure_message.hpp"
+#include "coupler/launch/mpirun.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/link.hpp"

@@ -32,8 +32,9 @@ double channel(const core::Window& w, const core::ServerInfo& rock, const std::s
 }  // namespace
 
 Session::Session(const cases::Case& c, const RunFolder& folder,
-                 const std::optional<Checkpoint>& from, Reporter& reporter)
-    : Session(c, folder, from, reporter, prepare(c, folder, from, reporter)) {}
+                 const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
+                 Reporter& reporter)
+    : Session(c, folder, from, reporter, prepare(c, folder, from, places, reporter)) {}
 
 Session::Session(const cases::Case& c, const RunFolder& folder,
                  const std::optional<Checkpoint>& from, Reporter& reporter,

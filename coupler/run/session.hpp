@@ -26,7 +26,7 @@ class Session {
   /// Prepares the run and starts both sides. `c` and `folder` must outlive this. Throws
   /// transport::PeerError, launch::Interrupted, std::runtime_error.
   Session(const cases::Case& c, const RunFolder& folder, const std::optional<Checkpoint>& from,
-          Reporter& reporter);
+          const launch::MpiPlaces& places, Reporter& reporter);
 
   /// Steps to the end, or until the user interrupts, after which a checkpoint is saved. Whether the
   /// end is reached. Throws as the constructor does.

@@ -48,7 +48,8 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   transport::write_peer_config(dem_config, {url, secret, identity, setup.checkpoints, dem});
   transport::write_peer_config(mbs_config, {url, secret, identity, setup.checkpoints, setup.mbs});
   dem_ = std::make_unique<launch::Process>(
-      launch::mpirun(setup.ranks, {installed_program("dipper-dem"), dem_config.string()}),
+      launch::mpirun(setup.ranks, {installed_program("dipper-dem"), dem_config.string()},
+                     setup.places),
       setup.logs / "dem.log",
       setup.logs);  // where LIGGGHTS, when it is ended, leaves a restart file
   mbs_ = std::make_unique<launch::Process>(

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "coupler/launch/mpirun.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/transport/remote.hpp"
 
@@ -16,6 +17,7 @@ struct SidesSetup {
   std::string run_id;
   std::string case_hash;
   int ranks = 1;
+  launch::MpiPlaces places;  ///< of the ranks
   double timeout_s = 60;
   nlohmann::json dem, mbs;            ///< each side's settings
   std::filesystem::path logs;         ///< folder
@@ -41,8 +43,9 @@ class Sides {
   void stop();
   /// Ends whatever still runs.
   void end();
-  /// CPU time so far, all ranks.
-  double dem_cpu_s() const { return dem_->cpu_s(); }
+  /// CPU time so far, all ranks; of those on other hosts, as much as those here: they wait for each
+  /// other without a rest.
+  double dem_cpu_s() const { return dem_->cpu_s() / setup_.places.part_here; }
   double mbs_cpu_s() const { return mbs_->cpu_s(); }
 
  private:

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "coupler/launch/mpirun.hpp"
 #include "coupler/launch/process.hpp"
 #include "dem/rock_setup.hpp"
 #include "tests/common/mesh/shapes.hpp"

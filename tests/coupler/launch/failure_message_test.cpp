@@ -51,6 +51,15 @@ TEST_F(FailureMessage, WhatAProgramSaidBeatsWhatMpirunSaysOfAnAbort) {
   EXPECT_EQ(error_line(log), "sh: 1: ./bench-cut: not found");
 }
 
+TEST_F(FailureMessage, AHostThatIsGoneIsNamed) {
+  const auto log = write("log",
+                         "Please note that this is a mesh\n-----\n"
+                         "ORTE has lost communication with a remote daemon.\n\n"
+                         "  HNP daemon   : [[5,0],0] on node h1\n"
+                         "  Remote daemon: [[5,0],1] on node h2\n-----\n");
+  EXPECT_EQ(error_line(log), "mpirun has lost the host h2");
+}
+
 TEST_F(FailureMessage, NothingSaidIsEmpty) {
   EXPECT_EQ(error_line(write("log", "")), "");
   EXPECT_EQ(error_line("/no/such/file"), "");

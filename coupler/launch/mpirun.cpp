@@ -1,0 +1,77 @@
+#include "coupler/launch/mpirun.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "coupler/launch/mpi_scratch.hpp"
+
+namespace dipper::launch {
+namespace {
+
+/// mpirun's command before the program; it takes no parameter twice.
+class Command {
+ public:
+  explicit Command(const std::vector<std::string>& options) : options_(options) {}
+
+  /// "--word value", unless the user has said that word, with one dash or two.
+  void add(const std::string& word, const std::string& value) {
+    if (!says(word)) words.insert(words.end(), {"--" + word, value});
+  }
+  void add_parameter(const std::string& name, const std::string& value) {
+    for (std::size_t k = 0; k + 1 < options_.size(); ++k)
+      if ((options_[k] == "--mca" || options_[k] == "-mca") && options_[k + 1] == name) return;
+    words.insert(words.end(), {"--mca", name, value});
+  }
+  bool says(const std::string& word) const {
+    return std::any_of(options_.begin(), options_.end(), [&](const std::string& option) {
+      return option == "--" + word || option == "-" + word;
+    });
+  }
+
+  std::vector<std::string> words = {"mpirun"};
+
+ private:
+  const std::vector<std::string>& options_;
+};
+
+void keep_here(Command& command, int ranks) {
+  if (!command.says("nooversubscribe")) command.words.push_back("--oversubscribe");
+  // Two ranks unbound tend to stay on one core. A single rank is left to the scheduler, so that two
+  // runs of one rank share a machine.
+  command.add("bind-to", ranks > 1 ? "core:overload-allowed" : "none");
+  // A rank that yields while it waits gives a whole slice of the scheduler (3 ms) to any other work
+  // on its core, thousands of times a second of the run: it yields only where ranks share cores.
+  command.add_parameter(
+      "mpi_yield_when_idle",
+      static_cast<unsigned>(ranks) > std::thread::hardware_concurrency() ? "1" : "0");
+  command.add_parameter("btl", "self,vader");
+  command.add_parameter("plm", "isolated");
+  command.add_parameter("ras", "^slurm,gridengine");
+  for (const char* where : {"orte_tmpdir_base", "btl_vader_backing_directory"})
+    command.add_parameter(where, mpi_scratch().string());
+}
+
+void go_abroad(Command& command) {
+  // Where the network alone is gone mpirun hears of it by these, in s; its own are 300, 20, 9.
+  command.add_parameter("oob_tcp_keepalive_time", "10");
+  command.add_parameter("oob_tcp_keepalive_intvl", "5");
+  command.add_parameter("oob_tcp_keepalive_probes", "3");
+}
+
+}  // namespace
+
+std::vector<std::string> mpirun(int ranks, std::vector<std::string> program,
+                                const MpiPlaces& places) {
+  Command command(places.options);
+  places.several_hosts ? go_abroad(command) : keep_here(command, ranks);
+  std::vector<std::string>& words = command.words;
+  if (geteuid() == 0 && !command.says("allow-run-as-root")) words.push_back("--allow-run-as-root");
+  words.insert(words.end(), places.options.begin(), places.options.end());
+  words.insert(words.end(), {"-np", std::to_string(ranks)});
+  words.insert(words.end(), program.begin(), program.end());
+  return words;
+}
+
+}  // namespace dipper::launch
