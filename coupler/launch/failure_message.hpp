@@ -10,7 +10,8 @@ namespace dipper::launch {
 
 /// The line of a failed side's log that tells why: LIGGGHTS's own "ERROR" line from its screen file
 /// if there is one, else the host that mpirun has lost, else the side's own line (dipper-dem:,
-/// dipper-mbs:), else the log's last line that is not mpirun's boilerplate; "" when it said nothing.
+/// dipper-mbs:), else the log's last line that is not mpirun's boilerplate; "" when it said
+/// nothing.
 std::string error_line(const std::filesystem::path& log, const std::filesystem::path& screen = {});
 
 /// Of a process that has ended: who killed it, for one that was killed (what it said before has
