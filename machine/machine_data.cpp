@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
 #include "common/angles.hpp"
 #include "common/input_error.hpp"
 #include "common/yaml_section.hpp"
+#include "machine/rope_model.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -25,7 +27,19 @@ class Entries {
 
   Entries group(const std::string& key) { return Entries(section_.section(key, "its section")); }
 
+  bool has(const std::string& key) { return section_.find(key) != nullptr; }
+
   std::string text(const std::string& key) { return entry(key, "-").text("value", "a text"); }
+
+  std::string choice(const std::string& key, const std::vector<std::string>& words) {
+    YamlSection e = entry(key, "-");
+    const std::string allowed = fmt::format("{}", fmt::join(words, " or "));
+    const std::string word = e.text("value", allowed);
+    const YamlTree* given = e.find("value");
+    if (given != nullptr && std::find(words.begin(), words.end(), word) == words.end())
+      e.fault(*given, "value", fmt::format("is '{}'; it must be {}", word, allowed));
+    return word;
+  }
 
   /// Angles in deg come back in rad.
   double number(const std::string& key, const std::string& unit, const Range& range = {}) {
@@ -58,8 +72,28 @@ class Entries {
   YamlSection section_;
 };
 
-MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
-  MachineData m{};
+constexpr double kMostElements = 200;
+
+RopeModel rope_model(Entries& g) {
+  RopeModel r;
+  if (g.has("model")) {
+    r.segmented = g.choice("model", {"elastic", "segmented"}) == "segmented";
+  }
+  if (g.has("elements"))
+    r.elements = static_cast<int>(g.number("elements", "-", {2, kMostElements}));
+  if (g.has("mass_per_length") || r.segmented)
+    r.mass_per_length = g.number("mass_per_length", "kg/m", kPositive);
+  return r;
+}
+
+struct MachineFile {
+  MachineData data{};
+  RopeModel rope;
+};
+
+MachineFile read(const YamlTree& file, std::vector<Finding>& findings) {
+  MachineFile out;
+  MachineData& m = out.data;
   Entries root(YamlSection(file, "", findings));
   m.machine = root.text("machine");
   {
@@ -106,6 +140,7 @@ MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
               g.number("elastic_fraction", "-", {0, 1, true}),
               g.number("damping", "N s/m", kNotNegative), g.vector("drum", "m"),
               g.number("length_at_zero_hoist", "m", kPositive)};
+    out.rope = rope_model(g);
   }
   {
     auto g = root.group("drives");
@@ -131,7 +166,17 @@ MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
                 g.number("saddle_min", "deg"),
                 g.number("saddle_max", "deg")};
   }
-  return m;
+  return out;
+}
+
+MachineFile load(const std::filesystem::path& file) {
+  std::vector<Finding> findings;
+  const YamlTree tree = read_yaml(file, findings);
+  MachineFile machine;
+  if (findings.empty()) machine = read(tree, findings);
+  sort_by_line(findings);
+  if (!findings.empty()) throw InputError(std::move(findings));
+  return machine;
 }
 
 }  // namespace
@@ -142,14 +187,8 @@ DriveMode drive_mode_from(const std::string& word) {
   throw std::invalid_argument("drives '" + word + "': prescribed or limited");
 }
 
-MachineData load_machine(const std::filesystem::path& file) {
-  std::vector<Finding> findings;
-  const YamlTree tree = read_yaml(file, findings);
-  MachineData machine{};
-  if (findings.empty()) machine = read(tree, findings);
-  sort_by_line(findings);
-  if (!findings.empty()) throw InputError(std::move(findings));
-  return machine;
-}
+MachineData load_machine(const std::filesystem::path& file) { return load(file).data; }
+
+RopeModel load_rope_model(const std::filesystem::path& file) { return load(file).rope; }
 
 }  // namespace dipper::machine

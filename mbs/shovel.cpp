@@ -19,37 +19,41 @@ namespace dipper::mbs {
 namespace {
 
 enum Work { kDriveWork, kInterfaceWork, kDissipated, kWorks };
+constexpr int kFixed = 2 * kJoints + kWorks;  ///< numbers before the rope's nodes
 using Works = Eigen::Matrix<double, kWorks, 1>;
-using Numbers = Eigen::VectorXd;  ///< what is integrated: q, u, works
+using Numbers = Eigen::VectorXd;  ///< what is integrated: q, u, works, the rope's nodes
 
 }  // namespace
 
 struct Shovel::Impl {
   Impl(const machine::MachineData& machine_data, machine::Motion motion_in, const Pose& X_W0,
-       double rake, std::int64_t max_substep, machine::DriveMode mode)
+       double rake, std::int64_t max_substep, machine::DriveMode mode,
+       const machine::RopeModel& rope)
       : machine(machine_data),
         motion(std::make_shared<const machine::Motion>(std::move(motion_in))),
         path(mode == machine::DriveMode::limited
                  ? std::make_unique<Operator>(motion, machine.limits.crowd_min)
                  : nullptr),
-        dynamics(machine, mode, X_W0, rake),
+        dynamics(machine, rope, mode, X_W0, rake),
         model(machine, X_W0, rake, dynamics.drum_inertia()),
-        max_substep_ns(max_substep) {
+        max_substep_ns(max_substep),
+        substep_ns(static_cast<std::int64_t>(
+            std::min(static_cast<double>(max_substep), 1e9 * dynamics.longest_step()))) {
     if (max_substep_ns <= 0) throw std::invalid_argument("shovel: the sub-step must be positive");
     if (motion->start_ns() != 0) {
       throw std::invalid_argument(fmt::format(
           "shovel: the motion starts at {} ns; it must start at 0", motion->start_ns()));
     }
     find_equilibrium(machine::ShovelKinematics(machine, X_W0, rake));
-    const Instant start = now(0, committed.q, committed.u, {});
+    const Instant start = now(committed);
     energy_at_start = start.kinetic + start.potential;
     if (path) committed.path = {0, 1, 0, 0};
   }
 
   machine::DriveState sent(double t_s) const { return path ? path->sent(t_s) : motion->at(t_s); }
 
-  Instant now(double t_s, const Joints& q, const Joints& u, const Wrenches& rock) const {
-    return dynamics.at(q, u, sent(t_s), rock);
+  Instant now(const Snapshot& at) const {
+    return dynamics.at(at.q, at.u, at.rope, sent(seconds(at.t_ns)), at.F_Bo_W);
   }
 
   /// Where the operator is. His looks of the last window are over.
@@ -64,19 +68,28 @@ struct Shovel::Impl {
     const machine::DriveState to = sent(t_s);
     Joints q = y.head<kJoints>(), u = y.segment<kJoints>(kJoints);
     dynamics.prescribe(to, q, u);
-    const Instant i = dynamics.at(q, u, to, rock);
+    const Instant i = dynamics.at(q, u, y.tail(y.size() - kFixed), to, rock);
     const DriveReport d = dynamics.report(i, i.reaction);
     Numbers dy(y.size());
     dy << u, i.acceleration, d.hoist_power + d.crowd_power + d.swing_power + d.door_power,
-        i.rock_power, d.dissipated_power;
+        i.rock_power, d.dissipated_power, i.rope_rates;
     return dy;
+  }
+
+  static Snapshot taken_apart(const Numbers& y) {
+    Snapshot s;
+    s.q = y.head<kJoints>();
+    s.u = y.segment<kJoints>(kJoints);
+    s.works = y.segment<kWorks>(2 * kJoints);
+    s.rope = y.tail(y.size() - kFixed);
+    return s;
   }
 
   /// From `from` with the wrenches of `to`, to the time of `to`.
   void integrate(const Snapshot& from, Snapshot& to) {
     stand_at(from);
-    Numbers y(2 * kJoints + kWorks);
-    y << from.q, from.u, from.works;
+    Numbers y(kFixed + from.rope.size());
+    y << from.q, from.u, from.works, from.rope;
     const std::int64_t t0_ns = from.t_ns, t1_ns = to.t_ns;
     const std::int64_t looks = (t1_ns - t0_ns + max_substep_ns - 1) / max_substep_ns;
     for (std::int64_t k = 0, t_ns = t0_ns; t_ns < t1_ns; ++k) {
@@ -86,11 +99,13 @@ struct Shovel::Impl {
           t1_ns, path ? t0_ns + (t1_ns - t0_ns) * (k + 1) / looks : motion->next_row_ns(t_ns));
       if (path) {
         path->look(seconds(t_ns), [&] {
-          return now(seconds(t_ns), y.head<kJoints>(), y.segment<kJoints>(kJoints), to.F_Bo_W)
-              .motors->overload();
+          Snapshot here = taken_apart(y);
+          here.t_ns = t_ns;
+          here.F_Bo_W = to.F_Bo_W;
+          return now(here).motors->overload();
         });
       }
-      const std::int64_t n = (next_ns - t_ns + max_substep_ns - 1) / max_substep_ns;
+      const std::int64_t n = (next_ns - t_ns + substep_ns - 1) / substep_ns;
       const double h = seconds(next_ns - t_ns) / static_cast<double>(n);
       for (std::int64_t i = 0; i < n; ++i) {
         runge_kutta_step(y, seconds(t_ns) + h * static_cast<double>(i), h,
@@ -98,9 +113,11 @@ struct Shovel::Impl {
       }
       t_ns = next_ns;
     }
-    to.q = y.head<kJoints>();
-    to.u = y.segment<kJoints>(kJoints);
-    to.works = y.tail<kWorks>();
+    const Snapshot end = taken_apart(y);
+    to.q = end.q;
+    to.u = end.u;
+    to.works = end.works;
+    to.rope = end.rope;
     dynamics.prescribe(sent(seconds(t1_ns)), to.q, to.u);
     if (path) {
       const PathState way = path->at(seconds(t1_ns));
@@ -115,7 +132,8 @@ struct Shovel::Impl {
     Joints& q = committed.q = dynamics.joints(at_rest.position);
     const auto at = [&](double angle) {
       q[kSaddle] = angle;
-      return dynamics.at(q, Joints::Zero(), at_rest, {}, true);
+      committed.rope = dynamics.settled_rope(q);
+      return dynamics.at(q, Joints::Zero(), committed.rope, at_rest, {}, true);
     };
     const auto rises = [&](double angle) { return at(angle).acceleration[kSaddle] > 0; };
     // With the rope just slack it falls.
@@ -167,14 +185,17 @@ struct Shovel::Impl {
   std::unique_ptr<Operator> path;  ///< none: the drives are prescribed
   ShovelDynamics dynamics;
   ShovelModel model;
-  std::int64_t max_substep_ns;
+  std::int64_t max_substep_ns;  ///< from look to look of the operator
+  std::int64_t substep_ns;      ///< of the integrator
   Snapshot committed;
   double energy_at_start = 0;
 };
 
 Shovel::Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0,
-               double rake, std::int64_t max_substep_ns, machine::DriveMode mode)
-    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns, mode)) {}
+               double rake, std::int64_t max_substep_ns, machine::DriveMode mode,
+               const machine::RopeModel& rope)
+    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns, mode,
+                                   rope)) {}
 
 Shovel::~Shovel() = default;
 
@@ -190,7 +211,7 @@ core::ServerInfo Shovel::info() const {
 }
 
 core::MachineState Shovel::Impl::report(const Snapshot& at) {
-  const Instant i = now(seconds(at.t_ns), at.q, at.u, at.F_Bo_W);
+  const Instant i = now(at);
   const Joints tau = held_to_simbody(i, at.F_Bo_W);
   const DriveReport d = dynamics.report(i, tau);
   const machine::DriveState drive = dynamics.where(at.q, at.u);
@@ -271,7 +292,7 @@ core::MachineState Shovel::step(std::int64_t t_end_ns, const std::vector<Wrench>
   core::MachineState result;
   try {
     impl_->integrate(impl_->committed, to);
-    if (!to.q.allFinite() || !to.u.allFinite() || !to.works.allFinite())
+    if (!to.q.allFinite() || !to.u.allFinite() || !to.works.allFinite() || !to.rope.allFinite())
       throw std::runtime_error("the state is not finite");
     if (!commit) return {t_end_ns, impl_->bodies(to), {}};  // channels nobody asks for
     result = impl_->report(to);

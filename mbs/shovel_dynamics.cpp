@@ -1,6 +1,9 @@
 #include "mbs/shovel_dynamics.hpp"
 
 #include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "machine/sheave_path.hpp"
 
@@ -9,18 +12,57 @@ namespace {
 
 using Eigen::Vector2d;
 
+// The crowd's buffers: its stall force pushes them in by this much, and they damp what is on the
+// slide by this share of critical.
+constexpr double kStop_m = 0.01, kStopDamping = 0.3;
+
+JointStop crowd_stop(const machine::MachineData& m) {
+  const double stiffness = m.drives.crowd.stall / kStop_m;
+  return {m.limits.crowd_min, m.limits.crowd_max, stiffness,
+          2 * kStopDamping * std::sqrt(stiffness * (m.handle.mass + m.dipper.mass + m.door.mass))};
+}
+
 Vector2d in_plane(const Vector3d& p) { return {p.x(), p.z()}; }
 
 }  // namespace
 
-ShovelDynamics::ShovelDynamics(const machine::MachineData& m, machine::DriveMode mode,
-                               const Pose& X_W0, double rake)
+ShovelDynamics::ShovelDynamics(const machine::MachineData& m, const machine::RopeModel& rope,
+                               machine::DriveMode mode, const Pose& X_W0, double rake)
     : machine_(m),
       mode_(mode),
       tree_(m, X_W0, rake, drum_inertia()),
       law_{m.rope.axial_stiffness, m.rope.elastic_fraction, m.rope.damping},
-      friction_{m.losses} {
+      friction_{m.losses},
+      crowd_stop_(crowd_stop(m)) {
   if (mode == machine::DriveMode::limited) motors_.emplace(m);
+  if (!rope.segmented) return;
+  SegmentedRopeSpec spec;
+  spec.drum = in_plane(m.rope.drum - m.boom.point);
+  spec.radius = m.boom.sheave_radius;
+  spec.law = law_;
+  spec.elements = rope.elements;
+  spec.mass_per_length = rope.mass_per_length;
+  // To where a rope that hangs straight down leaves the sheave.
+  spec.over = machine::sheave_path(spec.drum, {spec.radius, -spec.radius}, spec.radius).length -
+              spec.radius;
+  spec.longest = m.rope.length_at_zero_hoist;
+  spec.shortest = m.rope.length_at_zero_hoist + m.limits.hoist_min;
+  segments_.emplace(spec);
+}
+
+FreeLength ShovelDynamics::free_length(const machine::DriveState& are) const {
+  return {machine_.rope.length_at_zero_hoist + are.position.hoist, are.rate.hoist};
+}
+
+Eigen::VectorXd ShovelDynamics::settled_rope(const Joints& q) const {
+  if (!segments_) return {};
+  const ShovelTree::Placement at = tree_.place(q, Joints::Zero());
+  return segments_->settled(in_plane(at.bail.r - machine_.boom.point),
+                            free_length(where(q, Joints::Zero())).length, in_plane(at.gravity));
+}
+
+double ShovelDynamics::longest_step() const {
+  return segments_ ? segments_->longest_step() : std::numeric_limits<double>::infinity();
 }
 
 // The upper rope is rigid, so the sheaves turn with the rope paid out, and drum and motors, which a
@@ -53,36 +95,50 @@ void ShovelDynamics::prescribe(const machine::DriveState& sent, Joints& q, Joint
   }
 }
 
-Instant ShovelDynamics::at(const Joints& q, const Joints& u, const machine::DriveState& sent,
-                           const Wrenches& rock, bool held) const {
+Instant ShovelDynamics::at(const Joints& q, const Joints& u, const Eigen::VectorXd& rope,
+                           const machine::DriveState& sent, const Wrenches& rock, bool held) const {
   const machine::DriveState are = where(q, u);
   const double R = machine_.boom.sheave_radius;
-  Instant now{tree_.place(q, u), {}, {}, Joints::Zero(), Joints::Zero(), {}, {}, 0, 0, 0, {}};
+  Instant now{tree_.place(q, u), {}, {}, Joints::Zero(), Joints::Zero(), {}, {}, 0, 0, 0, {}, {}};
 
-  const Vector2d bail = in_plane(now.at.bail.r - machine_.boom.point);
-  const machine::SheavePath path =
-      machine::sheave_path(in_plane(machine_.rope.drum - machine_.boom.point), bail, R);
-  now.rope = law_.at(path.length, -path.toward_b.dot(in_plane(now.at.bail.rate)),
-                     {machine_.rope.length_at_zero_hoist + are.position.hoist, are.rate.hoist});
-  const double tension = 2 * now.rope.tension;
-  now.pull = tension * Vector3d(path.toward_b.x(), 0, path.toward_b.y());
+  const Vector2d bail = in_plane(now.at.bail.r - machine_.boom.point),
+                 bail_rate = in_plane(now.at.bail.rate);
+  Vector2d pull;
+  if (segments_) {
+    SegmentedRope::Now segments =
+        segments_->at(rope, bail, bail_rate, free_length(are), in_plane(now.at.gravity));
+    now.rope = segments.state;
+    now.kinetic = 2 * segments.kinetic;
+    now.potential = 2 * segments.potential;
+    now.rope_rates = std::move(segments.rates);
+    pull = segments.pull;
+  } else {
+    const machine::SheavePath path =
+        machine::sheave_path(in_plane(machine_.rope.drum - machine_.boom.point), bail, R);
+    now.rope = law_.at(path.length, -path.toward_b.dot(bail_rate), free_length(are));
+    now.potential = 2 * now.rope.elastic_energy;
+    pull = now.rope.tension * path.toward_b;
+  }
+  now.pull = 2 * Vector3d(pull.x(), 0, pull.y());
 
   now.applied[kSaddle] = -machine_.saddle.damping * u[kSaddle];
   now.applied[kCrowd] = friction_.crowd(are.rate.crowd);
-  now.applied[kSheaves] = R * friction_.hoist(tension, are.rate.hoist);
+  now.applied[kSheaves] = R * friction_.hoist(2 * now.rope.tension, are.rate.hoist);
   const bool prescribed = !limited() || held;
   if (motors_) now.motors = motors_->efforts(sent, are);
   if (limited()) now.applied[kSheaves] += 2 * R * now.rope.winch_pull;
   if (!prescribed) {
     now.applied[kSheaves] += R * now.motors->hoist.force;
-    now.applied[kCrowd] += now.motors->crowd.force;
+    now.applied[kCrowd] +=
+        now.motors->crowd.force + crowd_stop_.force(are.position.crowd, are.rate.crowd);
+    now.potential += crowd_stop_.energy(are.position.crowd);
     now.applied[kSwing] += now.motors->swing.force;
   }
 
   const ShovelTree::Equations e = tree_.equations(now.at, rock, now.pull);
   now.rock_power = e.rock_power;
-  now.potential = e.potential + 2 * now.rope.elastic_energy;
-  now.kinetic = 0.5 * u.dot(e.mass * u);
+  now.potential += e.potential;
+  now.kinetic += 0.5 * u.dot(e.mass * u);
   const Joints force = now.force = e.force + now.applied;
   Joints acceleration = held ? Joints(Joints::Zero()) : joints(sent.acceleration);
   if (prescribed) {
@@ -125,6 +181,7 @@ DriveReport ShovelDynamics::report(const Instant& now, const Joints& reaction) c
                        machine_.saddle.damping * u[kSaddle] * u[kSaddle] -
                        friction_.crowd(u[kCrowd]) * u[kCrowd] -
                        friction_.hoist(tension, R * u[kSheaves]) * R * u[kSheaves];
+  if (now.motors) d.dissipated_power += crowd_stop_.dissipation(now.at.q[kCrowd], u[kCrowd]);
   return d;
 }
 

@@ -10,11 +10,15 @@
 namespace dipper::mbs {
 namespace {
 
-// The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, path and wrenches as
-// they are in memory: a checkpoint stays on the kind of machine that wrote it.
+// The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, path, rope and wrenches
+// as they are in memory: a checkpoint stays on the kind of machine that wrote it.
 constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
+constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
 
-const char* magic_of(const Snapshot& s) { return s.path.empty() ? kPrescribed : kLimited; }
+const char* magic_of(const Snapshot& s) {
+  if (s.rope.size() > 0) return s.path.empty() ? kSegmented : kLimitedSegmented;
+  return s.path.empty() ? kPrescribed : kLimited;
+}
 
 template <typename T>
 void put(std::ostream& out, const T& value) {
@@ -32,6 +36,7 @@ void each_number(S& s, F f) {
   for (int i = 0; i < kJoints; ++i) f(s.u[i]);
   for (int i = 0; i < 3; ++i) f(s.works[i]);
   for (auto& x : s.path) f(x);
+  for (int i = 0; i < s.rope.size(); ++i) f(s.rope[i]);
   for (auto& F_Bo_W : s.F_Bo_W) {
     for (int i = 0; i < 3; ++i) f(F_Bo_W.torque[i]);
     for (int i = 0; i < 3; ++i) f(F_Bo_W.force[i]);
@@ -63,7 +68,7 @@ Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like) 
   char magic[8] = {};
   in.read(magic, sizeof magic);
   if (!in || std::memcmp(magic, magic_of(like), sizeof magic) != 0) {
-    fail(fmt::format("is not a saved shovel with these drives: it does not begin with {}",
+    fail(fmt::format("is not a saved shovel with these drives and ropes: it does not begin with {}",
                      magic_of(like)));
   }
   std::array<std::int64_t, 3> n{};

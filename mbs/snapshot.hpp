@@ -18,6 +18,7 @@ struct Snapshot {
   Joints u = Joints::Zero();                        ///< joint speeds, m/s and rad/s
   Eigen::Vector3d works = Eigen::Vector3d::Zero();  ///< J: by the drives, by the rock, dissipated
   std::vector<double> path;  ///< the operator's PathState; none: the drives are prescribed
+  Eigen::VectorXd rope;      ///< of one side: a segmented rope's nodes; none: elastic ropes
   Wrenches F_Bo_W;           ///< held on dipper and door over the last window
 };
 

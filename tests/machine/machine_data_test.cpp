@@ -10,6 +10,7 @@
 #include <regex>
 #include <string>
 
+#include "machine/rope_model.hpp"
 #include "tests/common/input_errors.hpp"
 
 namespace dipper::machine {
@@ -103,6 +104,18 @@ TEST(MachineData, RefusesWhatNoMachineHas) {
               ElementsAre(HasSubstr("5 is out of range; allowed is > 0 and <= 1")));
   EXPECT_THAT(faults_with("\nrope:", "\nmachine: {value: twice}\nrope:"),
               ElementsAre(HasSubstr("machine: given twice, first in line")));
+}
+
+// The keys that files may lack.
+TEST(MachineData, ReadsTheRopeModel) {
+  EXPECT_FALSE(load_rope_model(kMachine).segmented);
+  EXPECT_EQ(load_rope_model(kMachine).mass_per_length, 22);
+  EXPECT_THAT(
+      faults_with("model: {value: elastic", "model: {value: chain"),
+      ElementsAre(HasSubstr("rope.model.value: is 'chain'; it must be elastic or segmented")));
+  EXPECT_THAT(faults_with("elements: {value: 19", "elements: {value: 1"),
+              ElementsAre(HasSubstr("1 is out of range")));
+  EXPECT_THAT(faults_with("  model: {", "  # model: {"), testing::IsEmpty());
 }
 
 TEST(MachineData, SaysWhenTheFileIsNotThereOrNotYaml) {

@@ -24,7 +24,7 @@ TEST_F(ShovelTest, TheEquationsWrittenOutAreSimbodys) {
   const Pose base{from_rotation_vector({0.05, -0.1, 0.4}), Vector3d(-1, 2, 0.5)};
   for (const machine::DriveMode mode :
        {machine::DriveMode::prescribed, machine::DriveMode::limited}) {
-    const ShovelDynamics dynamics(machine, mode, base, rake);
+    const ShovelDynamics dynamics(machine, {}, mode, base, rake);
     ShovelModel simbody(machine, base, rake, dynamics.drum_inertia());
     for (int i = 0; i < 50; ++i) {
       Joints q, u;
@@ -33,7 +33,7 @@ TEST_F(ShovelTest, TheEquationsWrittenOutAreSimbodys) {
       machine::DriveState sent;
       sent.acceleration = {any(seed), any(seed), any(seed), any(seed)};
       const Wrenches rock{Wrench{vector(1e6), vector(1e6)}, Wrench{vector(1e5), vector(1e5)}};
-      const Instant now = dynamics.at(q, u, sent, rock);
+      const Instant now = dynamics.at(q, u, {}, sent, rock);
       const Joints simbodys =
           simbody.reactions(q, u, now.acceleration, now.applied, rock, now.pull);
       EXPECT_LT((simbodys - now.reaction).norm(), 1e-11 * now.force.norm()) << i;
