@@ -136,7 +136,8 @@ TEST(SegmentedRope, SlackAndSnapKeepTheEnergyBooks) {
     worst = std::max(worst, std::abs(w.energy() - before));
   }
   EXPECT_LT(worst, 1e-3 * thrown);
-  std::printf("snaps %d, peak %.3g, books %.3g J of %.3g, damped %.3g\n", snaps, peak, worst, thrown, w.y[4]);
+  std::printf("snaps %d, peak %.3g, books %.3g J of %.3g, damped %.3g\n", snaps, peak, worst,
+              thrown, w.y[4]);
   EXPECT_GE(snaps, 2);
   EXPECT_GT(peak, 2 * w.mass * kG);
   EXPECT_GT(w.y[4], 0.05 * thrown) << "the dampers took some";
