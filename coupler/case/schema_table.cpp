@@ -243,8 +243,8 @@ std::vector<KeySpec> make_schema() {
        "a side that gives no sign for this long (wall time) has failed",
        SLOT(c.coupling.timeout_s)},
 
-      {"output.dump_every_s", "s", up_to(1e5), {}, required,
-       "simulated time between particle dumps", SLOT(c.output.dump_every_s)},
+      {"output.dump_every_s", "s", simulated, {}, required,
+       "simulated time between dumps of rock and walls; 0: only that of the start", SLOT(c.output.dump_every_s)},
       {"output.checkpoint_every_s", "s", simulated, {}, optional,
        "simulated time between checkpoints; 0, the default, is only when interrupted",
        SLOT(c.output.checkpoint_every_s)},

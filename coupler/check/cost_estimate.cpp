@@ -61,7 +61,8 @@ CostEstimate cost_estimate(const cases::Case& c) {
   const double steps = end_s / c.dem.timestep_s;
   const double windows = steps / c.coupling.sync_steps;
   const double settle_steps = (c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s;
-  const double frames = std::floor(end_s / c.output.dump_every_s) + 1;
+  const double every_s = c.output.dump_every_s;
+  const double frames = every_s > 0 ? std::floor(end_s / every_s) + 1 : 1;
   CostEstimate e;
   e.spheres = spheres_of(c);
   e.settle_s = e.spheres * settle_steps / kSettleRate;
@@ -81,6 +82,22 @@ std::string to_string(const CostEstimate& e) {
       "cache), {} on the cores asked for, {} of memory, {} of disk; right to a factor of 1.5",
       duration(e.dig_s + e.settle_s), duration(e.dig_s), duration(e.settle_s), duration(e.wall_s),
       bytes(e.memory_B), bytes(e.disk_B));
+}
+
+void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, Reporter& reporter) {
+  std::filesystem::path there = std::filesystem::absolute(folder);
+  while (!std::filesystem::exists(there)) there = there.parent_path();
+  std::error_code unknown;
+  const double free_B = static_cast<double>(std::filesystem::space(there, unknown).available);
+  const double wanted_B = cost_estimate(c).disk_B;
+  if (unknown || wanted_B < free_B) return;
+  cases::Case quiet = c;
+  quiet.output.dump_every_s = 0;
+  reporter.line(fmt::format(
+      "warning: output.dump_every_s: {} has {} free, and the run takes about {}; 0, the dumps of "
+      "the start "
+      "alone, takes {}",
+      there.string(), bytes(free_B), bytes(wanted_B), bytes(cost_estimate(quiet).disk_B)));
 }
 
 }  // namespace dipper::check

@@ -1,8 +1,10 @@
 // What a run of a case will take, before it is started.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
+#include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 
 namespace dipper::check {
@@ -22,5 +24,8 @@ CostEstimate cost_estimate(const cases::Case& c);
 
 /// In a line: "about 1 h 40 min of processor time, ...".
 std::string to_string(const CostEstimate& cost);
+
+/// Warns where a run in `folder`, there or not yet, would fill the disk.
+void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, Reporter& reporter);
 
 }  // namespace dipper::check

@@ -4,6 +4,7 @@
 
 #include "common/source_hash.hpp"
 #include "coupler/check/checked_case.hpp"
+#include "coupler/check/cost_estimate.hpp"
 #include "coupler/cli/set_option.hpp"
 
 namespace dipper::cli {
@@ -28,10 +29,12 @@ Command add_check_command(CLI::App& app, Reporter& reporter) {
   sub->add_flag("--json", o->json, "findings, hash, size and values, for programs");
   return {sub, [o, &reporter] {
             const auto set = overrides_of(o->set, "coupling.scheme=serial");
-            const bool sound = o->json
-                                   ? check::check_as_json(o->folder, set, source_hash(), reporter)
-                                   : check::checked_case(o->folder, set, reporter).has_value();
-            return sound ? 0 : 2;
+            if (o->json)
+              return check::check_as_json(o->folder, set, source_hash(), reporter) ? 0 : 2;
+            const auto c = check::checked_case(o->folder, set, reporter);
+            if (!c) return 2;
+            check::tell_full_disk(*c, "runs", reporter);
+            return 0;
           }};
 }
 

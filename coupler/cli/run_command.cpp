@@ -13,6 +13,7 @@
 #include "common/installation.hpp"
 #include "common/manifest.hpp"
 #include "coupler/check/checked_case.hpp"
+#include "coupler/check/cost_estimate.hpp"
 #include "coupler/cli/number_option.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
@@ -103,6 +104,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   if (o.seed) set.push_back({"seed", std::to_string(*o.seed)});
   const std::optional<cases::Case> c = check::checked_case(o.folder, set, reporter);
   if (!c) return 2;
+  if (o.no_rock.empty()) check::tell_full_disk(*c, out, reporter);
   if (const int cores = static_cast<int>(std::thread::hardware_concurrency());
       o.no_rock.empty() && mpirun.empty() && cores > 0 && c->dem.ranks > cores)
     reporter.line(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "common/angles.hpp"
@@ -19,10 +20,14 @@ namespace {
 // The floor that is cleaned: beside the pile as far as rock rolls, and as high as it lies on rock.
 constexpr double kFloorSide_m = 4, kFloorHeight_m = 3;
 
-/// Frames fall on ends of sync steps, where the record has a row.
+/// Frames fall on ends of sync steps, where the record has a row. LIGGGHTS counts to them in an
+/// int, and always dumps the start.
 long dump_steps(const cases::Case& c) {
   const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
-  return std::max(1L, std::lround(c.output.dump_every_s / window_s)) * c.coupling.sync_steps;
+  const long most = std::numeric_limits<int>::max() / c.coupling.sync_steps;
+  const double every_s = c.output.dump_every_s;
+  const double windows = every_s > 0 ? std::round(every_s / window_s) : HUGE_VAL;
+  return std::lround(std::clamp(windows, 1.0, static_cast<double>(most))) * c.coupling.sync_steps;
 }
 
 }  // namespace

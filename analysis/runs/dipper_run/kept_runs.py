@@ -15,8 +15,8 @@ from . import run_cache
 KEEPER = Path(__file__).with_name("keeper.py")
 # Of a run's folder, what is large and only needed to look at rock, to go on or to replay the rock's side.
 HEAVY = ("checkpoints", "dumps", "events.lcmlog")
-# A run that is to be kept without dumps need not write them; the first is written always.
-QUIET = ("--set", "output.dump_every_s=100000", "--set", "output.checkpoint_every_s=0")
+# A run that is to be kept without dumps need not write them.
+QUIET = ("--set", "output.dump_every_s=0", "--set", "output.checkpoint_every_s=0")
 INTERRUPTED = 4  # exit status of design.md
 
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/common/memory_reporter.hpp"
 #include "tests/coupler/case/checkout.hpp"
 
 namespace dipper::check {
@@ -45,6 +46,21 @@ TEST(CostEstimate, SaysHowLongOnRanks) {
               testing::HasSubstr("about 2 h 10 min of processor time (2 h 0 min to dig, 10 min to "
                                  "settle the pile if it is not in the cache), 2 h 10 min on the "
                                  "cores asked for, 300 MB of memory, 2.5 GB of disk"));
+}
+
+TEST(CostEstimate, ComesWithAWarningWhereTheDiskIsTooSmall) {
+  const test::Checkout checkout(true);
+  test::MemoryReporter fits, full;
+  tell_full_disk(load(checkout.folder(), {{"output.dump_every_s", "0"}}), "no/such/folder", fits);
+  EXPECT_EQ(fits.lines, "");
+  const cases::Case huge =
+      load(checkout.folder(), {{"output.dump_every_s", "0.001"}, {"end_s", "100000"}});
+  tell_full_disk(huge, "no/such/folder", full);
+  EXPECT_THAT(full.lines,
+              testing::MatchesRegex("warning: output.dump_every_s: /.* has .* free, and the run "
+                                    "takes about .*; 0, the dumps of the start alone, takes .*\n"));
+  EXPECT_LT(cost_estimate(load(checkout.folder(), {{"output.dump_every_s", "0"}})).disk_B,
+            0.6 * cost_estimate(load(checkout.folder(), {})).disk_B);
 }
 
 }  // namespace
