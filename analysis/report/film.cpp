@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "analysis/report/headless_browser.hpp"
+#include "common/draft_file.hpp"
 
 namespace dipper::analysis::report {
 namespace {
@@ -41,10 +42,8 @@ struct BrokenPipesAreErrors {
 /// Pictures go in, a film comes out when it is closed.
 class Ffmpeg {
  public:
-  explicit Ffmpeg(const fs::path& film) : film_(film) {
-    part_ = film;
-    part_.replace_extension(fmt::format(".part{}.mp4", getpid()));
-    gchar* quoted = g_shell_quote(part_.c_str());
+  explicit Ffmpeg(const fs::path& film) : film_(film), draft_(film) {
+    gchar* quoted = g_shell_quote(draft_.path().c_str());
     const std::string command = fmt::format(
         "exec ffmpeg -loglevel error -y -f image2pipe -c:v mjpeg -framerate {} -i - -c:v libx264 "
         "-pix_fmt yuv420p -crf 21 -movflags +faststart {}",
@@ -55,8 +54,6 @@ class Ffmpeg {
   }
   ~Ffmpeg() {
     if (pipe_ != nullptr) pclose(pipe_);
-    std::error_code ignored;
-    fs::remove(part_, ignored);
   }
   Ffmpeg(const Ffmpeg&) = delete;
   Ffmpeg& operator=(const Ffmpeg&) = delete;
@@ -68,7 +65,7 @@ class Ffmpeg {
     FILE* pipe = pipe_;
     pipe_ = nullptr;
     if (pclose(pipe) != 0) fail();
-    fs::rename(part_, film_);
+    draft_.keep();
   }
 
  private:
@@ -76,7 +73,8 @@ class Ffmpeg {
     throw std::runtime_error(film_.string() + ": ffmpeg cannot write it; it says why above");
   }
 
-  fs::path film_, part_;
+  fs::path film_;
+  DraftFile draft_;
   FILE* pipe_ = nullptr;
 };
 

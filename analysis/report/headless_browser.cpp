@@ -24,13 +24,6 @@ using std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kStart{60};
 
-fs::path make_profile() {
-  std::string name = (fs::temp_directory_path() / "dipper-browser-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr)
-    throw std::runtime_error("cannot make a folder in " + fs::temp_directory_path().string());
-  return name;
-}
-
 std::vector<std::string> command(const fs::path& program, const fs::path& profile) {
   std::vector<std::string> words = {program.string(),
                                     "--headless=new",
@@ -86,12 +79,11 @@ std::optional<fs::path> find_browser() {
   return std::nullopt;
 }
 
-HeadlessBrowser::HeadlessBrowser(const fs::path& program, const fs::path& page)
-    : profile_(make_profile()) {
+HeadlessBrowser::HeadlessBrowser(const fs::path& program, const fs::path& page) {
   std::array<int, 2> asked{}, answers{};
   if (pipe2(asked.data(), O_CLOEXEC) != 0 || pipe2(answers.data(), O_CLOEXEC) != 0)
     throw std::runtime_error("no pipe to the browser");
-  std::vector<std::string> words = command(program, profile_);
+  std::vector<std::string> words = command(program, profile_.path());
   pid_ = fork();
   if (pid_ == 0) become(std::move(words), asked[0], answers[1]);
   close(asked[0]);
@@ -124,8 +116,6 @@ void HeadlessBrowser::end() {
     kill(-pid_, SIGKILL);
     waitpid(pid_, &status, WNOHANG);
   }
-  std::error_code ignored;
-  fs::remove_all(profile_, ignored);
 }
 
 std::string HeadlessBrowser::next_message(steady_clock::time_point until) {

@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "common/temporary_folder.hpp"
+
 namespace dipper::analysis::report {
 
 /// Where a program is on the PATH; nothing when it is not.
@@ -37,7 +39,7 @@ class HeadlessBrowser {
   std::string next_message(std::chrono::steady_clock::time_point until);
   void end();
 
-  std::filesystem::path profile_;
+  TemporaryFolder profile_{"dipper-browser"};
   pid_t pid_ = -1;
   int to_ = -1, from_ = -1;
   int last_id_ = 0;

@@ -1,7 +1,6 @@
 #include "analysis/report/page.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 
 #include "analysis/report/packing.hpp"
 #include "analysis/report/web_bundle.hpp"
+#include "common/draft_file.hpp"
 
 namespace dipper::analysis::report {
 namespace {
@@ -81,20 +81,16 @@ std::string page(const json& data, const std::vector<std::vector<std::uint8_t>>&
 }
 
 void write_page(const std::string& text, const std::filesystem::path& file) {
-  std::filesystem::path part = file;
-  part += fmt::format(".part{}", getpid());
-  std::ofstream out(part, std::ios::binary);
+  const DraftFile draft(file);
+  std::ofstream out(draft.path(), std::ios::binary);
   out << text;
   out.close();
   std::error_code failed;
-  if (out) std::filesystem::rename(part, file, failed);
-  if (!out || failed) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
+  if (out) draft.keep(failed);
+  if (!out || failed)
     throw std::runtime_error(file.string() +
                              ": cannot be written; is the disk full, or the folder "
                              "not yours?");
-  }
 }
 
 }  // namespace dipper::analysis::report

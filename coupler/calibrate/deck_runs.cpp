@@ -2,19 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 
 #include "common/cache_entry.hpp"
 #include "common/cache_folder.hpp"
 #include "common/installation.hpp"
+#include "common/temporary_folder.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/interrupt.hpp"
@@ -38,27 +37,17 @@ std::vector<fs::path> scripts(const DeckRun& run) {
 class WrittenDeck {
  public:
   explicit WrittenDeck(const DeckRun& run) {
-    std::string name = (fs::temp_directory_path() / "dipper-deck-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw std::system_error(errno, std::generic_category(), name);
-    folder_ = name;
-    fs::permissions(folder_, fs::perms(0755));  // a cache may be shared; mkdtemp's are 0700
-    deck::write_deck(run.c, run.c.rock.shape_folder, folder_);
+    fs::permissions(folder(), fs::perms(0755));  // a cache may be shared; this is 0700
+    deck::write_deck(run.c, run.c.rock.shape_folder, folder());
     // The case's own bench: of no use here.
     for (const char* unused : {"funnel.stl", "sides.stl", "outline.csv", "surface.stl", "walls"})
-      fs::remove_all(folder_ / unused);
+      fs::remove_all(folder() / unused);
   }
-  ~WrittenDeck() {
-    std::error_code gone;
-    fs::remove_all(folder_, gone);
-  }
-  WrittenDeck(const WrittenDeck&) = delete;
-  WrittenDeck& operator=(const WrittenDeck&) = delete;
 
-  const fs::path& folder() const { return folder_; }
+  const fs::path& folder() const { return temporary_.path(); }
 
  private:
-  fs::path folder_;
+  TemporaryFolder temporary_{"dipper-deck"};
 };
 
 /// Of case.in only what the calibration decks read: the rest is the bench and the machine.

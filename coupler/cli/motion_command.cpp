@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 
 #include "common/angles.hpp"
+#include "common/draft_file.hpp"
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
 #include "coupler/case/case.hpp"
@@ -30,31 +29,6 @@ namespace {
 struct MotionOptions {
   std::string folder, path, plan, out, page;
   std::vector<std::string> set;
-};
-
-constexpr double kDryWindow_s = 5e-3;  // the machine alone is as exact as in shorter ones
-
-/// A file that goes again unless it is kept.
-class Draft {
- public:
-  explicit Draft(const fs::path& final) : final_(final), path_(final.string() + ".part") {}
-  ~Draft() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  const fs::path& path() const { return path_; }
-  void write(const std::string& text) const {
-    std::ofstream file(path_);
-    file << text;
-    if (!file.flush()) throw InputError({{final_, 0, "", "cannot be written"}});
-  }
-  void keep() const { fs::rename(path_, final_); }
-
- private:
-  fs::path final_, path_;
 };
 
 std::string planned_rows(const MotionOptions& o, const cases::Case& c,
@@ -114,14 +88,12 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   const machine::Motion motion = machine::Motion::parse(text, out.string());
   if (beyond_limits(motion, shovel, o.path.empty() ? "the plan" : o.path, reporter)) return 2;
 
-  const Draft draft(fs::absolute(out));
-  draft.write(text);
+  const DraftFile draft(fs::absolute(out));
+  if (!(std::ofstream(draft.path()) << text).flush())
+    throw InputError({{fs::absolute(out), 0, "", "cannot be written"}});
   set.push_back({"machine.motion", draft.path().string()});
   auto sound = check::checked_case(o.folder, set, reporter);
   if (!sound) return 2;
-  sound->coupling.sync_steps =
-      std::max(sound->coupling.sync_steps,
-               static_cast<int>(std::lround(kDryWindow_s / sound->dem.timestep_s)));
   const fs::path page = o.page.empty() ? fs::path(sound->name + "-motion.html") : fs::path(o.page);
   const int status = write_dry_page(*sound, dry::Rock::estimate, page, reporter);
   if (status != 0) return status;

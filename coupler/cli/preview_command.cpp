@@ -1,12 +1,12 @@
 #include "coupler/cli/preview_command.hpp"
 
-#include <stdlib.h>
-
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 
 #include "analysis/report/dry_page.hpp"
+#include "common/temporary_folder.hpp"
 #include "coupler/check/checked_case.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
@@ -23,21 +23,7 @@ struct PreviewOptions {
   std::vector<std::string> set;
 };
 
-/// A folder for as long as this lives.
-struct Scratch {
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "dipper-preview-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-    path = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  fs::path path;
-};
+constexpr double kDryWindow_s = 5e-3;  // the machine alone is as exact as in shorter ones
 
 int preview(const PreviewOptions& o, Reporter& reporter) {
   launch::catch_interrupts();
@@ -51,9 +37,11 @@ int preview(const PreviewOptions& o, Reporter& reporter) {
 
 }  // namespace
 
-int write_dry_page(const cases::Case& c, dry::Rock rock, const fs::path& page, Reporter& reporter) {
-  const Scratch scratch;
-  const run::RunFolder folder = run::RunFolder::create(scratch.path / c.name);
+int write_dry_page(cases::Case c, dry::Rock rock, const fs::path& page, Reporter& reporter) {
+  c.coupling.sync_steps = std::max(c.coupling.sync_steps,
+                                   static_cast<int>(std::lround(kDryWindow_s / c.dem.timestep_s)));
+  const TemporaryFolder scratch("dipper-preview");
+  const run::RunFolder folder = run::RunFolder::create(scratch.path() / c.name);
   enter_own_network(reporter);
   const run::RunStatus status = dry::dry_run(c, rock, folder, reporter);
   if (status != run::RunStatus::complete) return static_cast<int>(status);

@@ -9,9 +9,9 @@
 
 namespace dipper::cli {
 
-/// A dry run of a sound case, of which the page alone is left; tells what the run tells, and the
-/// page's name. The exit status.
-int write_dry_page(const cases::Case& c, dry::Rock rock, const std::filesystem::path& page,
+/// A dry run of a sound case, in windows as long as the machine alone can take, of which the page
+/// alone is left; tells what the run tells, and the page's name. The exit status.
+int write_dry_page(cases::Case c, dry::Rock rock, const std::filesystem::path& page,
                    Reporter& reporter);
 
 Command add_preview_command(CLI::App& app, Reporter& reporter);

@@ -46,11 +46,12 @@ int replay(const ReplayOptions& o, Reporter& reporter) {
   if (!o.case_folder.empty()) throw CLI::ValidationError("--case", "goes with --set");
   enter_own_network(reporter);
   const run::ReplayResult r = run::replay(o.folder, o.side);
-  reporter.line(fmt::format(
-      "{}: {} requests of {} leg{} asked again in {:.1f} s; the paired run took {:.1f} s over them "
-      "({:.3f} times as long)",
-      o.side, r.requests, r.segments, r.segments == 1 ? "" : "s", r.wall_s, r.recorded_wall_s,
-      r.recorded_wall_s / r.wall_s));
+  reporter.line(
+      fmt::format("{}: {} requests of {} segment{} asked again in {:.1f} s; the paired run took "
+                  "{:.1f} s over them "
+                  "({:.3f} times as long)",
+                  o.side, r.requests, r.segments, r.segments == 1 ? "" : "s", r.wall_s,
+                  r.recorded_wall_s, r.recorded_wall_s / r.wall_s));
   reporter.line(r.different == 0
                     ? "every answer is the recorded one to the bit"
                     : fmt::format("{} answers differ: force by up to {:.3g} N, position by up to "

@@ -1,13 +1,13 @@
 #include "coupler/run/replay.hpp"
 
 #include <fmt/core.h>
-#include <stdlib.h>
 
 #include <lcm/lcm-cpp.hpp>
 #include <map>
 #include <optional>
 
 #include "common/installation.hpp"
+#include "common/temporary_folder.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/mpirun.hpp"
 #include "coupler/launch/process.hpp"
@@ -78,12 +78,6 @@ std::vector<std::string> segments(const fs::path& run) {
   return all;
 }
 
-fs::path scratch_folder() {
-  std::string name = (fs::temp_directory_path() / "dipper-replay-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-  return name;
-}
-
 /// The side's settings with everything it writes sent to `scratch`.
 nlohmann::json redirected(nlohmann::json settings, const std::string& side,
                           const fs::path& scratch) {
@@ -136,7 +130,8 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
   const auto exchanges = read_log(run / ("events" + segment + ".lcmlog"), to, from);
   transport::PeerConfig config =
       transport::read_peer_config(run / "logs" / (side + segment + ".json"));
-  const fs::path scratch = scratch_folder();
+  const TemporaryFolder temporary("dipper-replay");
+  const fs::path& scratch = temporary.path();
   config.settings = redirected(config.settings, side, scratch);
   config.checkpoints = scratch;
   const fs::path config_file = scratch / (side + ".json");
@@ -179,7 +174,6 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
   link.tell(core::Command{core::Action::stop, ""}, 0, 0);
   process.wait(std::chrono::seconds(20));
   process.end();
-  fs::remove_all(scratch);
   ++result.segments;
 }
 

@@ -1,0 +1,28 @@
+// A file that is there whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <system_error>
+
+namespace dipper {
+
+/// A name beside a file, NAME.partPID.EXTENSION, to write to: it takes the file's name by keep(),
+/// and is gone otherwise.
+class DraftFile {
+ public:
+  explicit DraftFile(std::filesystem::path file);
+  ~DraftFile();
+  DraftFile(const DraftFile&) = delete;
+  DraftFile& operator=(const DraftFile&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Throws std::filesystem::filesystem_error, or says what failed.
+  void keep() const { std::filesystem::rename(path_, file_); }
+  void keep(std::error_code& failed) const { std::filesystem::rename(path_, file_, failed); }
+
+ private:
+  std::filesystem::path file_, path_;
+};
+
+}  // namespace dipper
