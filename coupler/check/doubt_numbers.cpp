@@ -16,8 +16,9 @@ namespace {
 constexpr double kOtherUnit = 5;          ///< a mesh so many times too large or small is not in m
 constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger rocks bridge it
 constexpr double kShift_m = 0.5;
-constexpr double kHole_s = 3;       ///< between two rows of a motion in which drives go far
-constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
+constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
+constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
+constexpr double kWindow_s = 0.01;   ///< the empty dipper on its ropes swings with some 0.2 s
 
 void doubt_the_mesh(const CaseParts& parts, std::vector<Finding>& doubts) {
   const Vector3d wanted = parts.machine.dipper.inside;  // without plates and teeth
@@ -72,18 +73,26 @@ void doubt_angles(const CaseParts& parts, std::vector<Finding>& doubts) {
            fmt::format("never goes beyond {:.2f} degrees: is it in rad?", degrees(most))});
 }
 
-/// A rigid body's largest principal moment is at most the sum of the other two.
-void doubt_inertia(const CaseParts& parts, std::vector<Finding>& doubts) {
+/// A body's radius of gyration is of its own size.
+void doubt_masses(const CaseParts& parts, std::vector<Finding>& doubts) {
+  struct Part {
+    std::string name;
+    double mass_kg, inertia_kg_m2, size_m;
+  };
   const machine::MachineData& m = parts.machine;
-  for (const auto& [name, inertia] :
-       {std::pair{"handle.inertia", m.handle.inertia},
-        std::pair{"dipper.inertia", m.dipper.inertia}, std::pair{"door.inertia", m.door.inertia}}) {
-    const double most = inertia.maxCoeff();
-    if (most > 1.001 * (inertia.sum() - most))
-      doubts.push_back({parts.c.machine.model, 0, name,
-                        fmt::format("{:g} kg m2 is more than the other two together, which no body "
-                                    "has",
-                                    most)});
+  const double dipper_m = m.dipper.inside.maxCoeff();
+  for (const Part& p :
+       {Part{"handle", m.handle.mass, m.handle.inertia.maxCoeff(), m.handle.reach_at_zero_crowd},
+        Part{"dipper", m.dipper.mass, m.dipper.inertia.maxCoeff(), dipper_m},
+        Part{"door", m.door.mass, m.door.inertia.maxCoeff(), dipper_m}}) {
+    const double gyration_m = std::sqrt(p.inertia_kg_m2 / p.mass_kg);
+    if (gyration_m > p.size_m || gyration_m < kSlightest * p.size_m)
+      doubts.push_back(
+          {parts.c.machine.model, 0, p.name + ".mass",
+           fmt::format(
+               "{:g} kg with an inertia of {:g} kg m2 has a radius of gyration of {:.2g} m, "
+               "in a body of some {:g} m: is one of them in another unit?",
+               p.mass_kg, p.inertia_kg_m2, gyration_m, p.size_m)});
   }
 }
 
@@ -139,7 +148,7 @@ void doubt_times(const CaseParts& parts, std::vector<Finding>& doubts) {
 void doubt_numbers(const CaseParts& parts, std::vector<Finding>& doubts) {
   doubt_the_mesh(parts, doubts);
   doubt_angles(parts, doubts);
-  doubt_inertia(parts, doubts);
+  doubt_masses(parts, doubts);
   doubt_the_rock(parts, doubts);
   doubt_times(parts, doubts);
 }

@@ -83,6 +83,31 @@ TEST(Doubts, NumbersInAnotherUnit) {
               ElementsAre(HasSubstr("a third of the dipper's mouth")));
 }
 
+/// With the first `from` of a file of the checkout, its machine or its motion, replaced by `to`.
+std::vector<std::string> with_text(const std::string& file, const std::string& from,
+                                   const std::string& to) {
+  const Checkout checkout;
+  std::string text = test::read_text(checkout.root / file);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  test::write_text(checkout.root / file, text.replace(at, from.size(), to));
+  return doubts_of(checkout);
+}
+
+TEST(Doubts, MassesThatNoBodyHas) {
+  const std::string machine = "mbs/bucyrus495.yaml";
+  EXPECT_THAT(with_text(machine, "mass: {value: 42000.0", "mass: {value: 42"),  // t
+              ElementsAre(HasSubstr("dipper.mass: 42 kg with an inertia of")));
+}
+
+TEST(Doubts, MotionWithAHole) {
+  const Checkout checkout;
+  test::write_text(checkout.folder() / "motion.csv",
+                   "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,-4,0.5,0,0\n1,-4,0.5,0,0\n"
+                   "9,-6,0.5,0,0\n");
+  EXPECT_THAT(doubts_of(checkout), testing::Contains(HasSubstr("no row between 1.00 and 9.00 s")));
+}
+
 TEST(Doubts, MeshesThatLookWrong) {
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(1000 * v); }),
               testing::Contains(HasSubstr("in mm? scale it by 0.001")));
