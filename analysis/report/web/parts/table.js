@@ -1,11 +1,12 @@
 // A table whose columns know how to print themselves.
 import { h } from '../dom.js';
 
-/// columns: [{name, unit, cell(row), kind}]; the first column names the row. kind 'text' is left-aligned.
+/// columns: [{name, alone, unit, cell(row), kind}]; the first column names the row. kind 'text' is left-aligned. `alone`: the name
+/// where it does not stand beside its neighbours', as on a phone.
 export function table(caption, columns, rows, { foot = [], compact = false } = {}) {
   const line = (row) => h('tr', columns.map((column, k) => h(k === 0 ? 'th' : 'td',
     { scope: k === 0 ? 'row' : undefined, class: column.kind === 'text' ? 'text' : undefined,
-      'data-name': column.unit ? `${column.name} (${column.unit})` : column.name }, column.cell(row))));
+      'data-name': (column.alone ?? column.name) + (column.unit ? ` (${column.unit})` : '') }, column.cell(row))));
   return h('div.table', h(`table${compact ? '.compact' : ''}`, caption && h('caption', caption),
     h('thead', h('tr', columns.map((column) => h('th', { scope: 'col', class: column.kind === 'text' ? 'text' : undefined },
       column.name, column.unit && h('span.unit', column.unit))))),

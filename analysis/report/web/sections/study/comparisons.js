@@ -11,11 +11,11 @@ export function comparisons(data) {
   return section('comparisons', 'Paired comparisons',
     'The difference is taken seed by seed, so that what a seed does to both cancels. Confidence: that the true mean difference has the sign seen. '
     + 'Many figures are looked at: of ten without any difference, one is outside its 90 % interval by chance.',
-    groups.map((g) => h('div', h('h3', `${g.parameter}: ${g.value} against ${g.against}`), table(null, [
+    groups.map((g) => h('div', h('h3', `${g.parameter}: ${g.value} against ${g.against}`), h('div.stack', table(null, [
       { name: 'Figure', cell: (c) => columnName(c.column)[0] },
       { name: 'Difference', cell: (c) => `${meanText(c)} ${columnName(c.column)[1]}` },
-        { name: 'Confidence', cell: (c) => percent(c.confidence, 1) },
+      { name: 'Confidence', cell: (c) => percent(c.confidence, 1) },
       { name: 'Shown', cell: (c) => (c.shown ? (c.mean > 0 ? 'more' : 'less') : '–') },
       { name: 'Pairs', cell: (c) => String(c.n) },
-    ], list.filter((c) => c.parameter === g.parameter && c.value === g.value), { compact: true }))));
+    ], list.filter((c) => c.parameter === g.parameter && c.value === g.value), { compact: true })))));
 }

@@ -41,11 +41,13 @@ function picture(chart, column, title) {
 
 export function trends(data) {
   if (!data.trends.length) return null;
-  return section('trends', 'Trends', 'Slope of a straight line through the points of one seed, for one unit of the parameter; mean and 90 % interval over the seeds.', table(null, [
+  return section('trends', 'Trends',
+    'Slope of a straight line through the points of one seed, for one unit of the parameter; mean and 90 % interval over the seeds.',
+    h('div.stack', table(null, [
     { name: 'Figure', cell: (t) => columnName(t.column)[0] },
     { name: 'Parameter', kind: 'text', cell: (t) => t.parameter },
     { name: 'Slope', cell: (t) => `${meanText(t)} ${columnName(t.column)[1]}` },
     { name: 'Shown', cell: (t) => (t.low > 0 ? 'rises' : t.high < 0 ? 'falls' : '–') },
     { name: 'Lines', cell: (t) => String(t.n) },
-  ], data.trends, { compact: true }));
+  ], data.trends, { compact: true })));
 }
