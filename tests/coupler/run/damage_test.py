@@ -30,12 +30,12 @@ def mutant(data, rng):
 
 
 class Damage(RunTest):
-    """One run; each test damages a file of it and mends it again."""
+    """Copies of one run; each test damages a file of its own and mends it again."""
 
     def setUp(self):
         super().setUp()
         self.run = self.folder / "run"
-        self.run_case(self.run, "--ranks", "1", "--set", "end_s=0.9")
+        shutil.copytree(self.shared("--ranks", "1", "--set", "end_s=0.9"), self.run)
         self.metrics = self.report("whole")
         self.assertIsNotNone(self.metrics)
 

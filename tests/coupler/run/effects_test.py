@@ -10,7 +10,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, PATIENCE_S, TINY, RunTest, last_rocks
+from runs import DIPPER, PATIENCE_S, TINY, RunTest, last_rocks, two_cores
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 
@@ -91,6 +91,7 @@ class CollapsingPile(RunTest):
             parts = self.run_here(f"parts{end_s}", *SLAB, "--ranks", "1", "--set", "end_s=1.5", "--resume")
             np.testing.assert_allclose(parts.rock_kg, whole.rock_kg, rtol=1e-9)
 
+    @two_cores
     def test_comes_on_two_ranks(self):
         slab = self.run_here("two", *SLAB, "--ranks", "2", "--set", "end_s=0.9",
                              "--set", "coupling.timeout_s=60")

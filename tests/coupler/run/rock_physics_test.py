@@ -6,7 +6,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, PATIENCE_S, RunTest, last_rocks
+from runs import DIPPER, PATIENCE_S, RunTest, last_rocks, two_cores
 
 
 def option(**keys):
@@ -56,6 +56,7 @@ def cell_arrays(file):
 
 
 class RockPhysics(RunTest):
+    @two_cores
     def test_everything_at_once_runs_resumes_and_replays(self):
         whole, parts = self.folder / "whole", self.folder / "parts"
         self.run_case(whole, *ALL)

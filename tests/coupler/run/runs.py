@@ -16,6 +16,13 @@ DIPPER = pathlib.Path(os.environ["DIPPER"])
 TINY = pathlib.Path(__file__).parent / "tiny"
 SOURCE = TINY.parents[3]
 PATIENCE_S = 300  # with a command that takes 2 s on a quiet machine
+CORES = os.environ.get("CORES")  # of a file's tests, those that take so many; without it all
+
+
+def two_cores(test):
+    """Of a test with runs of two ranks, or that measures how long something takes: nothing goes beside it."""
+    test.two_cores = True
+    return test
 
 
 def processes(folder):
@@ -49,6 +56,9 @@ def last_rocks(run):
 
 class RunTest(unittest.TestCase):
     def setUp(self):
+        cores = 2 if hasattr(getattr(self, self._testMethodName), "two_cores") else 1
+        if CORES and int(CORES) != cores:
+            self.skipTest(f"takes {cores} cores")
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="dipper-test-"))
         self.addCleanup(shutil.rmtree, self.folder)
 
@@ -65,6 +75,19 @@ class RunTest(unittest.TestCase):
             process.kill()
         self.assertEqual(process.returncode, status, text[0] + text[1])
         return text
+
+    def shared(self, *arguments):
+        """A run with these arguments that is made once for all tests of a class; they leave it as it is."""
+        here = type(self)
+        if "made" not in vars(here):
+            here.made = {}
+            here.place = pathlib.Path(tempfile.mkdtemp(prefix="dipper-test-"))
+            here.addClassCleanup(shutil.rmtree, here.place)
+        if arguments not in here.made:
+            out = here.place / str(len(here.made))
+            self.run_case(out, *arguments)
+            here.made[arguments] = out
+        return here.made[arguments]
 
     def tiny_with_its_own_machine(self):
         """A copy of the tiny case whose machine file, machine.yaml, is in its folder."""
