@@ -88,9 +88,9 @@ void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, R
   std::filesystem::path there = std::filesystem::absolute(folder);
   while (!std::filesystem::exists(there)) there = there.parent_path();
   std::error_code unknown;
-  const double free_B = static_cast<double>(std::filesystem::space(there, unknown).available);
-  const double wanted_B = cost_estimate(c).disk_B;
-  if (unknown || wanted_B < free_B) return;
+  const std::filesystem::space_info space = std::filesystem::space(there, unknown);
+  const double free_B = static_cast<double>(space.available), wanted_B = cost_estimate(c).disk_B;
+  if (unknown || space.capacity == 0 || wanted_B < free_B) return;
   cases::Case quiet = c;
   quiet.output.dump_every_s = 0;
   reporter.line(fmt::format(

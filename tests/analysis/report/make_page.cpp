@@ -41,12 +41,16 @@ int main(int argc, char** argv) {
   }
   input.curves = {hoist, crowd, dig_force, load};
   input.case_text = "title=\"A synthetic dig\"\nrock.density_kg_m3=3215\n";
-  input.metrics = {
-      {"sizes", {{{"class", 2}, {"name", "d200"}, {"size_m", 1.25}}}},
-      {"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
-      {"passes", {{{"pass", 1}, {"t_start_s", 0}, {"t_dig_s", 0.3 * T}, {"t_end_s", T}}}},
-      {"phases",
-       {{{"phase", "reach"}, {"t_start_s", 0}, {"t_end_s", 0.2 * T}},
-        {{"phase", "dig"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
+  input.metrics = {{"sizes", {{{"class", 2}, {"name", "d200"}, {"size_m", 1.25}}}},
+                   {"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
+                   {"passes",
+                    {{{"pass", 1},
+                      {"t_start_s", 0},
+                      {"t_dig_s", 0.3 * T},
+                      {"t_end_s", T},
+                      {"dig_force_peak_N", 9e6}}}},
+                   {"phases",
+                    {{{"phase", "reach"}, {"t_start_s", 0}, {"t_end_s", 0.2 * T}},
+                     {{"phase", "dig"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
   write_report_page("A synthetic dig", input, argv[1]);
 }

@@ -305,6 +305,8 @@ class Phone(unittest.TestCase):
             small = browser.run("""return [...document.querySelectorAll('.replay button, .choice label')]
                 .filter((e) => e.getBoundingClientRect().height < 40).map((e) => e.textContent)""")
             self.assertEqual(small, [], "too small for a thumb")
+            names = browser.run("return [...document.querySelectorAll('#headline td')].map((e) => e.dataset.name)")
+            self.assertIn("Dig force, peak (MN)", names, "a name that stands alone")
             self.assertEqual(browser.errors(), [])
 
 

@@ -41,6 +41,8 @@ def test_the_page_says_what_was_found(page, width, phone):
         link = browser.run("return document.querySelector('#runs a').getAttribute('href')")
         assert (page / link).exists()
         assert browser.run("return document.documentElement.scrollWidth <= innerWidth")
+        assert browser.run("""return [...document.querySelectorAll('#trends .table, #comparisons .table')]
+            .filter((e) => e.scrollWidth > e.clientWidth).length""") == 0, "a column out of sight"
         assert browser.errors() == []
 
 

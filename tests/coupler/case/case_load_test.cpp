@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"timeout_s", "timeout_s: 1e300", 0, "coupling.timeout_s",
                             "1e300 is out of range; allowed is > 0 and <= 86400 s"},
                     Mistake{"dump_every_s", "dump_every_s: 1e300", 0, "output.dump_every_s",
-                            "1e300 is out of range; allowed is > 0 and <= 100000 s"}));
+                            "1e300 is out of range; allowed is 0 ... 100000 s"}));
 
 INSTANTIATE_TEST_SUITE_P(
     OutOfRange, OneMistake,

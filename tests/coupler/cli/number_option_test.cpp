@@ -37,7 +37,7 @@ struct Option {
 
 const std::vector<Option> kOptions = {
     {"run case", "--ranks", "2", "whole number, 1 ... 4096"},
-    {"run case", "--seed", "7", "whole number, 0 ... 2.14748e+09"},
+    {"run case", "--seed", "7", "whole number, 0 ... 2147483647"},
     {"report run", "--timestep", "1e-4", "number, > 0 and <= 1"},
     {"face run", "--at", "12.5", "number, 0 ... 100000"},
     {"face run", "--heading", "-30", "number, -360 ... 360"},
@@ -45,7 +45,7 @@ const std::vector<Option> kOptions = {
     {"calibrate pile-angle case", "--size", "12.2", "number, > 0 and <= 1000"},
     {"calibrate pile-angle case", "--sigma", "2", "number, > 0 and <= 90"},
     {"calibrate pile-angle case", "--seeds", "3", "whole number, 1 ... 1000"},
-    {"calibrate pile-angle case", "--seed", "7", "whole number, 0 ... 2.14748e+09"},
+    {"calibrate pile-angle case", "--seed", "7", "whole number, 0 ... 2147483647"},
     {"calibrate pile-angle case", "--jobs", "2", "whole number, 1 ... 1000"},
     {"calibrate bulk-density case", "--target", "1900", "number, 100 ... 20000"},
 };

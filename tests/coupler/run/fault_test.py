@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import pathlib
 import re
 import shutil
 import signal
@@ -39,6 +40,7 @@ class Faults(RunTest):
         while processes(out) and time.time() < deadline:
             time.sleep(0.05)
         self.assertEqual(processes(out), [])
+        self.assertEqual(list(pathlib.Path().glob("restart_forced*")), [], "LIGGGHTS's, where the user stands")
         return err
 
     def soon_after(self, out):

@@ -79,6 +79,11 @@ class Start(RunTest):
             self.assertIn("takes letters, digits, blanks", err)
             self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_a_folder_that_cannot_be_written_starts_nothing(self):
+        told, err = self.run_case("/proc/run", "--ranks", "4096", status=2)
+        self.assertIn("/proc/run: cannot be written", err)
+        self.assertIn("warning: dem.ranks: 4096 ranks share ", told)
+
     def test_without_a_place_for_the_cache_nothing_starts(self):
         with unittest.mock.patch.dict(os.environ):
             for name in ("HOME", "XDG_CACHE_HOME"):
