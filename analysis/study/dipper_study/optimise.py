@@ -102,7 +102,8 @@ def search(session, say):
         at = found.best()
         say(f"study: {asked} of {how.points} points; best so far {_text(how, low + width * found.places[at])}: "
             f"{how.objective.text} {_raw(how, found.goal[at]).mean():.4g}")
-    return _answer(session, found, base, low + width * found.places[found.best()], say)
+    at = found.best()  # the base is the first
+    return _answer(session, found, base, low + width * found.places[at] if at > 0 else base, say)
 
 
 def _base(session):
@@ -170,9 +171,11 @@ def _raw(how, goal):
 
 
 def _answer(session, found, base, best, say):
-    """The point that is called best, and the base, with fresh seeds."""
+    """The point that is called best, and the base, with fresh seeds; where they are the same, with the base's alone."""
     study, how = session.study, session.study.optimise
-    at_base, at_best = _rows(session, [study.point_at(base), study.point_at(best)], how.confirm_seeds)
+    points = [study.point_at(base)] if best is base else [study.point_at(base), study.point_at(best)]
+    rows = _rows(session, points, how.confirm_seeds)
+    at_base, at_best = rows[0], rows[-1]
     of_base, of_best = ({row["seed"]: how.objective.of(row) for row in rows} for rows in (at_base, at_best))
     compared = compare(of_base, of_best)
     better = compared.shown and (compared.difference.mean > 0) == how.maximise
@@ -185,7 +188,9 @@ def _answer(session, found, base, best, say):
               "difference": vars(compared.difference), "confidence": compared.confidence, "constraints": held,
               "points": len(found.places), "runs": len(session.runs), "confirm_seeds": how.confirm_seeds,
               "slices": list(_slices(how, found))}
-    answer["says"] = _says(answer, better)
+    answer["says"] = (f"no better than the base: of {len(found.places)} points the case itself is called best, "
+                      f"{how.objective.text} {answer['base']['mean']:.4g} over {len(of_base)} fresh seeds"
+                      if best is base else _says(answer, better))
     say(f"study: {_text(how, best)}: {answer['says']}")
     return answer
 

@@ -87,6 +87,16 @@ def test_a_minimum_is_a_maximum_turned_over(tmp_path):
     assert all(a <= m <= b for s in answer["slices"] for a, m, b in zip(s["low"], s["mean"], s["high"]))
 
 
+def test_where_the_case_itself_is_best_it_alone_is_run_again(tmp_path):
+    def top(rake, toe, seed):
+        return {"payload_t": 70 - (rake - 60) ** 2 - 4 * toe**2 + noise("own", 0.1, rake, toe, seed)}
+
+    answer, session = searched(tmp_path, top, STUDY.replace("points: 16", "points: 6"))
+    assert not answer["improved"] and answer["best"] == answer["base_at"] == [60, 0]
+    assert answer["says"].startswith("no better than the base: of 6 points the case itself is called best")
+    assert session.made == 6 * 3 + 6
+
+
 def test_no_improvement_is_claimed_where_there_is_none(tmp_path):
     """Of searches on a flat function with noise a twentieth may claim one: 90 % intervals, one side."""
     flat = STUDY.replace("points: 16", "points: 8")
