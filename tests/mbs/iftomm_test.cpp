@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mbs/stepper.hpp"
+#include "tests/mbs/stepper.hpp"
 
 namespace dipper::mbs {
 namespace {

@@ -1,12 +1,12 @@
 // The rope on two masses, where every answer is known.
-#include "mbs/rope.hpp"
+#include "tests/mbs/rope.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
-#include "mbs/stepper.hpp"
+#include "tests/mbs/stepper.hpp"
 
 namespace dipper::mbs {
 namespace {

@@ -1,5 +1,5 @@
 // The integrator on problems with published answers.
-#include "mbs/stepper.hpp"
+#include "tests/mbs/stepper.hpp"
 
 #include <gtest/gtest.h>
 

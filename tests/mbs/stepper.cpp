@@ -1,4 +1,4 @@
-#include "mbs/stepper.hpp"
+#include "tests/mbs/stepper.hpp"
 
 #include "common/seconds.hpp"
 #include "mbs/runge_kutta.hpp"

@@ -1,4 +1,4 @@
-#include "mbs/rope.hpp"
+#include "tests/mbs/rope.hpp"
 
 #include "machine/sheave_path.hpp"
 
