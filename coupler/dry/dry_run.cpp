@@ -86,13 +86,20 @@ json describe(const std::vector<LimitUse>& uses) {
   return out;
 }
 
+/// When the shovel faces the rock of a pass, whether it meets any or not.
+double faces_rock_s(const json& pass) {
+  for (const json& phase : pass.at("phases"))
+    if (phase.at("phase") == "penetrate") return phase.at("t_start_s");
+  return pass.at("t_dig_s");
+}
+
 /// The bench in the plane of the boom where each pass digs: x from the swing axis.
 json faces(const cases::Case& c, const json& passes, const fs::path& record) {
   const auto time_s = record::read_channel(record, "time_s"),
              swing = record::read_channel(record, "machine/swing");
   json out = json::array();
   for (const json& pass : passes) {
-    const auto dig = std::lower_bound(time_s.begin(), time_s.end(), pass.at("t_dig_s"));
+    const auto dig = std::lower_bound(time_s.begin(), time_s.end(), faces_rock_s(pass));
     const double heading = swing.at(static_cast<std::size_t>(dig - time_s.begin()));
     json face = {{"pass", pass.at("pass")}, {"out_m", json::array()}, {"up_m", json::array()}};
     for (const auto& p : deck::bench_along_boom(c, heading)) {

@@ -34,6 +34,7 @@ class DryRun(RunTest):
         (one,) = summary["passes"]
         self.assertLess(abs(one["monitor_payload_kg"]), 1000, "the monitor knows the empty machine")
         self.assertNotIn("specific_dig_energy_J_kg", one, "nothing is loaded")
+        self.assertEqual(max(summary["faces"][0]["up_m"]), 8.5, "the bench is where the dipper would dig")
         self.assertNotIn("above it", text, "an empty dipper asks no drive for too much")
         self.assertFalse((out / "dumps").exists(), "no rock, no frames")
         with h5py.File(out / "record.h5") as record:
