@@ -9,7 +9,6 @@
 #include "common/angles.hpp"
 #include "common/input_error.hpp"
 #include "common/yaml_section.hpp"
-#include "machine/rope_model.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -74,26 +73,17 @@ class Entries {
 
 constexpr double kMostElements = 200;
 
-RopeModel rope_model(Entries& g) {
-  RopeModel r;
-  if (g.has("model")) {
-    r.segmented = g.choice("model", {"elastic", "segmented"}) == "segmented";
-  }
+/// The keys that files may lack.
+void read_rope_model(Entries& g, MachineData::Rope& rope) {
+  if (g.has("model")) rope.segmented = g.choice("model", {"elastic", "segmented"}) == "segmented";
   if (g.has("elements"))
-    r.elements = static_cast<int>(g.number("elements", "-", {2, kMostElements}));
-  if (g.has("mass_per_length") || r.segmented)
-    r.mass_per_length = g.number("mass_per_length", "kg/m", kPositive);
-  return r;
+    rope.elements = static_cast<int>(g.number("elements", "-", {2, kMostElements}));
+  if (g.has("mass_per_length") || rope.segmented)
+    rope.mass_per_length = g.number("mass_per_length", "kg/m", kPositive);
 }
 
-struct MachineFile {
-  MachineData data{};
-  RopeModel rope;
-};
-
-MachineFile read(const YamlTree& file, std::vector<Finding>& findings) {
-  MachineFile out;
-  MachineData& m = out.data;
+MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
+  MachineData m{};
   Entries root(YamlSection(file, "", findings));
   m.machine = root.text("machine");
   {
@@ -140,7 +130,7 @@ MachineFile read(const YamlTree& file, std::vector<Finding>& findings) {
               g.number("elastic_fraction", "-", {0, 1, true}),
               g.number("damping", "N s/m", kNotNegative), g.vector("drum", "m"),
               g.number("length_at_zero_hoist", "m", kPositive)};
-    out.rope = rope_model(g);
+    read_rope_model(g, m.rope);
   }
   {
     auto g = root.group("drives");
@@ -166,17 +156,7 @@ MachineFile read(const YamlTree& file, std::vector<Finding>& findings) {
                 g.number("saddle_min", "deg"),
                 g.number("saddle_max", "deg")};
   }
-  return out;
-}
-
-MachineFile load(const std::filesystem::path& file) {
-  std::vector<Finding> findings;
-  const YamlTree tree = read_yaml(file, findings);
-  MachineFile machine;
-  if (findings.empty()) machine = read(tree, findings);
-  sort_by_line(findings);
-  if (!findings.empty()) throw InputError(std::move(findings));
-  return machine;
+  return m;
 }
 
 }  // namespace
@@ -187,8 +167,14 @@ DriveMode drive_mode_from(const std::string& word) {
   throw std::invalid_argument("drives '" + word + "': prescribed or limited");
 }
 
-MachineData load_machine(const std::filesystem::path& file) { return load(file).data; }
-
-RopeModel load_rope_model(const std::filesystem::path& file) { return load(file).rope; }
+MachineData load_machine(const std::filesystem::path& file) {
+  std::vector<Finding> findings;
+  const YamlTree tree = read_yaml(file, findings);
+  MachineData machine{};
+  if (findings.empty()) machine = read(tree, findings);
+  sort_by_line(findings);
+  if (!findings.empty()) throw InputError(std::move(findings));
+  return machine;
+}
 
 }  // namespace dipper::machine

@@ -63,6 +63,10 @@ struct MachineData {
     double damping;               ///< N s/m, one rope
     Vector3d drum;                ///< p_HW, m, where the left rope leaves its drum
     double length_at_zero_hoist;  ///< m from there to the bail, unstretched
+    /// How they are computed: elastic throughout, or rigid over the sheave with elements below it.
+    bool segmented = false;
+    int elements = 19;           ///< of one rope, as in Svanberg et al. 2021, Section 3.2
+    double mass_per_length = 0;  ///< kg/m, of a segmented one
   } rope;
 
   /// What the drives can do at most: force F at speed v within |F| <= min(stall, power / |v|).

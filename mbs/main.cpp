@@ -9,7 +9,6 @@
 #include "machine/machine_condition.hpp"
 #include "machine/machine_data.hpp"
 #include "machine/motion.hpp"
-#include "machine/rope_model.hpp"
 #include "mbs/shovel.hpp"
 
 namespace dipper::mbs {
@@ -28,12 +27,11 @@ void run(const char* config_file) {
   condition.added_mass_kg = settings.at("added_mass_kg").get<double>();
   condition.added_center_m = vector_from(settings.at("added_center_m"));
   condition.added_inertia_kg_m2 = vector_from(settings.at("added_inertia_kg_m2"));
-  const std::string model = settings.at("model").get<std::string>();
-  Shovel shovel(machine::in_condition(machine::load_machine(model), condition),
+  Shovel shovel(machine::in_condition(
+                    machine::load_machine(settings.at("model").get<std::string>()), condition),
                 machine::Motion::load(settings.at("motion").get<std::string>()), X_W0, rake,
                 kLongestSubstep_ns,
-                machine::drive_mode_from(settings.value("drives", "prescribed")),
-                machine::load_rope_model(model));
+                machine::drive_mode_from(settings.value("drives", "prescribed")));
   const auto transport =
       transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::to_mbs);
   transport::serve(*transport, transport::Channels::to_mbs, transport::Channels::from_mbs, config,

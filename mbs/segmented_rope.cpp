@@ -34,43 +34,48 @@ double SegmentedRope::longest_step() const {
   return kStablePhase / (2 * std::sqrt(element_stiffness(spec_.shortest) / node_mass_));
 }
 
+Vector2d SegmentedRope::lower(int i, const Numbers& nodes, const Vector2d& end) const {
+  return i < spec_.elements - 1 ? Vector2d(nodes.segment<2>(2 * i)) : end;
+}
+
+SegmentedRope::Element SegmentedRope::element(int i, const Numbers& nodes, const Vector2d& end,
+                                              double free_length) const {
+  const double length = element_length(free_length);
+  const Vector2d below = lower(i, nodes, end);
+  if (i == 0) {
+    const machine::SheavePath path = machine::sheave_path(spec_.drum, below, spec_.radius);
+    return {path.length - (free_length - (spec_.elements - 1) * length), path.free_b,
+            path.toward_b};
+  }
+  const Vector2d along = lower(i - 1, nodes, end) - below;
+  const double distance = along.norm();
+  return {distance - length, distance, along / distance};
+}
+
 SegmentedRope::Now SegmentedRope::at(const Numbers& nodes, const Vector2d& end,
                                      const Vector2d& end_rate, const FreeLength& free,
                                      const Vector2d& gravity) const {
   const int n = spec_.elements, n_nodes = n - 1;
-  const double length = element_length(free.length), length_rate = part_ * free.rate;
+  const double length_rate = part_ * free.rate;
   const double stiffness = element_stiffness(free.length);
   const double damping = 2 * kOwnDamping * std::sqrt(stiffness * node_mass_);
-  const auto place = [&](int i) -> Vector2d {
-    return i < n_nodes ? Vector2d(nodes.segment<2>(2 * i)) : end;
-  };
   const auto speed = [&](int i) -> Vector2d {
     return i < n_nodes ? Vector2d(nodes.segment<2>(2 * (n_nodes + i))) : end_rate;
   };
-  struct Element {
-    double stretch, rate;
-    Vector2d up;  // unit, from its lower node
-  };
-  std::vector<Element> elements(static_cast<std::size_t>(n));
+  std::vector<Element> elements;
+  std::vector<double> stretch_rates;
+  elements.reserve(static_cast<std::size_t>(n));
+  stretch_rates.reserve(static_cast<std::size_t>(n));
   double all_rates = 0;
   Now now{};
   for (int i = 0; i < n; ++i) {
-    Element& e = elements[static_cast<std::size_t>(i)];
-    const Vector2d lower = place(i), lower_rate = speed(i);
-    if (i == 0) {
-      const machine::SheavePath path = machine::sheave_path(spec_.drum, lower, spec_.radius);
-      e.up = path.toward_b;
-      e.stretch = path.length - (free.length - n_nodes * length);
-      e.rate = -e.up.dot(lower_rate) - (free.rate - n_nodes * length_rate);
-    } else {
-      const Vector2d along = place(i - 1) - lower;
-      const double distance = along.norm();
-      e.up = along / distance;
-      e.stretch = distance - length;
-      e.rate = e.up.dot(speed(i - 1) - lower_rate) - length_rate;
-    }
+    const Element e = element(i, nodes, end, free.length);
+    const double rate = i == 0 ? -e.up.dot(speed(i)) - (free.rate - n_nodes * length_rate)
+                               : e.up.dot(speed(i - 1) - speed(i)) - length_rate;
+    elements.push_back(e);
+    stretch_rates.push_back(rate);
     now.state.stretch += e.stretch;
-    all_rates += e.rate;
+    all_rates += rate;
   }
   now.state.stretch_rate = all_rates;
   now.rates.resize(size());
@@ -78,12 +83,13 @@ SegmentedRope::Now SegmentedRope::at(const Numbers& nodes, const Vector2d& end,
   double tension_sum = 0;
   for (int i = 0; i < n; ++i) {
     const Element& e = elements[static_cast<std::size_t>(i)];
+    const double rate = stretch_rates[static_cast<std::size_t>(i)];
     double tension = 0;
     if (e.stretch > 0) {
       const double elastic = stiffness * e.stretch;
-      tension = std::max(0.0, elastic + damping * e.rate + spec_.law.damping * all_rates);
+      tension = std::max(0.0, elastic + damping * rate + spec_.law.damping * all_rates);
       now.state.elastic_energy += 0.5 * elastic * e.stretch;
-      now.state.dissipation += (tension - elastic) * e.rate;
+      now.state.dissipation += (tension - elastic) * rate;
     }
     const Vector2d force = tension * e.up;
     if (i < n_nodes) now.rates.segment<2>(2 * (n_nodes + i)) = force / node_mass_ + gravity;
@@ -99,7 +105,7 @@ SegmentedRope::Now SegmentedRope::at(const Numbers& nodes, const Vector2d& end,
   now.potential = now.state.elastic_energy;
   for (int i = 0; i < n_nodes; ++i) {
     now.kinetic += 0.5 * node_mass_ * speed(i).squaredNorm();
-    now.potential -= node_mass_ * gravity.dot(place(i));
+    now.potential -= node_mass_ * gravity.dot(lower(i, nodes, end));
   }
   return now;
 }
@@ -118,28 +124,15 @@ SegmentedRope::Numbers SegmentedRope::settled(const Vector2d& end, double free_l
   const double stiffness = element_stiffness(free_length);
   for (int round = 0; round < 100; ++round) {
     const Numbers force = at(nodes, end, Vector2d::Zero(), free, gravity).rates.tail(2 * n_nodes);
-    if (force.cwiseAbs().maxCoeff() < 1e-9 * stiffness / node_mass_) {
-      if (force.cwiseAbs().maxCoeff() < 1e-12 * stiffness / node_mass_ || round > 50) return nodes;
-    }
+    const double enough = round > 50 ? 1e-9 : 1e-12;  // m
+    if (force.cwiseAbs().maxCoeff() < enough * stiffness / node_mass_) return nodes;
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(2 * n_nodes, 2 * n_nodes);
     for (int i = 0; i < n; ++i) {
-      const Vector2d lower = i < n_nodes ? Vector2d(nodes.segment<2>(2 * i)) : end;
-      Vector2d up;
-      double distance, stretch;
-      if (i == 0) {
-        const machine::SheavePath p = machine::sheave_path(spec_.drum, lower, spec_.radius);
-        up = p.toward_b;
-        distance = p.free_b;
-        stretch = p.length - (free_length - n_nodes * element_length(free_length));
-      } else {
-        const Vector2d along = Vector2d(nodes.segment<2>(2 * (i - 1))) - lower;
-        distance = along.norm();
-        up = along / distance;
-        stretch = distance - element_length(free_length);
-      }
-      const Eigen::Matrix2d across = Eigen::Matrix2d::Identity() - up * up.transpose();
-      const Eigen::Matrix2d k = stiffness / node_mass_ *
-                                (up * up.transpose() + std::max(stretch, 0.0) / distance * across);
+      const Element e = element(i, nodes, end, free_length);
+      const Eigen::Matrix2d along = e.up * e.up.transpose();
+      const Eigen::Matrix2d across = Eigen::Matrix2d::Identity() - along;
+      const Eigen::Matrix2d k =
+          stiffness / node_mass_ * (along + std::max(e.stretch, 0.0) / e.reach * across);
       if (i < n_nodes) K.block<2, 2>(2 * i, 2 * i) += k;
       if (i > 0) K.block<2, 2>(2 * (i - 1), 2 * (i - 1)) += k;
       if (i > 0 && i < n_nodes) {

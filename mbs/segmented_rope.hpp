@@ -54,6 +54,15 @@ class SegmentedRope {
   double node_mass() const { return node_mass_; }
 
  private:
+  /// An element: how far it is stretched, and its direction up and length below the sheave.
+  struct Element {
+    double stretch, reach;
+    Eigen::Vector2d up;  ///< unit, from its lower node
+  };
+  Element element(int i, const Numbers& nodes, const Eigen::Vector2d& end,
+                  double free_length) const;
+  /// The lower node of an element, of the last one the rope's end.
+  Eigen::Vector2d lower(int i, const Numbers& nodes, const Eigen::Vector2d& end) const;
   double element_stiffness(double free_length) const;
   double element_length(double free_length) const { return part_ * (free_length - spec_.over); }
 

@@ -27,14 +27,13 @@ using Numbers = Eigen::VectorXd;  ///< what is integrated: q, u, works, the rope
 
 struct Shovel::Impl {
   Impl(const machine::MachineData& machine_data, machine::Motion motion_in, const Pose& X_W0,
-       double rake, std::int64_t max_substep, machine::DriveMode mode,
-       const machine::RopeModel& rope)
+       double rake, std::int64_t max_substep, machine::DriveMode mode)
       : machine(machine_data),
         motion(std::make_shared<const machine::Motion>(std::move(motion_in))),
         path(mode == machine::DriveMode::limited
                  ? std::make_unique<Operator>(motion, machine.limits.crowd_min)
                  : nullptr),
-        dynamics(machine, rope, mode, X_W0, rake),
+        dynamics(machine, mode, X_W0, rake),
         model(machine, X_W0, rake, dynamics.drum_inertia()),
         max_substep_ns(max_substep),
         substep_ns(static_cast<std::int64_t>(
@@ -76,13 +75,11 @@ struct Shovel::Impl {
     return dy;
   }
 
-  static Snapshot taken_apart(const Numbers& y) {
-    Snapshot s;
-    s.q = y.head<kJoints>();
-    s.u = y.segment<kJoints>(kJoints);
-    s.works = y.segment<kWorks>(2 * kJoints);
-    s.rope = y.tail(y.size() - kFixed);
-    return s;
+  static void take_apart(const Numbers& y, Snapshot& to) {
+    to.q = y.head<kJoints>();
+    to.u = y.segment<kJoints>(kJoints);
+    to.works = y.segment<kWorks>(2 * kJoints);
+    to.rope = y.tail(y.size() - kFixed);
   }
 
   /// From `from` with the wrenches of `to`, to the time of `to`.
@@ -99,7 +96,8 @@ struct Shovel::Impl {
           t1_ns, path ? t0_ns + (t1_ns - t0_ns) * (k + 1) / looks : motion->next_row_ns(t_ns));
       if (path) {
         path->look(seconds(t_ns), [&] {
-          Snapshot here = taken_apart(y);
+          Snapshot here;
+          take_apart(y, here);
           here.t_ns = t_ns;
           here.F_Bo_W = to.F_Bo_W;
           return now(here).motors->overload();
@@ -113,11 +111,7 @@ struct Shovel::Impl {
       }
       t_ns = next_ns;
     }
-    const Snapshot end = taken_apart(y);
-    to.q = end.q;
-    to.u = end.u;
-    to.works = end.works;
-    to.rope = end.rope;
+    take_apart(y, to);
     dynamics.prescribe(sent(seconds(t1_ns)), to.q, to.u);
     if (path) {
       const PathState way = path->at(seconds(t1_ns));
@@ -192,10 +186,8 @@ struct Shovel::Impl {
 };
 
 Shovel::Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0,
-               double rake, std::int64_t max_substep_ns, machine::DriveMode mode,
-               const machine::RopeModel& rope)
-    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns, mode,
-                                   rope)) {}
+               double rake, std::int64_t max_substep_ns, machine::DriveMode mode)
+    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns, mode)) {}
 
 Shovel::~Shovel() = default;
 

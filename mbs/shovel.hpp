@@ -9,7 +9,6 @@
 #include "coupler/core/server.hpp"
 #include "machine/machine_data.hpp"
 #include "machine/motion.hpp"
-#include "machine/rope_model.hpp"
 
 namespace dipper::mbs {
 
@@ -37,8 +36,7 @@ class Shovel : public core::Machine {
   ///        The stiffest mode, the empty dipper on the ropes, has a period of about 200 ms.
   Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0, double rake,
          std::int64_t max_substep_ns = kLongestSubstep_ns,
-         machine::DriveMode mode = machine::DriveMode::prescribed,
-         const machine::RopeModel& rope = {});
+         machine::DriveMode mode = machine::DriveMode::prescribed);
   ~Shovel() override;
 
   core::ServerInfo info() const override;

@@ -26,8 +26,8 @@ Vector2d in_plane(const Vector3d& p) { return {p.x(), p.z()}; }
 
 }  // namespace
 
-ShovelDynamics::ShovelDynamics(const machine::MachineData& m, const machine::RopeModel& rope,
-                               machine::DriveMode mode, const Pose& X_W0, double rake)
+ShovelDynamics::ShovelDynamics(const machine::MachineData& m, machine::DriveMode mode,
+                               const Pose& X_W0, double rake)
     : machine_(m),
       mode_(mode),
       tree_(m, X_W0, rake, drum_inertia()),
@@ -35,13 +35,13 @@ ShovelDynamics::ShovelDynamics(const machine::MachineData& m, const machine::Rop
       friction_{m.losses},
       crowd_stop_(crowd_stop(m)) {
   if (mode == machine::DriveMode::limited) motors_.emplace(m);
-  if (!rope.segmented) return;
+  if (!m.rope.segmented) return;
   SegmentedRopeSpec spec;
   spec.drum = in_plane(m.rope.drum - m.boom.point);
   spec.radius = m.boom.sheave_radius;
   spec.law = law_;
-  spec.elements = rope.elements;
-  spec.mass_per_length = rope.mass_per_length;
+  spec.elements = m.rope.elements;
+  spec.mass_per_length = m.rope.mass_per_length;
   // To where a rope that hangs straight down leaves the sheave.
   spec.over = machine::sheave_path(spec.drum, {spec.radius, -spec.radius}, spec.radius).length -
               spec.radius;

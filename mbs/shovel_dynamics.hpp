@@ -5,7 +5,6 @@
 
 #include "machine/machine_data.hpp"
 #include "machine/motion.hpp"
-#include "machine/rope_model.hpp"
 #include "mbs/drive_friction.hpp"
 #include "mbs/joint_stop.hpp"
 #include "mbs/limited_drives.hpp"
@@ -43,8 +42,8 @@ struct DriveReport {
 /// twice; their forces on the house have no moment about the swing axis.
 class ShovelDynamics {
  public:
-  ShovelDynamics(const machine::MachineData& machine, const machine::RopeModel& rope,
-                 machine::DriveMode mode, const Pose& X_W0, double rake);
+  ShovelDynamics(const machine::MachineData& machine, machine::DriveMode mode, const Pose& X_W0,
+                 double rake);
 
   /// Puts prescribed coordinates and speeds where they are sent.
   void prescribe(const machine::DriveState& sent, Joints& q, Joints& u) const;

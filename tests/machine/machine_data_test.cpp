@@ -10,7 +10,6 @@
 #include <regex>
 #include <string>
 
-#include "machine/rope_model.hpp"
 #include "tests/common/input_errors.hpp"
 
 namespace dipper::machine {
@@ -108,8 +107,8 @@ TEST(MachineData, RefusesWhatNoMachineHas) {
 
 // The keys that files may lack.
 TEST(MachineData, ReadsTheRopeModel) {
-  EXPECT_FALSE(load_rope_model(kMachine).segmented);
-  EXPECT_EQ(load_rope_model(kMachine).mass_per_length, 22);
+  EXPECT_FALSE(load_machine(kMachine).rope.segmented);
+  EXPECT_EQ(load_machine(kMachine).rope.mass_per_length, 22);
   EXPECT_THAT(
       faults_with("model: {value: elastic", "model: {value: chain"),
       ElementsAre(HasSubstr("rope.model.value: is 'chain'; it must be elastic or segmented")));

@@ -145,15 +145,15 @@ TEST(SegmentedRope, SlackAndSnapKeepTheEnergyBooks) {
 
 class SegmentedShovel : public ShovelTest {
  protected:
-  machine::RopeModel segments{true, 19, 22};
-  Shovel shovel(const machine::RopeModel& rope, machine::DriveMode mode) {
-    return Shovel(machine, quick(), Pose{}, rake, kLongestSubstep_ns, mode, rope);
+  Shovel shovel(bool segmented, const machine::Motion& motion, machine::DriveMode mode) {
+    machine.rope.segmented = segmented;
+    return Shovel(machine, motion, Pose{}, rake, kLongestSubstep_ns, mode);
   }
 };
 
 TEST_F(SegmentedShovel, DigsAsWithElasticRopes) {
   for (const auto mode : {machine::DriveMode::prescribed, machine::DriveMode::limited}) {
-    Shovel elastic = shovel({}, mode), segmented = shovel(segments, mode);
+    Shovel elastic = shovel(false, quick(), mode), segmented = shovel(true, quick(), mode);
     double peak[2] = {0, 0}, traded = 0;
     for (int i = 1; i <= 2500; ++i) {
       const double t = 4e-3 * i;
@@ -175,8 +175,7 @@ TEST_F(SegmentedShovel, DigsAsWithElasticRopes) {
 }
 
 TEST_F(SegmentedShovel, BeginsAtRestAndSavesEveryNode) {
-  Shovel a(machine, still(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited,
-           segments);
+  Shovel a = shovel(true, still(), machine::DriveMode::limited);
   const Vector3d start = a.state().bodies[0].X_WB.p;
   for (int i = 1; i <= 100; ++i) a.step(2 * i * kMillisecond, no_rock, true);
   EXPECT_LT((a.state().bodies[0].X_WB.p - start).norm(), 1e-8);
@@ -184,12 +183,11 @@ TEST_F(SegmentedShovel, BeginsAtRestAndSavesEveryNode) {
   a.step(300 * kMillisecond, push, true);
   const auto file = std::filesystem::path(testing::TempDir()) / "segmented.bin";
   a.save(file);
-  Shovel b(machine, still(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited,
-           segments);
+  Shovel b = shovel(true, still(), machine::DriveMode::limited);
   b.load(file);
   EXPECT_EQ(a.step(340 * kMillisecond, push, true).channels,
             b.step(340 * kMillisecond, push, true).channels);
-  Shovel elastic(machine, still(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited);
+  Shovel elastic = shovel(false, still(), machine::DriveMode::limited);
   EXPECT_THROW(elastic.load(file), std::runtime_error);
 }
 

@@ -24,7 +24,7 @@ TEST_F(ShovelTest, TheEquationsWrittenOutAreSimbodys) {
   const Pose base{from_rotation_vector({0.05, -0.1, 0.4}), Vector3d(-1, 2, 0.5)};
   for (const machine::DriveMode mode :
        {machine::DriveMode::prescribed, machine::DriveMode::limited}) {
-    const ShovelDynamics dynamics(machine, {}, mode, base, rake);
+    const ShovelDynamics dynamics(machine, mode, base, rake);
     ShovelModel simbody(machine, base, rake, dynamics.drum_inertia());
     for (int i = 0; i < 50; ++i) {
       Joints q, u;
