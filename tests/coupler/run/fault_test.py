@@ -12,12 +12,11 @@ import unittest.mock
 
 import h5py
 
-from runs import DIPPER, PATIENCE_S, SOURCE, RunTest, processes
+from runs import DIPPER, PATIENCE_S, SOURCE, STEP_S, WINDOW, RunTest, processes
 
 
 # Long enough that on any machine there is something left to kill; a record is flushed each second.
 LONGER = ("--set", "end_s=4.5")
-STEP_S, WINDOW = 3e-4, 10
 
 
 class Faults(RunTest):
@@ -42,11 +41,6 @@ class Faults(RunTest):
         self.assertEqual(processes(out), [])
         self.assertEqual(list(pathlib.Path().glob("restart_forced*")), [], "LIGGGHTS's, where the user stands")
         return err
-
-    def soon_after(self, out):
-        """s: a hundred windows after where a run was cut short."""
-        with h5py.File(out / "record.h5") as f:
-            return round(f["time_s"][-1] + 100 * WINDOW * STEP_S, 3)
 
     def go_on(self, out):
         """Resumes a run that was cut short, and ends it soon; the steps it then has."""

@@ -4,11 +4,20 @@ import contextlib
 import os
 import signal
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
 
 NAMES = {"10.77.0.1": "h1", "10.77.0.2": "h2"}
+
+# Asks its arguments' addresses until each answers, which one that is reached does by refusing: nobody listens there.
+ASK = """
+import errno, socket, sys, time
+for address in sys.argv[1:]:
+    while socket.socket().connect_ex((address, 9)) != errno.ECONNREFUSED:
+        time.sleep(0.05)
+"""
 
 
 def ip(*words):
@@ -44,9 +53,11 @@ class Hosts:
                 + 'esac\necho "no host $host" >&2; exit 1\n')
             hostfile = self._folder / "hosts"
             hostfile.write_text("".join(f"{address} slots=1\n" for address in NAMES))
-            #: what `dipper run --mpirun` takes for a rank on each
-            self.agent = f"--mca plm_rsh_agent {agent}"
+            #: what `dipper run --mpirun` takes for a rank on each. Either host thinks that all cores are its own:
+            #: bound, both ranks would be on the first one; and they yield while they wait.
+            self.agent = f"--mca plm_rsh_agent {agent} --bind-to none --mca mpi_yield_when_idle 1"
             self.options = f"{self.agent} --hostfile {hostfile}"
+            self._until_reached()
             self._until = made.pop_all()
         return self
 
@@ -65,6 +76,13 @@ class Hosts:
     def plug(self, host, state):
         """Its cable, "down" or "up"."""
         ip("-n", self._switch, "link", "set", host, state)
+        if state == "up":
+            self._until_reached()
+
+    def _until_reached(self):
+        """A link carries nothing for up to a second or so after it is set up."""
+        for host in NAMES.values():
+            subprocess.run(self.command(host, [sys.executable, "-c", ASK, *NAMES]), check=True, timeout=60)
 
     def _name(self, host):
         return f"dipper{os.getpid()}{host}"

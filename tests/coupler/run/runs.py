@@ -15,6 +15,7 @@ import numpy as np
 DIPPER = pathlib.Path(os.environ["DIPPER"])
 TINY = pathlib.Path(__file__).parent / "tiny"
 SOURCE = TINY.parents[3]
+STEP_S, WINDOW = 3e-4, 10  # of the tiny case
 PATIENCE_S = 300  # with a command that takes 2 s on a quiet machine
 CORES = os.environ.get("CORES")  # of a file's tests, those that take so many; without it all
 
@@ -114,6 +115,12 @@ class RunTest(unittest.TestCase):
             time.sleep(0.05)
         process.send_signal(signal.SIGKILL)
         self.fail(f"the run did not get to {time_s} s: {process.communicate()}")
+
+    def soon_after(self, out, windows=100):
+        """s: so many windows after where a run was cut short."""
+        import h5py
+        with h5py.File(out / "record.h5") as f:
+            return round(f["time_s"][-1] + windows * WINDOW * STEP_S, 3)
 
     def summary(self, out):
         return json.loads((out / "summary.json").read_text())
