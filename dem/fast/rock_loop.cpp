@@ -64,7 +64,7 @@ void RockLoop::run(int n) {
     if (neighbor->decide() != 0)
       renew_lists();
     else
-      comm->forward_comm();
+      motion_.forward();
 
     force_clear();
     if (modify->n_pre_force) modify->pre_force(vflag);

@@ -129,6 +129,7 @@ void RockMotion::gather() {
     of_body_[k] = i;
     std::copy_n(displace[i], 3, &place_[3 * static_cast<std::size_t>(k)]);
   }
+  own_border_ = lmp_.comm->nprocs > 1 && border_.renew(*fix_bodies_);
 }
 
 bool RockMotion::held(int b) const {
@@ -139,11 +140,17 @@ bool RockMotion::held(int b) const {
 
 double RockMotion::initial_integrate() {
   const double fastest = std::sqrt(std::max(move_spheres(), move_bodies()));
-  if (lmp_.comm->nprocs > 1) {  // spheres of this rank's bodies that are another's
+  if (own_border_) {
+    border_.return_moved_spheres();
+  } else if (lmp_.comm->nprocs > 1) {  // spheres of this rank's bodies that are another's
     fix_bodies_->*OpenMultisphere::reverse = LAMMPS_NS::MS_COMM_REV_X_V_OMEGA;
     fix_bodies_->reverse_comm();
   }
   return fastest;
+}
+
+void RockMotion::forward() {
+  own_border_ ? border_.forward_moved_spheres() : lmp_.comm->forward_comm();
 }
 
 double RockMotion::move_spheres() {
@@ -197,13 +204,16 @@ double RockMotion::move_bodies() {
 
 void RockMotion::final_integrate(bool seen) {
   const bool ranks = lmp_.comm->nprocs > 1;
-  if (ranks) {
+  if (own_border_) {
+    border_.forward_forces();
+  } else if (ranks) {
     fix_bodies_->*OpenMultisphere::forward = LAMMPS_NS::MS_COMM_FW_F_TORQUE;
     fix_bodies_->forward_comm();
   }
   kick_spheres(seen);
   kick_bodies(seen);
   if (!ranks || !seen) return;
+  if (own_border_) return border_.return_velocities();  // ghosts get theirs with the next step
   fix_bodies_->*OpenMultisphere::reverse = LAMMPS_NS::MS_COMM_REV_V_OMEGA;
   fix_bodies_->reverse_comm();
   fix_bodies_->*OpenMultisphere::forward = LAMMPS_NS::MS_COMM_FW_V_OMEGA;

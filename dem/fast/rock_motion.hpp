@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "dem/fast/border_exchange.hpp"
+
 namespace LAMMPS_NS {
 class Fix;
 class FixGravity;
@@ -19,20 +21,23 @@ namespace dipper::dem {
 /// spheres of bodies get the velocity of the step's end only when someone looks.
 class RockMotion {
  public:
-  explicit RockMotion(LAMMPS_NS::LAMMPS& lmp) : lmp_(lmp) {}
+  explicit RockMotion(LAMMPS_NS::LAMMPS& lmp) : lmp_(lmp), border_(lmp) {}
 
   /// At a run's begin, before LIGGGHTS lists which fixes to call. False when the deck has what this
   /// does not know (another integrator, a periodic box, a rock stream): LIGGGHTS's fixes do it
   /// then.
   bool take_over();
 
-  /// Once lists are built: which spheres belong to which body, and who moves.
+  /// Once lists are built: which spheres belong to which body, and who moves. Collective.
   void gather();
 
   LAMMPS_NS::FixMultisphere& bodies() { return *fix_bodies_; }
 
   /// The first half of a step. Returns the largest speed of a sphere's centre, on this rank [m/s].
   double initial_integrate();
+
+  /// To other ranks, of the spheres near them, where they are once a step has moved them.
+  void forward();
 
   /// The second half, from forces without gravity. Unless the step is `seen`, spheres of bodies do
   /// not get their velocities, nor rock at rest its forces.
@@ -63,6 +68,8 @@ class RockMotion {
   void kick_bodies(bool seen);
 
   LAMMPS_NS::LAMMPS& lmp_;
+  BorderExchange border_;
+  bool own_border_ = false;
   LAMMPS_NS::FixMultisphere* fix_bodies_ = nullptr;
   LAMMPS_NS::Fix* fix_spheres_ = nullptr;
   LAMMPS_NS::FixGravity* fix_gravity_ = nullptr;
