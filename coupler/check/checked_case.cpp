@@ -153,7 +153,8 @@ bool check_as_json(const std::filesystem::path& folder,
     const CostEstimate cost = cost_estimate(c);
     said["cost"] = {{"spheres", cost.spheres},   {"settle_cpu_s", cost.settle_s},
                     {"dig_cpu_s", cost.dig_s},   {"wall_s", cost.wall_s},
-                    {"memory_B", cost.memory_B}, {"disk_B", cost.disk_B}};
+                    {"memory_B", cost.memory_B}, {"disk_B", cost.disk_B},
+                    {"record_B", cost.record_B}, {"dumps_B", cost.dumps_B}};
     said["values"] = values_of(c);
     said["effects"] = c.effects;
     said["files"] = json::array();

@@ -18,13 +18,15 @@ constexpr double kStays = 0.85;            // of what is poured; the rest is ove
 constexpr double kSettleRate = 4.5e6;      // sphere-steps a CPU-second, all rock computed
 constexpr double kDigRate = 5e6;           // likewise, part of it at rest
 constexpr double kHoldRate = 20e6;         // with dem.hold_below_m_s
-constexpr double kWindow_s = 0.5e-3;       // machine and messages
+constexpr double kWindow_s = 0.5e-3;       // machine side 0.2 ms, master with record 0.3 ms
 constexpr double kMemory_B = 3000;         // a sphere
 constexpr double kRankMemory_B = 60e6;     // a process
 constexpr double kFrame_B = 115;           // a sphere
 constexpr double kFrameWalls_B = 0.1e6;    // a frame
 constexpr double kCheckpoint_B = 2 * 740;  // a sphere, in two of them
-constexpr double kRow_B = 5200;            // a window, in record and message log
+constexpr double kRecord_B = 4e6;          // record.h5 without rows
+constexpr double kRow_B = 750;             // a window in it
+constexpr double kMessages_B = 3400;       // a window in the message log
 
 int spheres_a_rock(const cases::Case& c) {
   for (const deck::ShapeResolution& r : deck::kShapeResolutions)
@@ -62,7 +64,7 @@ CostEstimate cost_estimate(const cases::Case& c) {
   const double windows = steps / c.coupling.sync_steps;
   const double settle_steps = (c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s;
   const double every_s = c.output.dump_every_s;
-  const double frames = every_s > 0 ? std::floor(end_s / every_s) + 1 : 1;
+  const double frames = every_s > 0 ? std::floor(end_s / every_s) : 0;  // after that of the start
   CostEstimate e;
   e.spheres = spheres_of(c);
   e.settle_s = e.spheres * settle_steps / kSettleRate;
@@ -70,8 +72,10 @@ CostEstimate cost_estimate(const cases::Case& c) {
       e.spheres * steps / (c.dem.hold_below_m_s > 0 ? kHoldRate : kDigRate) + kWindow_s * windows;
   e.wall_s = (e.settle_s + e.dig_s) / c.dem.ranks;
   e.memory_B = kMemory_B * e.spheres + kRankMemory_B * (c.dem.ranks + 2);
-  e.disk_B = frames * (kFrame_B * e.spheres + kFrameWalls_B) + kCheckpoint_B * e.spheres +
-             kRow_B * windows;
+  const double frame_B = kFrame_B * e.spheres + kFrameWalls_B;
+  e.record_B = kRecord_B + kRow_B * windows;
+  e.dumps_B = frames * frame_B;
+  e.disk_B = frame_B + e.dumps_B + kCheckpoint_B * e.spheres + e.record_B + kMessages_B * windows;
   return e;
 }
 

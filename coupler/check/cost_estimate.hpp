@@ -15,7 +15,9 @@ struct CostEstimate {
   double dig_s = 0;     ///< processor time
   double wall_s = 0;    ///< of both, on as many cores as ranks
   double memory_B = 0;
-  double disk_B = 0;  ///< of the run's folder
+  double disk_B = 0;    ///< of the run's folder
+  double record_B = 0;  ///< of that, record.h5
+  double dumps_B = 0;  ///< of that, what output.dump_every_s asks for beside the dumps of the start
 };
 
 /// By what runs have taken (docs/benchmarks.md, "What a run takes"): right to a factor of about 1.5

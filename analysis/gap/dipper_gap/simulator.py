@@ -14,7 +14,6 @@ from dipper_run.program import ask
 from .measured import read_measured
 
 JOBS = 2
-ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
 # What a replay of the machine against the recorded rock answers exactly where the dipper's motion is prescribed.
 REPLAYED = {"machine.crowd_friction_N", "machine.hoist_loss"}
 
@@ -85,9 +84,8 @@ class DipperSimulator(Simulator):
         return self._told["case_hash"]
 
     def _guess(self):
-        """Seconds a run may take, from its size."""
-        size = self._told["size"]
-        return size["rocks"] * (size["steps"] + size["settle_steps"]) / ROCK_STEPS_PER_S
+        """Seconds a run may take on one core, its pile's settling with it."""
+        return self._told["cost"]["settle_cpu_s"] + self._told["cost"]["dig_cpu_s"]
 
     def folder(self, r):
         """Where a run is kept: by all that decides it. Of the program that is its sources, not its commit."""

@@ -12,12 +12,9 @@ from dipper_run.program import check_json
 
 from .motions import Motions
 
-ROCK_STEPS_PER_S = 2e6  # of one core, about (docs/benchmarks.md); only to guess before the first run is done
 # What a study removes of a run, by `keep`. A run's own page and its figures stay always.
 DROPPED = {"all": (), "record": HEAVY, "summary": (*HEAVY, "record.h5", "observed", "deck")}
-# Sizes, about: docs/study.md has what they are fitted on.
-RECORD_BYTES, RECORD_BYTES_A_WINDOW, MESSAGE_BYTES_A_WINDOW = 4.0e6, 0.75e3, 3.2e3
-DUMP_BYTES_A_ROCK, PAGE_BYTES = 400.0, 2e6
+PAGE_BYTES = 2e6  # of a run, about
 
 
 @dataclass(frozen=True)
@@ -74,21 +71,15 @@ class Planner:
         return self._told[point]
 
     def seconds(self, run):
-        """What a run may take on one core, guessed from its size."""
-        size = self._told[run.point]["size"]
-        return size["rocks"] * (size["steps"] + size["settle_steps"]) / ROCK_STEPS_PER_S / self.study.ranks
+        """What a run may take, its pile's settling with it."""
+        return self._told[run.point]["cost"]["wall_s"]
 
     def disk(self, run):
         """(bytes that stay, bytes more while it goes on), about."""
-        told = self._told[run.point]
-        size, keep = told["size"], self.study.keep
-        record = RECORD_BYTES + RECORD_BYTES_A_WINDOW * size["windows"]
-        dumps = DUMP_BYTES_A_ROCK * size["rocks"]
-        if keep == "all":
-            dumps *= size["simulated_s"] / float(told["values"].get("output.dump_every_s") or size["simulated_s"])
-        heavy = dumps + MESSAGE_BYTES_A_WINDOW * size["windows"]
-        stays = PAGE_BYTES + {"summary": 0, "record": record, "all": record + heavy}[keep]
-        return stays, PAGE_BYTES + record + heavy - stays
+        cost, keep = self._told[run.point]["cost"], self.study.keep
+        most = cost["disk_B"] - (0 if keep == "all" else cost["dumps_B"])  # such a run leaves its dumps out (QUIET)
+        stays = {"summary": 0, "record": cost["record_B"], "all": most}[keep]
+        return stays + PAGE_BYTES, most - stays
 
     def _words(self, point):
         return [word for s in self._settings[point] for word in ("--set", str(s))]

@@ -116,10 +116,7 @@ class SlurmQueue:
                      "--time", str(slurm.time_limit_min), "--signal", f"B:TERM@{warning}",
                      "--output", str(folder / "%a.log"), "--chdir", str(folder)]
             words += ["--partition", slurm.partition] if slurm.partition else []
-            # A run's ranks are all here: mpirun starts them itself, as Slurm's own way there is over the network, from
-            # which a run keeps apart.
-            _ask(*words, *slurm.options, given="#!/bin/sh\nexport OMPI_MCA_plm=isolated OMPI_MCA_ras=^slurm\n"
-                 f'export PYTHONPATH="{PACKAGES}"\n'
+            _ask(*words, *slurm.options, given=f'#!/bin/sh\nexport PYTHONPATH="{PACKAGES}"\n'
                  f'exec "{sys.executable}" -B -m dipper_run.worker "{folder}/jobs.json" "$SLURM_ARRAY_TASK_ID"\n')
 
     def _new_batch(self, jobs):

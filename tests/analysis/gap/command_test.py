@@ -18,7 +18,7 @@ SLOW = """#!/usr/bin/python3
 import os, pathlib, sys, time
 if sys.argv[1] in ("effects", "phases"): os.execv("REAL", sys.argv)
 if "--json" in sys.argv:
-    print('{"case_hash": "c", "source_hash": "s", "size": {"rocks": 1000, "steps": 9000, "settle_steps": 1000}}')
+    print('{"case_hash": "c", "source_hash": "s", "cost": {"settle_cpu_s": 1, "dig_cpu_s": 4}}')
 if sys.argv[1] == "run":
     folder = pathlib.Path(__file__).parent / "started"
     folder.mkdir(exist_ok=True)

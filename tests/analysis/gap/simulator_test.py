@@ -24,7 +24,7 @@ if words[0] == "check":
         case = pathlib.Path(words[2])
         said = (case / "case.yaml").read_bytes() + (case.parent / "rock.stl").read_bytes()
         print(json.dumps({"case_hash": hashlib.sha256(said).hexdigest(), "source_hash": (here / "sources").read_text(),
-                          "size": {"rocks": 1000, "steps": 9000, "settle_steps": 1000},
+                          "cost": {"settle_cpu_s": 1, "dig_cpu_s": 4},
                           "values": {"machine.drives": "limited" if b"limited" in said else "prescribed"}}))
     if "effects.fines=0.15" in words: print("too many fines"); sys.exit(2)
     sys.exit(0)

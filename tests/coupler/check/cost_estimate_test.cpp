@@ -24,16 +24,30 @@ testing::Matcher<double> about(double measured) {
 // The measured figures are those of docs/benchmarks.md, "What a run takes".
 TEST(CostEstimate, IsWhatRunsHaveTaken) {
   const test::Checkout checkout(true);
-  const CostEstimate quick = cost_estimate(load(checkout.folder(), {}));
-  EXPECT_THAT(quick.spheres, about(5701));
-  EXPECT_THAT(quick.dig_s, about(106 + 7));
-  EXPECT_THAT(quick.disk_B, about(184e6));
+  const CostEstimate narrow = cost_estimate(load(checkout.folder(), {}));
+  EXPECT_THAT(narrow.spheres, about(5701));
+  EXPECT_THAT(narrow.dig_s, about(106 + 7));
+  EXPECT_THAT(narrow.disk_B, about(184e6));
 
   const std::filesystem::path source = DIPPER_SOURCE;
+  const CostEstimate quick =
+      cost_estimate(load(source / "cases" / "quick", {{"machine.drives", "prescribed"}}));
+  EXPECT_THAT(quick.spheres, about(12607));
+  EXPECT_THAT(quick.dig_s, about(97 + 4.4 + 6.7));
+  EXPECT_THAT(quick.record_B, about(21e6));
+  EXPECT_THAT(quick.disk_B - quick.dumps_B, about(238e6 - 107e6));
+
   const CostEstimate aitik = cost_estimate(load(source / "cases" / "aitik", {{"end_s", "94.5"}}));
   EXPECT_THAT(aitik.spheres, about(207474));
   EXPECT_THAT(aitik.dig_s, about(5768 + 60));
   EXPECT_THAT(aitik.memory_B, about(0.68e9));
+}
+
+TEST(CostEstimate, AWindowCostsWhateverTheRockDoes) {
+  const std::filesystem::path quick = std::filesystem::path(DIPPER_SOURCE) / "cases" / "quick";
+  const double all = cost_estimate(load(quick, {{"coupling.sync_steps", "5"}})).dig_s,
+               half = cost_estimate(load(quick, {{"coupling.sync_steps", "10"}})).dig_s;
+  EXPECT_THAT(all - half, about((4.4 + 6.7) / 2));
 }
 
 TEST(CostEstimate, SaysHowLongOnRanks) {
