@@ -42,8 +42,8 @@ def mine(tmp_path_factory):
     work = tmp_path_factory.mktemp("live")
     model = work / "model"
     model.mkdir()
-    (model / "case.yaml").write_text(yaml.safe_dump(coarse(twin.model_case(), 4.0, 1.6e-3), sort_keys=False))
-    truth = coarse(twin.twin_case(), 3.6, 1.3e-3)
+    (model / "case.yaml").write_text(yaml.safe_dump(coarse(twin.model_case(), 5.0, 2e-3), sort_keys=False))
+    truth = coarse(twin.twin_case(), 4.5, 1.6e-3)
     run = twin.run(truth, 77, work / "truth", program())
     plan = make.Plan("effect", {}, {"crowd_friction": HIDDEN_KN})
     rng = np.random.default_rng(5)
