@@ -168,12 +168,14 @@ class Analysis(unittest.TestCase):
         self.media(prefers_color_scheme="dark")
         self.browser.run("""window.printed = null;
             addEventListener('afterprint', () => { window.left = document.documentElement.className; }, { once: true });
-            addEventListener('beforeprint', () => { window.printed = document.documentElement.className; }, { once: true });""")
+            addEventListener('beforeprint', () => { window.printed = document.documentElement.className;
+              window.widths = [...document.querySelectorAll('#before-after .uplot canvas')].map((c) => c.width / devicePixelRatio); }, { once: true });""")
         pdf = self.browser.driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": True})["data"]
         self.assertEqual(self.browser.run("return window.printed"), "paper")
         self.assertEqual(self.browser.run("return window.left"), "")
         pages = len(re.findall(rb"/Type\s*/Page\b", base64.b64decode(pdf)))
         self.assertTrue(2 <= pages <= 9, pages)
+        self.assertEqual(set(self.browser.run("return window.widths")), {340}, "a column's width, or what they say shrinks")
 
     def test_asks_for_nothing_over_the_network(self):
         outside = self.browser.run("return performance.getEntriesByType('resource').map((e) => e.name).filter((n) => !/^(data|blob):/.test(n))")
@@ -188,6 +190,8 @@ class Analysis(unittest.TestCase):
             wide = phone.run("""return [...document.querySelectorAll('main *')]
                 .filter((e) => e.getBoundingClientRect().right > 361 && !e.closest('.table, .plot')).map((e) => e.className || e.tagName)""")
             self.assertEqual(wide, [])
+            right = phone.run("return Math.max(...[...document.querySelectorAll('#disagreement td')].map((e) => e.getBoundingClientRect().right))")
+            self.assertLessEqual(right, 360, "a phase that is out of sight")
             small = phone.run("return [...document.querySelectorAll('.choice label')].filter((e) => e.getBoundingClientRect().height < 40).map((e) => e.textContent)")
             self.assertEqual(small, [], "too small for a thumb")
 

@@ -6,7 +6,8 @@ import { colour, onTheme, printing } from '../theme.js';
 import { STRIP, drawBands } from './bands.js';
 
 const FONT = '12px "IBM Plex Sans", system-ui, sans-serif';
-const PAPER = 700; // px: as wide as a sheet of A4 has room
+const PAPER = 700; // px: as wide as a sheet of A4 has room; two columns of it beside each other
+const COLUMN = 340;
 const TIME = 'time (s)';
 
 /// lines: [{label, values, colour, width, dash, fill, stepped, gaps, dots, around, unnamed}]; x and values are arrays of the
@@ -29,7 +30,8 @@ export function curve(x, lines, options) {
   let shown = 0;
   const draw = (width) => {
     plot?.destroy();
-    plot = new uPlot(settings(lines, around, given, printing() ? Math.min(width, PAPER) : width, showValues), data, box);
+    const room = printing() ? Math.min(width, box.closest('.two') ? COLUMN : PAPER) : width;
+    plot = new uPlot(settings(lines, around, given, room, showValues), data, box);
     if (given.clock) followClock(plot, given.clock);
   };
   onWidth(box, (width) => draw((shown = width)));
