@@ -15,6 +15,7 @@
 #include "coupler/dry/estimated_rock.hpp"
 #include "coupler/dry/machine_limits.hpp"
 #include "coupler/launch/interrupt.hpp"
+#include "coupler/run/drive_limits_met.hpp"
 #include "coupler/run/lone_machine.hpp"
 #include "coupler/run/pass_rows.hpp"
 #include "coupler/run/preparation.hpp"
@@ -167,6 +168,7 @@ run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& fo
       limit_uses(folder.record(), machine::load_machine(c.machine.model));
   json summary = summarise(c, rock, folder, limits, mbs_cpu_s);
   summary["status"] = "complete";
+  run::tell_drives(c, folder.record(), summary, reporter);
   std::ofstream out(folder.summary());
   out << summary.dump(2) << '\n';
   if (!out.flush()) throw std::runtime_error("cannot write " + folder.summary().string());

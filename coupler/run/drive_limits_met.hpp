@@ -2,20 +2,16 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "common/reporter.hpp"
+#include "coupler/case/case.hpp"
 
 namespace dipper::run {
 
-/// Over a whole run.
-struct DriveLimitsMet {
-  double path_time_s = 0;  ///< of the motion, where the run ended
-  double late_s = 0;       ///< the run's end less that
-  double hoist_saturated_s = 0, crowd_saturated_s = 0, swing_saturated_s = 0;
-  double ropes_slack_s = 0;
-  double crowd_relief_most_m = 0;  ///< by which the operator let the crowd back
-};
-
-/// Of the record of a run with limited drives (docs/drives.md). Throws std::runtime_error naming
-/// file and dataset.
-DriveLimitsMet drive_limits_met(const std::filesystem::path& record);
+/// Puts that, over the whole run, under "drives" into the summary of a case with limited drives
+/// (docs/drives.md), and tells the reporter. Throws std::runtime_error naming file and dataset.
+void tell_drives(const cases::Case& c, const std::filesystem::path& record,
+                 nlohmann::ordered_json& summary, Reporter& reporter);
 
 }  // namespace dipper::run

@@ -70,24 +70,6 @@ json achieved(const cases::Case& c, const RunFolder& folder) {
   return rock;
 }
 
-json describe(const DriveLimitsMet& d) {
-  return {{"path_time_s", d.path_time_s},
-          {"late_s", d.late_s},
-          {"hoist_saturated_s", d.hoist_saturated_s},
-          {"crowd_saturated_s", d.crowd_saturated_s},
-          {"swing_saturated_s", d.swing_saturated_s},
-          {"ropes_slack_s", d.ropes_slack_s},
-          {"crowd_relief_most_m", d.crowd_relief_most_m}};
-}
-
-void tell_drives(const DriveLimitsMet& d, Reporter& reporter) {
-  reporter.line(fmt::format(
-      "drives: {:.1f} s late; at their limit for {:.1f} s (hoist), {:.1f} s (crowd), {:.1f} s "
-      "(swing); the crowd let back by {:.2f} m at most",
-      d.late_s, d.hoist_saturated_s, d.crowd_saturated_s, d.swing_saturated_s,
-      d.crowd_relief_most_m));
-}
-
 json describe(const AchievedProfile& p) {
   return {{"below_profile_mean_m", p.below_mean_m},
           {"below_profile_most_m", p.below_most_m},
@@ -116,11 +98,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
         "{:.0f} deg",
         profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
   }
-  if (c.machine.drives == "limited") {
-    const DriveLimitsMet met = drive_limits_met(folder.record());
-    summary["drives"] = describe(met);
-    tell_drives(met, reporter);
-  }
+  tell_drives(c, folder.record(), summary, reporter);
   const std::vector<std::string> warnings = run_warnings(c, summary);
   summary["warnings"] = warnings;
   std::ofstream out(folder.summary());

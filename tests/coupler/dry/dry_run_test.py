@@ -15,7 +15,7 @@ from browser import Browser
 from runs import DIPPER, SOURCE, TINY, RunTest
 
 QUICK = SOURCE / "cases" / "quick"
-NARROW = SOURCE / "tests/coupler/case/narrow"  # cuts deeper than the crowd can
+NARROW = SOURCE / "tests/coupler/case/narrow"
 COARSE = ("--set", "coupling.sync_steps=20")  # the machine is as exact, and three times as fast
 
 
@@ -36,6 +36,8 @@ class DryRun(RunTest):
         self.assertNotIn("specific_dig_energy_J_kg", one, "nothing is loaded")
         self.assertEqual(max(summary["faces"][0]["up_m"]), 8.5, "the bench is where the dipper would dig")
         self.assertNotIn("above it", text, "an empty dipper asks no drive for too much")
+        self.assertIn("drives: 0.0 s late", text)
+        self.assertEqual(summary["drives"]["crowd_saturated_s"], 0)
         self.assertFalse((out / "dumps").exists(), "no rock, no frames")
         with h5py.File(out / "record.h5") as record:
             self.assertEqual(np.abs(record["bodies/dipper/wrench_mean"][:]).max(), 0)
@@ -44,7 +46,11 @@ class DryRun(RunTest):
 
     def test_against_the_estimate(self):
         out = self.folder / "rock"
-        text, _ = self.run_case(out, "--no-rock=estimate", *COARSE, case=NARROW)
+        machine = (SOURCE / "mbs/bucyrus495.yaml").read_text()
+        weak = self.folder / "weak.yaml"
+        weak.write_text(machine.replace("crowd_stall: {value: 3.0e6", "crowd_stall: {value: 2.4e6"))
+        self.assertNotEqual(weak.read_text(), machine)
+        text, _ = self.run_case(out, "--no-rock=estimate", *COARSE, "--set", f"machine.model={weak}", case=NARROW)
         summary = self.summary(out)
         (first,) = summary["passes"]
         # The struck volume at the pile's density, as the teeth sweep more than that.
@@ -122,7 +128,7 @@ class DryRun(RunTest):
         return done.stdout + done.stderr
 
     def test_path_of_the_teeth_becomes_a_motion_over_the_pile(self):
-        said = self.motion(SOURCE / "docs/data/path.csv")
+        said = self.motion(SOURCE / "docs/data/path.csv", "--set", "machine.drives=prescribed")
         self.assertIn("the points are reached at 0.0 5.4", said)
         self.assertIn("warning: swing_torque reaches", said)
         names = ("motion.csv", "quick-motion.html")
