@@ -21,6 +21,7 @@
 
 #include "common/gravity.hpp"
 #include "dem/rest_group.hpp"
+#include "dem/rock_dump.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -85,7 +86,8 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
       settings_(settings),
       comm_(comm),
       numbers_(std::move(numbers)),
-      parked_(lmp, numbers_),
+      dump_(RockDump::of(lmp)),
+      parked_(lmp, numbers_, dump_),
       policy_(settings, numbers_.size()),
       rocks_(numbers_.size()),
       checked_(lmp.update->ntimestep),
@@ -271,8 +273,7 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
   const std::int64_t now = lmp_.update->ntimestep;
   const double dt = lmp_.update->dt;
   follow_loads(static_cast<double>(now - std::exchange(followed_, now)) * dt);
-  // A dump shows all rock; it is written at the end of a step, within the window.
-  const bool frame = lmp_.output->next <= now + n_steps;
+  const bool frame = all_rock_is_written(now, now + n_steps);
   if (frame) unpark();
   if (static_cast<double>(now - checked_) * dt < settings_.check_s) return;
   if (!frame) checked_ = now;  // else the next window parks again
@@ -312,6 +313,19 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
   // What is disturbed stays so until the next look at who is.
   const std::uint8_t keep = gather ? 0 : rest_flag::disturbed;
   policy_.keep_flags(keep);
+}
+
+bool HoldRock::all_rock_is_written(std::int64_t from, std::int64_t until) const {
+  LAMMPS_NS::Output& output = *lmp_.output;
+  for (int k = 0; k < output.ndump; ++k) {
+    const LAMMPS_NS::Dump* dump = output.dump[k];
+    const bool of_walls = std::strncmp(dump->style, "mesh/", 5) == 0;
+    if (output.next_dump[k] <= until && dump != dump_ && !of_walls) return true;
+  }
+  bool restart = false;
+  for (std::int64_t step = from; step < until; ++step)
+    restart = restart || output.restart_requested(step + 1);
+  return restart;
 }
 
 void HoldRock::unpark() {

@@ -84,6 +84,9 @@ class HoldRock {
   };
   HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm,
            RockNumbers numbers);
+  /// In these steps LIGGGHTS writes rock by itself: a restart file of the deck's, or a dump other
+  /// than the one that knows of parked rock. It is written at the end of a step, within the window.
+  bool all_rock_is_written(std::int64_t from, std::int64_t until) const;
   void unpark();
   template <typename Visit>
   void for_each_rock(const Visit& visit) const;
@@ -104,6 +107,7 @@ class HoldRock {
   HoldSettings settings_;
   MPI_Comm comm_;
   RockNumbers numbers_;
+  RockDump* dump_;  ///< that shows parked rock, or null
   ParkedRock parked_;
   HoldPolicy policy_;
   double largest_m_ = 0;           ///< radius of the largest sphere

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "dem/rock_dump.hpp"
+
 namespace dipper::dem {
 
 using LAMMPS_NS::Atom;
@@ -83,14 +85,19 @@ RockNumbers::RockNumbers(LAMMPS_NS::LAMMPS& lmp) {
     rock_[tag] = body[tag] < 0 ? tag : of_body(body[tag]);
 }
 
-ParkedRock::ParkedRock(LAMMPS_NS::LAMMPS& lmp, const RockNumbers& numbers)
-    : lmp_(lmp), numbers_(numbers), bodies_(multisphere_of(lmp)), history_(nullptr) {
+ParkedRock::ParkedRock(LAMMPS_NS::LAMMPS& lmp, const RockNumbers& numbers, RockDump* dump)
+    : lmp_(lmp), numbers_(numbers), dump_(dump), bodies_(multisphere_of(lmp)), history_(nullptr) {
   for (int k = 0; k < lmp.modify->nfix; ++k)
     if (std::strcmp(lmp.modify->fix[k]->style, "contacthistory") == 0)
       history_ = static_cast<FixContactHistory*>(lmp.modify->fix[k]);
   if (history_ == nullptr)
     throw std::runtime_error(
         "rock at rest can be held only with a contact model that has history (tangential history)");
+  if (dump_ != nullptr) dump_->show(this);
+}
+
+ParkedRock::~ParkedRock() {
+  if (dump_ != nullptr) dump_->show(nullptr);
 }
 
 void ParkedRock::change(const std::vector<Rest>& rest) {
@@ -104,23 +111,28 @@ void ParkedRock::change(const std::vector<Rest>& rest) {
 
 void ParkedRock::take_out(const std::vector<Rest>& rest) {
   Atom* atom = lmp_.atom;
+  std::vector<int> leaving;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (rest[numbers_.of_sphere(atom->tag[i])] == Rest::parked) leaving.push_back(i);
+  const std::vector<double> rows = dump_ == nullptr ? std::vector<double>{} : dump_->rows(leaving);
+  const std::size_t width = dump_ == nullptr ? 0 : dump_->width();
   const int most = lmp_.comm->maxexchange_atom + lmp_.comm->maxexchange_fix + 4096;
   std::vector<double> buffer(static_cast<std::size_t>(most));
-  const auto packed = [&](int n) {
-    return std::vector<double>(buffer.begin(), buffer.begin() + n);
-  };
-  for (int i = 0; i < atom->nlocal;) {
+  auto row = rows.begin();
+  for (const int i : leaving) {
     const std::size_t rock = numbers_.of_sphere(atom->tag[i]);
-    if (rest[rock] != Rest::parked) {
-      ++i;
-      continue;
-    }
     const Vector3d p_W = Eigen::Map<const Vector3d>(atom->x[i]);
     const int n = atom->avec->pack_exchange(i, buffer.data());
-    spheres_.push_back({rock, p_W, atom->radius[i], packed(n)});
+    const auto end = row + static_cast<std::ptrdiff_t>(width);
+    spheres_.push_back(
+        {rock, p_W, atom->radius[i], {buffer.begin(), buffer.begin() + n}, {row, end}});
+    row = end;
     if (rock == static_cast<std::size_t>(atom->tag[i]))
       masses_.push_back({rock, p_W, atom->rmass[i], {}});
-    atom->avec->copy(atom->nlocal - 1, i, 1);
+  }
+  // From the last on, so that what takes a leaving sphere's place stays.
+  for (auto i = leaving.rbegin(); i != leaving.rend(); ++i) {
+    atom->avec->copy(atom->nlocal - 1, *i, 1);
     --atom->nlocal;
   }
   if (bodies_ == nullptr) return;
@@ -199,6 +211,7 @@ void ParkedRock::save(ByteWriter& out) const {
     for (int k = 0; k < 3; ++k) out.put(s.p_W[k]);
     out.put(s.radius_m);
     out.put_all(s.packed);
+    out.put_all(s.shown);
   }
   out.put(masses_.size());
   for (const Mass& m : masses_) {
@@ -230,6 +243,10 @@ void ParkedRock::load(ByteReader& in) {
     s.p_W = vector();
     s.radius_m = in.get<double>();
     s.packed = in.get_all<double>();
+    s.shown = in.get_all<double>();
+    if (s.shown.size() != (dump_ == nullptr ? 0 : dump_->width()))
+      throw std::runtime_error(
+          "the deck's dump has other columns than the one it was written with");
   }
   masses_.resize(in.get<std::size_t>());
   for (Mass& m : masses_) {

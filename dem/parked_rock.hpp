@@ -16,6 +16,8 @@ class Multisphere;
 
 namespace dipper::dem {
 
+class RockDump;
+
 /// The fix that moves the multispheres; null when the deck has none.
 LAMMPS_NS::FixMultisphere* multisphere_of(LAMMPS_NS::LAMMPS& lmp);
 
@@ -56,6 +58,7 @@ class ParkedRock {
     Vector3d p_W;
     double radius_m;
     std::vector<double> packed;
+    std::vector<double> shown;  ///< its row in the dump, if there is one
   };
   /// A rock's mass, where it is weighed.
   struct Mass {
@@ -65,7 +68,11 @@ class ParkedRock {
     std::vector<double> packed;  ///< of a body; a single sphere's is with the sphere
   };
 
-  ParkedRock(LAMMPS_NS::LAMMPS& lmp, const RockNumbers& numbers);
+  /// \param dump  that shows it; null for none
+  ParkedRock(LAMMPS_NS::LAMMPS& lmp, const RockNumbers& numbers, RockDump* dump);
+  ~ParkedRock();
+  ParkedRock(const ParkedRock&) = delete;
+  ParkedRock& operator=(const ParkedRock&) = delete;
 
   /// Makes the rock in LIGGGHTS that which is not `parked` in `rest`. To be called between the
   /// storing of contact history (Modify::setup_pre_exchange) and the building of lists, both by the
@@ -88,6 +95,7 @@ class ParkedRock {
 
   LAMMPS_NS::LAMMPS& lmp_;
   const RockNumbers& numbers_;
+  RockDump* dump_;
   LAMMPS_NS::FixMultisphere* bodies_;
   LAMMPS_NS::FixContactHistory* history_;
   std::vector<Sphere> spheres_;
