@@ -80,7 +80,7 @@ class Hosts:
             self._until_reached()
 
     def _until_reached(self):
-        """A link carries nothing for up to a second or so after it is set up."""
+        """What asked for a host while its cable was out is told up to a second after it is in that there is none."""
         for host in NAMES.values():
             subprocess.run(self.command(host, [sys.executable, "-c", ASK, *NAMES]), check=True, timeout=60)
 
