@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dipper::dem {
 
@@ -114,9 +115,60 @@ void NearLists::fill_levels() {
   }
 }
 
+void NearLists::find_pairs() {
+  const int local = atom->nlocal;
+  pairs_.clear();
+  first_pair_.assign(static_cast<std::size_t>(local) + 1, 0);
+  const auto look = [&](const Near& a, const Near* b, const Near* end) {
+    for (; b < end; ++b) {
+      const double dx = a.x - b->x, dy = a.y - b->y, dz = a.z - b->z;
+      const double cut = (a.radius + b->radius) * contactDistanceFactor + skin;
+      if (dx * dx + dy * dy + dz * dz > cut * cut) continue;
+      const auto [i, j] = std::minmax(a.index, b->index);
+      if (i >= local) continue;
+      if (exclude && exclusion(i, j, atom->type[i], atom->type[j], atom->mask, atom->molecule))
+        continue;
+      pairs_.emplace_back(i, j);
+      ++first_pair_[static_cast<std::size_t>(i) + 1];
+    }
+  };
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    for (const Near& a : levels_[l].spheres) {
+      const double x[3] = {a.x, a.y, a.z};
+      for (std::size_t m = l; m < levels_.size(); ++m) {
+        const Level& level = levels_[m];
+        if (level.spheres.empty()) continue;
+        const double reach = (a.radius + level.largest_m) * contactDistanceFactor + skin;
+        int lo[3], hi[3];
+        for (int k = 0; k < 3; ++k) {
+          lo[k] = level.bin(k, x[k] - reach);
+          hi[k] = level.bin(k, x[k] + reach);
+        }
+        const auto row_of = [&](int y, int z) { return (z * level.n[1] + y) * level.n[0]; };
+        // Of its own level it looks at what lies behind it, as the others look at it.
+        const int own = m == l ? row_of(level.bin(1, a.y), level.bin(2, a.z)) : -1;
+        for (int z = lo[2]; z <= hi[2]; ++z) {
+          for (int y = lo[1]; y <= hi[1]; ++y) {
+            const int row = row_of(y, z);
+            if (row < own) continue;
+            const Near* const all = level.spheres.data();
+            look(a, row == own ? &a + 1 : all + level.first[row + lo[0]],
+                 all + level.first[row + hi[0] + 1]);
+          }
+        }
+      }
+    }
+  }
+  for (std::size_t i = 1; i < first_pair_.size(); ++i) first_pair_[i] += first_pair_[i - 1];
+  near_.resize(pairs_.size());
+  std::vector<std::size_t> next(first_pair_.begin(), first_pair_.end() - 1);
+  for (const auto& [i, j] : pairs_) near_[next[static_cast<std::size_t>(i)]++] = j;
+}
+
 void NearLists::build_near(LAMMPS_NS::NeighList* list) {
   bin_atoms();  // the lists of the walls look there
   fill_levels();
+  find_pairs();
   LAMMPS_NS::FixContactHistory* history = list->fix_history;
   LAMMPS_NS::NeighList* contacts = list->listgranhistory;
   const int width = history != nullptr ? contacts->dnum : 0;
@@ -127,39 +179,15 @@ void NearLists::build_near(LAMMPS_NS::NeighList* list) {
   }
   for (int i = 0; i < atom->nlocal; ++i) {
     const double *x = atom->x[i], r = atom->radius[i];
-    int* const near = list->ipage->vget();
-    int count = 0;
-    for (const Level& level : levels_) {
-      if (level.spheres.empty()) continue;
-      const double reach = (r + level.largest_m) * contactDistanceFactor + skin;
-      int lo[3], hi[3];
-      for (int k = 0; k < 3; ++k) {
-        lo[k] = level.bin(k, x[k] - reach);
-        hi[k] = level.bin(k, x[k] + reach);
-      }
-      for (int z = lo[2]; z <= hi[2]; ++z) {
-        for (int y = lo[1]; y <= hi[1]; ++y) {
-          const int row = (z * level.n[1] + y) * level.n[0];
-          const Near* const end = &level.spheres[0] + level.first[row + hi[0] + 1];
-          for (const Near* s = &level.spheres[0] + level.first[row + lo[0]]; s < end; ++s) {
-            const double dx = x[0] - s->x, dy = x[1] - s->y, dz = x[2] - s->z;
-            const double cut = (r + s->radius) * contactDistanceFactor + skin;
-            if (dx * dx + dy * dy + dz * dz > cut * cut || s->index <= i) continue;
-            if (exclude && exclusion(i, s->index, atom->type[i], atom->type[s->index], atom->mask,
-                                     atom->molecule))
-              continue;
-            near[count++] = s->index;
-            if (count == oneatom)
-              error->one(FLERR, "Neighbor list overflow, boost neigh_modify one");
-          }
-        }
-      }
-    }
+    const auto row = static_cast<std::size_t>(i);
+    const auto count = static_cast<int>(first_pair_[row + 1] - first_pair_[row]);
+    if (count >= oneatom) error->one(FLERR, "Neighbor list overflow, boost neigh_modify one");
+    int* const near = list->ipage->get(count);
+    std::copy_n(&near_[0] + first_pair_[row], count, near);
     std::sort(near, near + count);
     list->ilist[i] = i;
     list->firstneigh[i] = near;
     list->numneigh[i] = count;
-    list->ipage->vgot(count);
     if (history == nullptr) continue;
     int* const touches = contacts->ipage->get(count);
     double* const values = contacts->dpage->get(width * count);

@@ -3,6 +3,7 @@
 
 #include <neighbor.h>
 
+#include <utility>
 #include <vector>
 
 namespace dipper::dem {
@@ -46,11 +47,16 @@ class NearLists final : public LAMMPS_NS::Neighbor {
   };
 
   void fill_levels();
+  /// Every pair within reach once, below the sphere of lower index.
+  void find_pairs();
   void build_near(LAMMPS_NS::NeighList* list);
   double farthest() const;
 
   std::vector<Level> levels_;
-  double moved_ = 0;  ///< at most, since lists were built [m]
+  std::vector<std::pair<int, int>> pairs_;  ///< as found
+  std::vector<std::size_t> first_pair_;     ///< in near_, of each sphere of this rank
+  std::vector<int> near_;                   ///< the other sphere of each pair
+  double moved_ = 0;                        ///< at most, since lists were built [m]
   bool known_ = false;
 };
 
