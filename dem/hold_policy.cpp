@@ -40,41 +40,55 @@ Reach::Reach(std::vector<Mover> movers, double largest_m) {
   // A rock far off must not ask for many cells.
   const double most = 8.0 * static_cast<double>(movers.size()) + 1000;
   double count = 0;
-  for (cell_m_ = std::max(reach + largest_m, 1e-3);; cell_m_ *= 1.25) {
-    const Eigen::Array3d n = (box_.sides_m().array() / cell_m_).floor() + 1;
+  for (cell_m_ = std::max((reach + largest_m) / kAround, 1e-3);; cell_m_ *= 1.25) {
+    const Eigen::Array3d n = (box_.sides_m().array() / cell_m_).floor() + 1 + 2 * kAround;
     count = n.prod();
     if (count > most) continue;
     for (int k = 0; k < 3; ++k) cells_[k] = static_cast<int>(n[k]);
     break;
   }
+  box_.min_m.array() -= kAround * cell_m_;
   first_.assign(static_cast<std::size_t>(count) + 1, 0);
   std::vector<std::size_t> cell_of;
   cell_of.reserve(movers.size());
   for (const Mover& m : movers) {
-    const int row = cell(2, m.z) * cells_[1] + cell(1, m.y);
-    cell_of.push_back(static_cast<std::size_t>(row * cells_[0] + cell(0, m.x)));
+    cell_of.push_back(at(cell(0, m.x), cell(1, m.y), cell(2, m.z)));
     ++first_[cell_of.back() + 1];
+  }
+  // Along each axis in turn, so that a cell hears of all movers around it.
+  near_.assign(static_cast<std::size_t>(count), 0);
+  for (std::size_t c = 0; c < near_.size(); ++c) near_[c] = first_[c + 1] > 0 ? 1 : 0;
+  for (const int stride : {1, cells_[0], cells_[0] * cells_[1]}) {
+    const std::vector<char> was = near_;
+    for (std::size_t way = 1; way <= kAround; ++way) {
+      const std::size_t apart = way * static_cast<std::size_t>(stride);
+      for (std::size_t c = apart; c < near_.size(); ++c) {
+        near_[c] |= was[c - apart];
+        near_[c - apart] |= was[c];
+      }
+    }
   }
   for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
   movers_.resize(movers.size());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t m = 0; m < movers.size(); ++m) movers_[next[cell_of[m]]++] = movers[m];
 }
 
 int Reach::cell(int axis, double x) const {
-  const double at = std::floor((x - box_.min_m[axis]) / cell_m_);
-  return static_cast<int>(std::clamp(at, -2.0, cells_[axis] + 1.0));
+  const double i = std::floor((x - box_.min_m[axis]) / cell_m_);
+  return static_cast<int>(std::clamp(i, -1.0, static_cast<double>(cells_[axis])));
 }
 
 bool Reach::touches(const Vector3d& p, double radius_m) const {
+  if (movers_.empty()) return false;
   const int i = cell(0, p.x()), j = cell(1, p.y()), k = cell(2, p.z());
-  const int from = std::max(i - 1, 0), to = std::min(i + 1, cells_[0] - 1);
-  if (from > to) return false;
-  for (int c = std::max(k - 1, 0); c <= std::min(k + 1, cells_[2] - 1); ++c)
-    for (int b = std::max(j - 1, 0); b <= std::min(j + 1, cells_[1] - 1); ++b) {
-      const auto row = static_cast<std::size_t>((c * cells_[1] + b) * cells_[0]);
-      const std::size_t end = first_[row + static_cast<std::size_t>(to) + 1];
-      for (std::size_t n = first_[row + static_cast<std::size_t>(from)]; n < end; ++n) {
+  const auto inside = [&](int c, int axis) { return c >= 0 && c < cells_[axis]; };
+  if (!inside(i, 0) || !inside(j, 1) || !inside(k, 2) || near_[at(i, j, k)] == 0) return false;
+  const int from = std::max(i - kAround, 0), to = std::min(i + kAround, cells_[0] - 1);
+  for (int c = std::max(k - kAround, 0); c <= std::min(k + kAround, cells_[2] - 1); ++c)
+    for (int b = std::max(j - kAround, 0); b <= std::min(j + kAround, cells_[1] - 1); ++b) {
+      const std::uint32_t end = first_[at(to, b, c) + 1];
+      for (std::uint32_t n = first_[at(from, b, c)]; n < end; ++n) {
         const Mover& m = movers_[n];
         const double reach = radius_m + m.radius_m + m.gap_m;
         if ((Vector3d(m.x, m.y, m.z) - p).squaredNorm() < reach * reach) return true;

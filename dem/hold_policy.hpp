@@ -63,8 +63,9 @@ struct Mover {
   double x, y, z, radius_m, gap_m;
 };
 
-/// Tells what is within the gap of a mover. Movers are sorted into cells at least as wide as the
-/// largest reach, x running fastest, so a question looks at nine rows of three.
+/// Tells what is within the gap of a mover. Movers are sorted into cells half as wide as the
+/// largest reach, x running fastest; a question looks at the rows of five around its cell, and at
+/// none where all of them are known to be empty.
 class Reach {
  public:
   /// \param largest_m  radius of the largest sphere that will be asked about
@@ -72,12 +73,17 @@ class Reach {
   bool touches(const Vector3d& p, double radius_m) const;
 
  private:
+  static constexpr int kAround = 2;  ///< cells
   int cell(int axis, double x) const;
-  Box box_;  ///< of the movers' centres
+  std::size_t at(int i, int j, int k) const {
+    return static_cast<std::size_t>((k * cells_[1] + j) * cells_[0] + i);
+  }
+  Box box_;  ///< of the movers' centres, with kAround cells more
   double cell_m_ = 1;
   int cells_[3] = {0, 0, 0};
-  std::vector<std::size_t> first_;  ///< mover of each cell
-  std::vector<Mover> movers_;       ///< cell by cell
+  std::vector<std::uint32_t> first_;  ///< mover of each cell
+  std::vector<char> near_;            ///< whether a mover is within kAround cells of it
+  std::vector<Mover> movers_;         ///< cell by cell
 };
 
 /// What the rules keep of one rock; the same on every rank, but for flags until they are joined.
