@@ -225,21 +225,46 @@ void Batch::store(const Pass& p) {
   n = 0;
 }
 
-void gather(const LAMMPS_NS::Atom& atom, std::vector<Sphere>& to) {
-  to.resize(static_cast<std::size_t>(atom.nlocal) + atom.nghost);
-  const double *x = atom.x[0], *v = atom.v[0], *omega = atom.omega[0];
-  for (Sphere& s : to) {
-    const std::ptrdiff_t i = &s - to.data();
-    for (int k = 0; k < 3; ++k) {
-      s.x[k] = x[3 * i + k];
-      s.v[k] = v[3 * i + k];
-      s.omega[k] = omega[3 * i + k];
+/// Of the spheres that move; of all, and who moves, once lists are `renewed`: who rests, with the
+/// mask bit `resting`, changes only then.
+class Gathered {
+ public:
+  const Sphere* now(const LAMMPS_NS::Atom& atom, bool renewed, int resting) {
+    if (renewed) take_all(atom, resting);
+    const double *x = atom.x[0], *v = atom.v[0], *omega = atom.omega[0];
+    for (const int i : moving_) {
+      Sphere& s = spheres_[static_cast<std::size_t>(i)];
+      for (int k = 0; k < 3; ++k) {
+        s.x[k] = x[3 * i + k];
+        s.v[k] = v[3 * i + k];
+        s.omega[k] = omega[3 * i + k];
+      }
     }
-    s.radius = atom.radius[i];
-    s.mass = atom.rmass[i];
-    s.type = atom.type[i];
+    return spheres_.data();
   }
-}
+
+ private:
+  void take_all(const LAMMPS_NS::Atom& atom, int resting) {
+    const int all = atom.nlocal + atom.nghost;
+    spheres_.resize(static_cast<std::size_t>(all));
+    moving_.clear();
+    for (int i = 0; i < all; ++i) {
+      Sphere& s = spheres_[static_cast<std::size_t>(i)];
+      for (int k = 0; k < 3; ++k) {
+        s.x[k] = atom.x[i][k];
+        s.v[k] = atom.v[i][k];
+        s.omega[k] = atom.omega[i][k];
+      }
+      s.radius = atom.radius[i];
+      s.mass = atom.rmass[i];
+      s.type = atom.type[i];
+      if ((atom.mask[i] & resting) == 0) moving_.push_back(i);
+    }
+  }
+
+  std::vector<Sphere> spheres_;  ///< ghosts too
+  std::vector<int> moving_;
+};
 
 void add_forces(const Pass& p, const std::vector<ClosePair>& pairs) {
   static Batch batch;  // what is left of earlier contacts fills a last batch
@@ -311,8 +336,8 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
     pair->evflag = pair->vflag_fdotr = 0;
     const LAMMPS_NS::Neighbor& lists = *lmp_.neighbor;
     if (lists.ago == 0) resting_ = resting();  // who rests changes only as lists are built
-    gather(*lmp_.atom, spheres_);
-    add_forces({*lmp_.atom, spheres_.data(), *pair->listgranhistory, laws_, types_, pair->dnum(),
+    const Sphere* spheres = gathered_.now(*lmp_.atom, lists.ago == 0, resting_);
+    add_forces({*lmp_.atom, spheres, *pair->listgranhistory, laws_, types_, pair->dnum(),
                 lmp_.update->dt, limit_, pair->shearupdate() != 0},
                close_.now(*lmp_.atom, *pair->list, *pair->listgranhistory, lists.skin * kCloseness,
                           lists.ago == 0, resting_));
@@ -347,7 +372,7 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
   int resting_ = 0;          ///< mask bit of kRestGroup; 0: there is none
   double** tables_[6] = {};  ///< LIGGGHTS's
   std::vector<Law> laws_;
-  std::vector<Sphere> spheres_;
+  Gathered gathered_;
   ClosePairs close_;
 };
 

@@ -4,6 +4,7 @@
 #include <atom_vec.h>
 #include <domain.h>
 #include <fix_multisphere.h>
+#include <group.h>
 #include <lammps.h>
 #include <neighbor.h>
 
@@ -11,6 +12,8 @@
 #include <cstdint>
 #include <tuple>
 #include <vector>
+
+#include "dem/rest_group.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -75,16 +78,28 @@ void order_rock(LAMMPS_NS::LAMMPS& lmp, LAMMPS_NS::FixMultisphere& fix) {
   auto& bodies = fix.data();
   const Curve curve(lmp);
 
-  using Key = std::tuple<std::uint64_t, int, int>;  // place, body, sphere
+  const int rest = lmp.group->find(kRestGroup);
+  const int resting = rest < 0 ? 0 : lmp.group->bitmask[rest];
+
+  using Key = std::tuple<bool, std::uint64_t, int, int>;  // rests, place, body, sphere
   std::vector<Key> of_body, of_sphere;
   for (int b = 0; b < bodies.n_body(); ++b) {
     double x[3];
     bodies.xcm(x, b);
-    of_body.emplace_back(curve(x), bodies.tag(b), 0);
+    of_body.emplace_back(false, curve(x), bodies.tag(b), 0);
   }
+  const auto body_of = [&](int i) {
+    const int tag = fix.belongs_to(i);
+    return tag < 0 ? -1 : bodies.map(tag);
+  };
+  for (int i = 0; i < atom.nlocal; ++i)
+    if (const int b = body_of(i); b >= 0)
+      std::get<bool>(of_body[b]) = (atom.mask[i] & resting) != 0;
   for (int i = 0; i < atom.nlocal; ++i) {
-    const int body = fix.belongs_to(i), b = body < 0 ? -1 : bodies.map(body);
-    of_sphere.emplace_back(b < 0 ? curve(atom.x[i]) : std::get<0>(of_body[b]), body, atom.tag[i]);
+    const int b = body_of(i);
+    const bool rests = (atom.mask[i] & resting) != 0;
+    const auto place = b < 0 ? curve(atom.x[i]) : std::get<std::uint64_t>(of_body[b]);
+    of_sphere.emplace_back(rests, place, fix.belongs_to(i), atom.tag[i]);
   }
 
   bodies.prop().addUninitializedElement();
