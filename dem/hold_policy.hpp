@@ -76,7 +76,8 @@ class Reach {
   static constexpr int kAround = 2;  ///< cells
   int cell(int axis, double x) const;
   std::size_t at(int i, int j, int k) const {
-    return static_cast<std::size_t>((k * cells_[1] + j) * cells_[0] + i);
+    const int c = (k * cells_[1] + j) * cells_[0] + i;
+    return static_cast<std::size_t>(c);
   }
   Box box_;  ///< of the movers' centres, with kAround cells more
   double cell_m_ = 1;

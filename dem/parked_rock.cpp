@@ -246,7 +246,7 @@ void ParkedRock::load(ByteReader& in) {
     s.shown = in.get_all<double>();
     if (s.shown.size() != (dump_ == nullptr ? 0 : dump_->width()))
       throw std::runtime_error(
-          "the deck's dump has other columns than the one it was written with");
+          "it was written by another version, or with other columns in the deck's dump");
   }
   masses_.resize(in.get<std::size_t>());
   for (Mass& m : masses_) {

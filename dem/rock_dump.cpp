@@ -12,8 +12,6 @@
 
 namespace dipper::dem {
 
-using LAMMPS_NS::DumpCustom;
-
 RockDump* RockDump::of(LAMMPS_NS::LAMMPS& lmp) {
   const LAMMPS_NS::Output& output = *lmp.output;
   for (int k = 0; k < output.ndump; ++k)

@@ -28,7 +28,7 @@ inline mesh::TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vector3d&
 /// n rings of 2n facets between the poles, corners on the sphere of radius r [m] about the origin.
 inline mesh::TriangleMesh sphere(double r, int n) {
   mesh::TriangleMesh mesh;
-  const auto ring = static_cast<std::size_t>(2 * n), south = ring * (ring / 2 - 1) + 1;
+  const auto ring = 2 * static_cast<std::size_t>(n), south = ring * (ring / 2 - 1) + 1;
   mesh.vertices.emplace_back(0, 0, r);
   for (int i = 1; i < n; ++i)
     for (int j = 0; j < 2 * n; ++j) {
