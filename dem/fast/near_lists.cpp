@@ -183,7 +183,7 @@ void NearLists::build_near(LAMMPS_NS::NeighList* list) {
     const auto count = static_cast<int>(first_pair_[row + 1] - first_pair_[row]);
     if (count >= oneatom) error->one(FLERR, "Neighbor list overflow, boost neigh_modify one");
     int* const near = list->ipage->get(count);
-    std::copy_n(&near_[0] + first_pair_[row], count, near);
+    std::copy_n(near_.data() + first_pair_[row], count, near);
     std::sort(near, near + count);
     list->ilist[i] = i;
     list->firstneigh[i] = near;
