@@ -104,7 +104,7 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
   if (const int group = lmp.group->find(kLayerGroup); group >= 0)
     layer_ = lmp.group->bitmask[group];
   lmp.input->one(fmt::format("group {} subtract all all", kRestGroup).c_str());  // empty, if new
-  resting_ = lmp.group->bitmask[lmp.group->find(kRestGroup)];
+  resting_ = rest_bit(lmp);
 }
 
 HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm)

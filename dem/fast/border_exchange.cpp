@@ -4,7 +4,6 @@
 #include <atom_vec.h>
 #include <comm.h>
 #include <fix_multisphere.h>
-#include <group.h>
 #include <lammps.h>
 #include <mpi.h>
 
@@ -51,8 +50,7 @@ bool BorderExchange::renew(LAMMPS_NS::FixMultisphere& bodies) {
   if (comm.*OpenComm::swaps != 2 || comm.ghost_velocity == 0 ||
       kind.size_forward + kind.size_velocity != kPlaceAndVelocities)
     return false;
-  const int group = lmp_.group->find(kRestGroup);
-  const int resting = group < 0 ? 0 : lmp_.group->bitmask[group];
+  const int resting = rest_bit(lmp_);
   for (int s = 0; s < 2; ++s) {
     Swap swap{(comm.*OpenComm::to)[s], (comm.*OpenComm::from)[s], {}, {}, {}, {}};
     const int* list = (comm.*OpenComm::list)[s];

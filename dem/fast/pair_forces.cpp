@@ -7,7 +7,6 @@
 #include <fix_mesh_surface.h>
 #include <force.h>
 #include <global_properties.h>
-#include <group.h>
 #include <lammps.h>
 #include <modify.h>
 #include <neigh_list.h>
@@ -230,35 +229,35 @@ void Batch::store(const Pass& p) {
 class Gathered {
  public:
   const Sphere* now(const LAMMPS_NS::Atom& atom, bool renewed, int resting) {
-    if (renewed) take_all(atom, resting);
-    const double *x = atom.x[0], *v = atom.v[0], *omega = atom.omega[0];
-    for (const int i : moving_) {
-      Sphere& s = spheres_[static_cast<std::size_t>(i)];
-      for (int k = 0; k < 3; ++k) {
-        s.x[k] = x[3 * i + k];
-        s.v[k] = v[3 * i + k];
-        s.omega[k] = omega[3 * i + k];
-      }
-    }
+    if (renewed) begin(atom, resting);
+    for (const int i : moving_) take(atom, i);
     return spheres_.data();
   }
 
  private:
-  void take_all(const LAMMPS_NS::Atom& atom, int resting) {
+  void begin(const LAMMPS_NS::Atom& atom, int resting) {
     const int all = atom.nlocal + atom.nghost;
     spheres_.resize(static_cast<std::size_t>(all));
     moving_.clear();
     for (int i = 0; i < all; ++i) {
       Sphere& s = spheres_[static_cast<std::size_t>(i)];
-      for (int k = 0; k < 3; ++k) {
-        s.x[k] = atom.x[i][k];
-        s.v[k] = atom.v[i][k];
-        s.omega[k] = atom.omega[i][k];
-      }
       s.radius = atom.radius[i];
       s.mass = atom.rmass[i];
       s.type = atom.type[i];
-      if ((atom.mask[i] & resting) == 0) moving_.push_back(i);
+      if ((atom.mask[i] & resting) == 0)
+        moving_.push_back(i);
+      else
+        take(atom, i);
+    }
+  }
+
+  void take(const LAMMPS_NS::Atom& atom, int i) {
+    Sphere& s = spheres_[static_cast<std::size_t>(i)];
+    const double *x = atom.x[0] + 3 * i, *v = atom.v[0] + 3 * i, *omega = atom.omega[0] + 3 * i;
+    for (int k = 0; k < 3; ++k) {
+      s.x[k] = x[k];
+      s.v[k] = v[k];
+      s.omega[k] = omega[k];
     }
   }
 
@@ -335,7 +334,7 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
     if (!known) return Granular::compute_force(pair, energy, virial, add);
     pair->evflag = pair->vflag_fdotr = 0;
     const LAMMPS_NS::Neighbor& lists = *lmp_.neighbor;
-    if (lists.ago == 0) resting_ = resting();  // who rests changes only as lists are built
+    if (lists.ago == 0) resting_ = rest_bit(lmp_);  // who rests changes only as lists are built
     const Sphere* spheres = gathered_.now(*lmp_.atom, lists.ago == 0, resting_);
     add_forces({*lmp_.atom, spheres, *pair->listgranhistory, laws_, types_, pair->dnum(),
                 lmp_.update->dt, limit_, pair->shearupdate() != 0},
@@ -344,11 +343,6 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
   }
 
  private:
-  int resting() const {
-    const int known = lmp_.group->find(kRestGroup);
-    return known < 0 ? 0 : lmp_.group->bitmask[known];
-  }
-
   void read_laws() {
     const int n = types_ = lmp_.force->registry.max_type() + 1;  // the tables' own length
     laws_.assign(static_cast<std::size_t>(n) * n, Law{});

@@ -4,7 +4,6 @@
 #include <atom_vec.h>
 #include <domain.h>
 #include <fix_multisphere.h>
-#include <group.h>
 #include <lammps.h>
 #include <neighbor.h>
 
@@ -78,9 +77,7 @@ void order_rock(LAMMPS_NS::LAMMPS& lmp, LAMMPS_NS::FixMultisphere& fix) {
   auto& bodies = fix.data();
   const Curve curve(lmp);
 
-  const int rest = lmp.group->find(kRestGroup);
-  const int resting = rest < 0 ? 0 : lmp.group->bitmask[rest];
-
+  const int resting = rest_bit(lmp);
   using Key = std::tuple<bool, std::uint64_t, int, int>;  // rests, place, body, sphere
   std::vector<Key> of_body, of_sphere;
   for (int b = 0; b < bodies.n_body(); ++b) {
