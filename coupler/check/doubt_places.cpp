@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/angles.hpp"
 #include "common/mesh/signed_distance.hpp"
 #include "common/seconds.hpp"
 #include "coupler/case/bench_surface.hpp"
@@ -10,11 +11,13 @@
 #include "coupler/check/doubt_parts.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "machine/door.hpp"
+#include "machine/return_legs.hpp"
 
 namespace dipper::check {
 namespace {
 
 constexpr double kDeep_m = 0.1;                   ///< overlap that is no matter of a facet
+constexpr double kTurning_rad_s = 0.02;           ///< a swing that is not over
 constexpr std::int64_t kSample_ns = 100'000'000;  ///< the dipper goes some 0.3 m meanwhile
 
 /// Height of the bench's surface; the ground's 0 elsewhere.
@@ -109,12 +112,29 @@ void doubt_the_dump(const CaseParts& parts, std::vector<Finding>& doubts) {
   }
 }
 
+/// Where rock is felt again on the way back.
+void doubt_the_return(const CaseParts& parts, std::vector<Finding>& doubts) {
+  if (parts.c.machine.contact_on_return != "off") return;
+  for (const machine::ReturnLeg& leg : machine::return_legs(parts.motion)) {
+    const double turns_rad_s = std::abs(parts.motion.rate(leg.end_ns).swing);
+    if (turns_rad_s <= kTurning_rad_s) continue;
+    doubts.push_back(cases::finding_at(
+        parts.c, "machine.motion",
+        fmt::format("the dipper swings into the rock: it is felt again at {:.1f} s, where the "
+                    "crowd is all in, and the house still turns by {:.0f} deg/s; bring the crowd "
+                    "in later, or end the swing sooner",
+                    seconds(leg.end_ns), degrees(turns_rad_s))));
+    return;
+  }
+}
+
 }  // namespace
 
 void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts) {
   doubt_the_start(parts, doubts);
   doubt_the_way(parts, doubts);
   doubt_the_dump(parts, doubts);
+  doubt_the_return(parts, doubts);
 }
 
 }  // namespace dipper::check

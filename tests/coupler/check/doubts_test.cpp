@@ -108,6 +108,22 @@ TEST(Doubts, MotionWithAHole) {
   EXPECT_THAT(doubts_of(checkout), testing::Contains(HasSubstr("no row between 1.00 and 9.00 s")));
 }
 
+TEST(Doubts, SwingThatIsNotOverWhereRockIsFeltAgain) {
+  const Checkout checkout;
+  // The crowd is all in from 18 to 20 s.
+  const auto returns = [&](const std::string& at_18_s, const std::string& at_20_s) {
+    test::write_text(checkout.folder() / "motion.csv",
+                     "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,-4,0.5,0,0\n2,-4,1.2,0,0\n"
+                     "8,-6,0.5,40,0\n10,-6,0.5,40,70\n12,-6,0.4,40,0\n18,-4,-0.5," +
+                         at_18_s + ",0\n20,-4,-0.5," + at_20_s +
+                         ",0\n24,-4,1.2,0,0\n30,-6,0.5,40,0\n32,-6,0.5,40,70\n");
+    return doubts_of(checkout, {{"machine.contact_on_return", "off"}});
+  };
+  EXPECT_THAT(returns("20", "12"), testing::Contains(HasSubstr("the house still turns")));
+  EXPECT_THAT(returns("0", "0"), testing::Not(testing::Contains(HasSubstr("still turns"))));
+  EXPECT_THAT(doubts_of(checkout), testing::Not(testing::Contains(HasSubstr("still turns"))));
+}
+
 TEST(Doubts, MeshesThatLookWrong) {
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(1000 * v); }),
               testing::Contains(HasSubstr("in mm? scale it by 0.001")));
