@@ -47,7 +47,7 @@ class Tutorials(unittest.TestCase):
     def test_every_command_of_the_import_says_what_the_page_says(self):
         with tempfile.TemporaryDirectory() as folder:
             here = Path(folder) / "dipper"
-            said = self.follow("tutorial_import.md", here, "cases/screening", "docs/data/import")
+            said = self.follow("tutorial_import.md", here, "cases/screening", "cases/rock", "docs/data/import")
             page = (ROOT / "docs/tutorial_import.md").read_text()
             told = [line for line in re.findall(r"^    (.*)$", page, re.M)
                     if line.strip() and not line.startswith(("dipper ", "Shovel ", "Date;"))]

@@ -23,6 +23,7 @@ def dipper(*words, status=0):
 def case(tmp_path):
     folder = tmp_path / "cases/shift"
     shutil.copytree(ROOT / "cases/screening", folder)
+    shutil.copytree(ROOT / "cases/rock", tmp_path / "cases/rock")
     for part in ("meshes", "mbs"):
         (tmp_path / part).symlink_to(ROOT / part)
     return folder

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs `dipper gap` on the blind cases, which sees their measured folders and nothing else.
 
-usage: analyse.py limits FILE [EFFECT ...]  the model's own detection limits, {effect: strength}
+usage: analyse.py limits CASE FILE [EFFECT ...]  a case's own detection limits, {effect: strength}
        analyse.py run FOLDER OUT [CASE ...]   results into FOLDER/results, reports into OUT
        analyse.py nulls COUNT FILE      how often nothing is called something, COUNT times over
 """
@@ -18,7 +18,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[3]
 sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis/gap"),
                 str(ROOT / "analysis/runs")]
-from dipper_gap.__main__ import cache_folder  # noqa: E402
+from dipper_run.run_cache import cache_folder  # noqa: E402
 from dipper_run.program import program  # noqa: E402
 from dipper_gap.decide import OMNIBUS_P, decide  # noqa: E402
 from dipper_gap.effects import read_catalogue  # noqa: E402
@@ -31,20 +31,20 @@ from dipper_gap.plan import FRESH_FROM, make_plan  # noqa: E402
 from dipper_gap.workflow import Runner, look  # noqa: E402
 from make import TRUCKS, as_mine  # noqa: E402
 
-CASE = ROOT / "cases/screening"
+CASE = HERE / "screening"   # that the sealed set was made with
 MINES, NAMED_IN = 8, 7      # the limit is where so many of the simulated mines are named
 STEPS, FINER = 14, 1.35     # strengths tried: from the effect's bound down
 NULL_SEEDS = 12
 
 
-def simulator(catalogue):
-    return DipperSimulator(CASE, catalogue, program(), cache_folder())
+def simulator(catalogue, case=CASE):
+    return DipperSimulator(case, catalogue, program(), cache_folder("gap"))
 
 
-def prepared(runs):
+def prepared(runs, case=CASE):
     """What is known of mines of TRUCKS trucks, one of which is made of these seeds: (Model, its mine, Runner)."""
-    catalogue = read_catalogue(CASE)
-    runner = Runner(simulator(catalogue), catalogue, lambda text: None)
+    catalogue = read_catalogue(case)
+    runner = Runner(simulator(catalogue, case), catalogue, lambda text: None)
     mine = as_mine(runner.run({}, runs), np.random.default_rng(0))
     plan = make_plan(catalogue, TRUCKS, 1)
     folders = runner.simulator.run(plan.requests(), runner.say)
@@ -62,12 +62,12 @@ def simulated_mines(b, at, count, rng):
     return np.array(out)[:, at]
 
 
-def limits(names):
+def limits(case, names):
     """{effect: strength from which NAMED_IN of MINES simulated mines are named; None where none within bounds is}.
 
     The mines are the model's own, on the side of the upper bound; naming is without the confirmation on the hold-out.
     """
-    model, mine, runner = prepared(range(1, TRUCKS + 1))
+    model, mine, runner = prepared(range(1, TRUCKS + 1), case)
     prediction = predict(model, runner.catalogue, model.scatter(mine))
     part, null = compare(model, prediction, mine)[0], prediction.null
     mines = simulated_mines(prediction.baseline, part.at, MINES, np.random.default_rng(1))
@@ -130,8 +130,8 @@ def nulls(count, file):
 
 
 def main(words):
-    if words[:1] == ["limits"] and len(words) >= 2:
-        Path(words[1]).write_text(json.dumps(limits(words[2:]), indent=1) + "\n")
+    if words[:1] == ["limits"] and len(words) >= 3:
+        Path(words[2]).write_text(json.dumps(limits(Path(words[1]), words[3:]), indent=1) + "\n")
         return 0
     if words[:1] == ["run"] and len(words) >= 3:
         return run(Path(words[1]), Path(words[2]), words[3:])

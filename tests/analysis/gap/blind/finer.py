@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Do signatures of cases/screening hold in finer rock? Rank correlation with the twin's, cell by cell.
+"""Do signatures of the case in screening/ hold in finer rock? Rank correlation with the twin's, cell by cell.
 
 usage: finer.py WORK [RUNS]      WORK as of make.py: its base-* runs; RUNS of them (3)
 """

@@ -1,4 +1,4 @@
-"""The fraternal twin of cases/screening: the same machine, motion and place, another rock.
+"""The fraternal twin of the case in screening/: the same machine, motion and place, another rock.
 
 What differs from the model in every truth: finer rock (coarse graining 2.6 for 3.0) of other shapes, packed by
 other seeds and settled for other times, stiffer contacts, another time step and sync step. A mine differs
@@ -15,13 +15,13 @@ import numpy as np
 import yaml
 
 ROOT = Path(__file__).resolve().parents[4]
-SCREENING = ROOT / "cases/screening"
+SCREENING = Path(__file__).resolve().parent / "screening"
 RATE_HZ = 20.0  # of the signals the mine's own drives and sensors are played on, before the logger
 SHAPES = ["chunk", "column", "shard"]
 
 
 def model_case():
-    """cases/screening as a case with paths from anywhere."""
+    """The case in screening/ with paths from anywhere."""
     case = yaml.safe_load((SCREENING / "case.yaml").read_text())
     for section, key in (("machine", "model"), ("machine", "motion"), ("rock", "shape_folder"),
                          ("bodies", "dipper"), ("bodies", "door"), ("truck", "mesh")):
@@ -31,7 +31,7 @@ def model_case():
 
 def twin_case():
     case = model_case()
-    case["title"] = "fraternal twin of cases/screening"
+    case["title"] = "fraternal twin of screening"
     case["rock"]["coarse_graining"] = 2.6
     for size_class in case["rock"]["classes"]:
         if size_class["shapes"] != ["sphere"]:
