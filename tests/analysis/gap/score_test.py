@@ -1,5 +1,7 @@
 """The scorer: what each verdict is worth, that a seal holds, and the rates it reports."""
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -92,3 +94,10 @@ def test_the_stored_blind_cases_score_what_the_table_says():
         if hits > target * of if side == "most" else hits < target * of:
             missed.add(name)
     assert missed == {"right name at twice the limit", "right name or class"}  # docs/gap_evidence.md says why
+
+
+@pytest.mark.parametrize("script", ["analyse.py", "finer.py", "make.py"])
+def test_the_blind_stands_scripts_start(script):
+    file = Path(__file__).resolve().parent / "blind" / script
+    done = subprocess.run([sys.executable, "-B", file], capture_output=True, text=True)
+    assert done.returncode == 2 and f"usage: {script}" in done.stderr
