@@ -20,6 +20,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis/gap"),
                 str(ROOT / "analysis/runs")]
 from dipper_run.run_cache import cache_folder  # noqa: E402
 from dipper_run.program import program  # noqa: E402
+from dipper_gap.__main__ import usable  # noqa: E402
 from dipper_gap.decide import OMNIBUS_P, decide  # noqa: E402
 from dipper_gap.effects import read_catalogue  # noqa: E402
 from dipper_gap.localise import localise  # noqa: E402
@@ -43,8 +44,9 @@ def simulator(catalogue, case=CASE):
 
 def prepared(runs, case=CASE):
     """What is known of mines of TRUCKS trucks, one of which is made of these seeds: (Model, its mine, Runner)."""
-    catalogue = read_catalogue(case)
-    runner = Runner(simulator(catalogue, case), catalogue, lambda text: None)
+    made_by = simulator(read_catalogue(case), case)
+    catalogue, _ = usable(made_by.catalogue, made_by)
+    runner = Runner(made_by, catalogue, lambda text: None)
     mine = as_mine(runner.run({}, runs), np.random.default_rng(0))
     plan = make_plan(catalogue, TRUCKS, 1)
     folders = runner.simulator.run(plan.requests(), runner.say)
