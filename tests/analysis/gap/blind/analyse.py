@@ -31,8 +31,8 @@ from dipper_gap.model import compare, learn, predict  # noqa: E402
 from dipper_gap.plan import FRESH_FROM, make_plan  # noqa: E402
 from dipper_gap.workflow import Runner, look  # noqa: E402
 from make import TRUCKS, as_mine  # noqa: E402
+from twin import SCREENING as CASE  # noqa: E402
 
-CASE = HERE / "screening"   # that the sealed set was made with
 MINES, NAMED_IN = 8, 7      # the limit is where so many of the simulated mines are named
 STEPS, FINER = 14, 1.35     # strengths tried: from the effect's bound down
 NULL_SEEDS = 12
