@@ -37,9 +37,12 @@ TEST(CostEstimate, IsWhatRunsHaveTaken) {
   EXPECT_THAT(quick.record_B, about(21e6));
   EXPECT_THAT(quick.disk_B - quick.dumps_B, about(238e6 - 107e6));
 
-  const CostEstimate aitik = cost_estimate(load(source / "cases" / "aitik", {{"end_s", "94.5"}}));
-  EXPECT_THAT(aitik.spheres, about(207474));
-  EXPECT_THAT(aitik.dig_s, about(5768 + 60));
+  EXPECT_THAT(cost_estimate(load(source / "cases" / "screening", {})).dig_s, about(117 + 10));
+  EXPECT_THAT(cost_estimate(load(source / "cases" / "aitik_coarse", {})).dig_s, about(494 + 40));
+
+  const CostEstimate aitik = cost_estimate(load(source / "cases" / "aitik", {}));
+  EXPECT_THAT(aitik.spheres, about(207964));
+  EXPECT_THAT(aitik.dig_s, about(5005 + 46));
   EXPECT_THAT(aitik.memory_B, about(0.68e9));
 }
 
