@@ -80,10 +80,11 @@ Command add_calibrate_command(CLI::App& app, Reporter& reporter) {
   const auto add = [&](const char* name, const char* what, const char* target, const Range& targets,
                        const char* size) {
     auto* sub = command->add_subcommand(name, what);
-    sub->footer(
-        "Runs what the paper measured, a search over the keys given, and writes calibrated.set for "
-        "the case "
-        "(docs/calibration.md). Example:\n  dipper calibrate pile-angle cases/quick");
+    sub->footer(fmt::format(
+        "Runs what the paper measured, finds what the case needs to give it, and writes "
+        "calibrated.set for the case (docs/calibration.md). Example:\n  dipper calibrate {} "
+        "cases/quick",
+        name));
     sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
     sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
     sub->add_option("--target", request.target, target)->check(number_in(targets));
