@@ -29,19 +29,13 @@ constexpr double kRecord_B = 4e6;          // record.h5 without rows
 constexpr double kRow_B = 750;             // a window in it
 constexpr double kMessages_B = 3400;       // a window in the message log
 
-int spheres_a_rock(const cases::Case& c) {
-  for (const deck::ShapeResolution& r : deck::kShapeResolutions)
-    if (r.name == c.rock.shape_resolution) return r.spheres;
-  return 1;
-}
-
 double spheres_of(const cases::Case& c) {
   const auto counts = deck::rock_counts(c);
   double spheres = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const auto& shapes = c.rock.classes[i].shapes;
     const bool single = shapes.size() == 1 && shapes.front() == "sphere";
-    spheres += counts[i].rocks * (single ? 1 : spheres_a_rock(c));
+    spheres += counts[i].rocks * (single ? 1 : deck::spheres_a_rock(c.rock.shape_resolution));
   }
   return kStays * spheres;
 }

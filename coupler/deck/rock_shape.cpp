@@ -53,6 +53,12 @@ std::vector<std::string> rock_faults(const mesh::TriangleMesh& mesh) {
   return out;
 }
 
+int spheres_a_rock(const std::string& resolution) {
+  for (const ShapeResolution& r : kShapeResolutions)
+    if (r.name == resolution) return r.spheres;
+  throw std::invalid_argument("no shape resolution " + resolution);
+}
+
 RockShape make_rock_shape(const std::string& name, mesh::TriangleMesh mesh,
                           const std::vector<ShapeResolution>& resolutions) {
   if (const auto faults = rock_faults(mesh); !faults.empty())

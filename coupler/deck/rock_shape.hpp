@@ -20,6 +20,9 @@ struct ShapeResolution {
 inline constexpr std::array<ShapeResolution, 3> kShapeResolutions = {
     {{"coarse", 6}, {"medium", 12}, {"fine", 24}}};
 
+/// Spheres of a rock of that resolution. Throws std::invalid_argument when there is none.
+int spheres_a_rock(const std::string& resolution);
+
 /// What contacts see, and how far it is from the mesh.
 struct SphereFit {
   std::vector<Sphere> spheres;

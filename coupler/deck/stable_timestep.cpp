@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "coupler/deck/rock_shape.hpp"
+
 namespace dipper::deck {
 
 double critical_step(double omega, double zeta) {
@@ -22,6 +24,22 @@ double stable_timestep(const cases::Case& c) {
   for (Eigen::Index i = 0; i < t.kn.size(); ++i)
     if (t.kn(i) > 0)
       step = std::min(step, critical_step(n * std::sqrt(t.kn(i) / t.meff_kg(i)), n * damping));
+  return step;
+}
+
+double pressed_timestep(const cases::Case& c) {
+  const ContactTable t = contact_table(c);
+  const std::vector<RockClass> rocks = rock_classes(c);
+  const double damping = cases::of_every_pair(c.contact).normal_damping_other;
+  const double n = std::sqrt(2.0 * spheres_a_rock(c.rock.shape_resolution));
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < rocks.size(); ++i) {
+    if (rocks[i].is_sphere) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    const Eigen::Index wall = atom_types(c).dipper() - 1;
+    const double omega = std::sqrt(t.kn(row, wall) / t.meff_kg(row, wall));
+    step = std::min(step, critical_step(n * omega, n * damping));
+  }
   return step;
 }
 

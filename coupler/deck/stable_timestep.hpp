@@ -25,6 +25,13 @@ double stable_timestep(const cases::Case& c);
 /// boils. With 12 and 24 spheres a rock in place of 6 it rests up to 1.0 and trembles from 1.2 on.
 inline constexpr int kContacts = 4;
 
+/// The longest step [s] for a rock pressed between two walls, such as dipper and ground, with all
+/// its spheres on both: critical_step with twice its spheres as contacts. From it on the rock
+/// throws itself from wall to wall in turn, and presses several times as hard as at rest
+/// (tests/coupler/deck/squeezed_rock_test). Infinite where no rock has several spheres. Such rocks
+/// are few, so a case may have a longer step: run::Rattle tells what they do to its forces.
+double pressed_timestep(const cases::Case& c);
+
 /// What `dem.timestep_s: auto` stands for: 0.85 of the stable step, to two digits. At 0.86 of it
 /// cases/aitik digs at true size.
 double chosen_timestep(const cases::Case& c);

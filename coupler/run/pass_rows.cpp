@@ -6,6 +6,7 @@
 #include "analysis/signals/pass_phases.hpp"
 #include "common/angles.hpp"
 #include "coupler/deck/contact_table.hpp"
+#include "coupler/run/rattle.hpp"
 #include "coupler/run/teeth_deviation.hpp"
 #include "coupler/sides/sides_setup.hpp"
 
@@ -13,12 +14,19 @@ namespace dipper::run {
 
 using json = nlohmann::ordered_json;
 
+namespace {
+
+constexpr double kJump = 0.3;  // of the dig's mean force, from one step to the next
+
+}  // namespace
+
 json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
   const double full_kg = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3 *
                          sides::read_mesh_facts(c).dipper.struck_volume_m3;
   const analysis::run::RunSignals signals = analysis::run::read_drive_signals(record);
   json passes = json::array();
   const TeethDeviation teeth(record, c);
+  const Rattle rattle(record);
   const analysis::signals::PayloadMonitor monitor(machine::load_machine(c.machine.model),
                                                   radians(c.machine.rake_angle_deg));
   for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
@@ -31,7 +39,10 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
     if (found.dig_phases_force_mean_N)
       row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
     if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
-    if (const auto dig = found.dig()) row["teeth_deviation_m"] = teeth.most(*dig);
+    if (const auto dig = found.dig()) {
+      row["teeth_deviation_m"] = teeth.most(*dig);
+      row["dig_rattle_share"] = rattle.share(*dig, kJump * p.dig_force_mean_N);
+    }
     analysis::run::put_dig_energy(row, signals, found);
     analysis::run::put_monitor(row, signals, found, monitor);
     json& phases = row["phases"] = json::array();

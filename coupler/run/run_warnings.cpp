@@ -7,6 +7,7 @@
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
 #include "coupler/check/doubts.hpp"
+#include "coupler/deck/stable_timestep.hpp"
 #include "machine/motion.hpp"
 
 namespace dipper::run {
@@ -17,9 +18,10 @@ using json = nlohmann::ordered_json;
 constexpr double kMuchSlack = 0.05;     // of a dig: below, a dipper that is let down onto rock
 constexpr double kMuchResidual = 0.01;  // of the work
 constexpr double kLostMass_kg = 1000;
-constexpr double kHighPeak = 8;  // times the mean; whole digs have 3 to 5
+constexpr double kMuchRattle = 0.05;  // of a dig's windows; at true size up to 0.03
+constexpr double kHighPeak = 8;       // times the mean; whole digs have 3 to 5
 
-void warn_of_pass(const json& p, std::vector<std::string>& warnings) {
+void warn_of_pass(const cases::Case& c, const json& p, std::vector<std::string>& warnings) {
   const int pass = p.at("pass").get<int>();
   const auto number = [&](const char* key) { return p.value(key, 0.0); };
   if (const double slack = number("dig_slack_share"); slack > kMuchSlack)
@@ -33,6 +35,12 @@ void warn_of_pass(const json& p, std::vector<std::string>& warnings) {
         "pass {}: the dig force peaks at {:.0f} MN, {:.0f} times its mean, at {:.2f} s: a rock is "
         "caught between the dipper and what does not give way",
         pass, peak * 1e-6, peak / mean, number("dig_force_peak_t_s")));
+  if (const double rattle = number("dig_rattle_share"); rattle > kMuchRattle)
+    warnings.push_back(fmt::format(
+        "pass {}: in {:.0f} % of the dig the rock's force jumps from step to step: rocks pressed "
+        "between walls rattle, and press too hard; a dem.timestep_s below {:.1e} s has none of it, "
+        "contact.normal_damping_other 0.5 little (docs/rock.md#how-long-a-step-may-be)",
+        pass, 100 * rattle, deck::pressed_timestep(c)));
   if (const auto dumped = p.find("dumped"); dumped != p.end() && *dumped == false)
     warnings.push_back(fmt::format(
         "pass {}: unfinished, the run ends before the door opens; a later end_s lets it go on",
@@ -53,7 +61,7 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
     for (const Finding& doubt : check::doubts(c)) warnings.push_back(to_string(doubt));
   } catch (const InputError&) {  // a file has gone since the run began
   }
-  for (const json& p : summary.at("passes")) warn_of_pass(p, warnings);
+  for (const json& p : summary.at("passes")) warn_of_pass(c, p, warnings);
   if (const auto drives = summary.find("drives"); drives != summary.end() && c.end_s == 0) {
     const double path_s = drives->at("path_time_s").get<double>(),
                  motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());

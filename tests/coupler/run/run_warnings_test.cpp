@@ -39,6 +39,8 @@ TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
               ElementsAre(HasSubstr("slack in 20 % of the dig, the teeth up to 0.8 m")));
   EXPECT_THAT(warnings({{"dig_force_peak_N", 343e6}}),
               ElementsAre(HasSubstr("peaks at 343 MN, 114 times its mean, at 5.50 s")));
+  EXPECT_THAT(warnings({{"dig_rattle_share", 0.12}}),
+              ElementsAre(HasSubstr("in 12 % of the dig the rock's force jumps")));
   EXPECT_THAT(warnings({{"truck_kg", -28e3}}),
               ElementsAre(HasSubstr("28.0 t more leave the truck")));
   EXPECT_THAT(warnings({{"dumped", false}}), ElementsAre(HasSubstr("pass 1: unfinished")));
