@@ -19,9 +19,6 @@ namespace dipper {
 namespace fs = std::filesystem;
 namespace {
 
-/// The right to write an entry.
-fs::path lock_file(const fs::path& entry) { return entry.string() + ".lock"; }
-
 /// Names of parts are ENTRY.PID.part.
 fs::path entry_of(const fs::path& part) {
   return fs::path(part).replace_extension().replace_extension();
@@ -33,10 +30,9 @@ void sweep(const fs::path& folder, const fs::path& locked_entry) {
   for (const auto& f : fs::directory_iterator(folder))
     if (f.path().extension() == ".part") parts.push_back(f.path());
   for (const fs::path& part : parts) {
-    const fs::path entry = entry_of(part);
-    FileLock lock(lock_file(entry));
+    FileLock lock(writers_lock(part));
     std::error_code ignored;  // another may be sweeping too
-    if (entry == locked_entry || lock.try_lock()) fs::remove_all(part, ignored);
+    if (entry_of(part) == locked_entry || lock.try_lock()) fs::remove_all(part, ignored);
   }
 }
 
@@ -58,11 +54,16 @@ std::string deck_hash(std::string what, const std::vector<fs::path>& files, cons
   return sha256(what);
 }
 
+fs::path writers_lock(const fs::path& entry_or_part) {
+  const bool part = entry_or_part.extension() == ".part";
+  return (part ? entry_of(entry_or_part) : entry_or_part).string() + ".lock";
+}
+
 bool is_sound(const fs::path& entry) { return fs::exists(entry) && damage_of(entry).empty(); }
 
 struct CacheWriter::State {
   explicit State(const fs::path& entry_folder)
-      : entry(entry_folder), lock(lock_file(entry_folder)) {}
+      : entry(entry_folder), lock(writers_lock(entry_folder)) {}
 
   fs::path entry, part;
   FileLock lock;

@@ -12,6 +12,9 @@ namespace dipper {
 /// Whether an entry is there and its files are what was written (common/manifest.hpp).
 bool is_sound(const std::filesystem::path& entry);
 
+/// What the process that writes an entry has locked; of the entry, or of a part that is to become it.
+std::filesystem::path writers_lock(const std::filesystem::path& entry_or_part);
+
 /// The right to write an entry, and the folder to write it in: an entry appears whole or not at
 /// all. Other processes are kept out as long as this lives, and a process that dies keeps nobody
 /// out. What writers that died have left in the cache is removed.

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "common/cache_entry.hpp"
 #include "common/cache_folder.hpp"
 #include "common/file_lock.hpp"
 #include "common/input_error.hpp"
@@ -64,9 +65,6 @@ std::vector<Load> of_cache() {
   return loads;
 }
 
-/// Entries of the cache that another process is making stay.
-bool in_use(const fs::path& path) { return !FileLock(path.string() + ".lock").try_lock(); }
-
 int clean(const CleanOptions& o, Reporter& reporter) {
   std::uintmax_t sum_B = 0;
   for (const std::string& place : o.places) {
@@ -79,7 +77,8 @@ int clean(const CleanOptions& o, Reporter& reporter) {
     for (const Load& load : loads) {
       std::uintmax_t load_B = 0;
       for (const fs::path& path : load.paths) {
-        if (cache && in_use(path)) continue;
+        FileLock maker(writers_lock(path));
+        if (cache && !maker.try_lock()) continue;  // another process is making it
         load_B += size_B(path);
         if (o.yes) fs::remove_all(path);
       }

@@ -88,11 +88,13 @@ TEST_F(CleanCommand, LeavesWhatIsNoRunAndWhatIsBeingWritten) {
 TEST_F(CleanCommand, EmptiesTheCacheButForWhatIsBeingMade) {
   put(root / "cache" / "piles" / "a" / "pile.restart", 3'000'000);
   put(root / "cache" / "piles" / "b" / "pile.restart", 1'000'000);
+  put(root / "cache" / "piles" / "b.42.part" / "pile.restart", 1'000'000);
   FileLock maker(root / "cache" / "piles" / "b.lock");
   ASSERT_TRUE(maker.try_lock());
   EXPECT_THAT(told({"cache", "--yes"}), HasSubstr("3.0 MB  freed"));
   EXPECT_FALSE(fs::exists(root / "cache" / "piles" / "a"));
   EXPECT_TRUE(fs::exists(root / "cache" / "piles" / "b"));
+  EXPECT_TRUE(fs::exists(root / "cache" / "piles" / "b.42.part"));
 }
 
 }  // namespace
