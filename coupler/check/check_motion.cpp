@@ -131,10 +131,12 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
     findings.push_back(cases::finding_at(c, "bodies." + body.first,
                                          "the machine moves no such body; it has dipper and door"));
   }
-  if (!c.bodies.count("dipper")) {
+  if (!c.bodies.count("dipper"))
     findings.push_back(
         cases::finding_at(c, "bodies.dipper", "missing key; without it nothing digs"));
-  }
+  if (!c.bodies.count("door"))
+    findings.push_back(
+        cases::finding_at(c, "bodies.door", "missing key; without it nothing stays in the dipper"));
 
   const auto machine =
       load_reported(c, "machine.model", c.machine.model, machine::load_machine, findings);
