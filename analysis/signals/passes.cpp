@@ -61,14 +61,14 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     passes.push_back(measure(s, begin, dump, end));
     passes.back().pass = static_cast<int>(passes.size());
     passes.back().dumped = open(dump);
-    // What follows the last dump is the way home, not a pass, when it never dug, or has touched
-    // rock but neither holds a load nor opened the door.
+    // What follows the last dump is the way home, not a pass, when the door stayed shut and it
+    // never dug, or has touched rock but holds no load.
     const Pass& last = passes.back();
     const double* force_N = s.dipper_force_N.data();
     const bool dug = std::any_of(force_N + begin, force_N + dump + 1,
                                  [](double f) { return f >= kFirstContact_N; });
     const bool empty = last.payload_kg < kStray_kg && std::abs(last.truck_kg) < kStray_kg;
-    if (passes.size() > 1 && end + 1 >= n && (!dug || (empty && !open(dump)))) {
+    if (passes.size() > 1 && end + 1 >= n && !open(dump) && (!dug || empty)) {
       passes[passes.size() - 2].truck_kg += last.truck_kg;
       passes.pop_back();
       break;

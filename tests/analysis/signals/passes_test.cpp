@@ -89,9 +89,11 @@ TEST(Passes, AThirdPassThatTheRunEndsInIsOne) {
 }
 
 TEST(Passes, ADigThatBroughtNothingIsAPassWhenTheDoorOpened) {
-  PassSignals s = with_way_home(50e3, 0);
-  s.door_rad.back() = 1;
-  EXPECT_EQ(find_passes(s).size(), 3u);
+  for (const double contact_N : {50e3, 0.0}) {
+    PassSignals s = with_way_home(contact_N, 0);
+    s.door_rad.back() = 1;
+    EXPECT_EQ(find_passes(s).size(), 3u) << contact_N;
+  }
 }
 
 TEST(Passes, SignalsOfDifferentLengthsAreRefused) {
