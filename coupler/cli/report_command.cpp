@@ -44,16 +44,29 @@ void refuse_unwritable(const fs::path& folder) {
       {{parent, 0, "", "cannot be written into; say with --out where the report goes"}});
 }
 
+/// A report takes the place of the folder: it may be that of an earlier one, and nothing else.
+void refuse_what_would_be_lost(const fs::path& folder, const fs::path& source) {
+  if (!fs::exists(folder)) return;
+  const auto away = fs::relative(fs::canonical(source), fs::canonical(folder));
+  const bool around = *away.begin() != "..";  // it is the folder, or lies in it
+  if (fs::is_directory(folder) && !around &&
+      (fs::is_empty(folder) || fs::exists(folder / "metrics.json")))
+    return;
+  throw InputError({{folder, 0, "",
+                     "is there and no report, and a report would take its place; say with --out "
+                     "where it goes"}});
+}
+
 void tell_passes(const nlohmann::ordered_json& metrics, Reporter& reporter) {
   if (!metrics.contains("passes")) return;
   const auto in_MN = [](double newton) { return newton / 1e6; };
   for (const auto& p : metrics["passes"]) {
-    std::string line = fmt::format(
-        "pass {}: {:.1f} t in the dipper, {:.1f} t in the truck, {:.2f} t spilt, dig force "
-        "{:.2f} MN",
-        p["pass"].get<int>(), p["payload_kg"].get<double>() / 1e3,
-        p["truck_kg"].get<double>() / 1e3, p["spillage_kg"].get<double>() / 1e3,
-        in_MN(p["dig_force_mean_N"]));
+    std::string line = fmt::format("pass {}: {:.1f} t in the dipper, {:.1f} t in the truck",
+                                   p["pass"].get<int>(), p["payload_kg"].get<double>() / 1e3,
+                                   p["truck_kg"].get<double>() / 1e3);
+    if (p.contains("spillage_kg"))
+      line += fmt::format(", {:.2f} t spilt", p["spillage_kg"].get<double>() / 1e3);
+    line += fmt::format(", dig force {:.2f} MN", in_MN(p["dig_force_mean_N"]));
     if (p.contains("dig_phases_force_mean_N"))
       line += fmt::format(" ({:.2f} MN from penetrate to breakout)",
                           in_MN(p["dig_phases_force_mean_N"]));
@@ -80,6 +93,7 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
       reporter.line((folder / "report.html").string());
       return 0;
     }
+    refuse_what_would_be_lost(folder, options.folder);
     analysis::run::RunData run = open_folder(options);
     const analysis::io::DumpFolder dumps =
         analysis::io::open_dump_folder(options.folder, options.timestep_s);

@@ -68,6 +68,26 @@ TEST(ReportCommand, WorksOnDumpsAlone) {
   EXPECT_TRUE(fs::exists(s.folder() / "post/report/frames.csv"));
 }
 
+TEST(ReportCommand, TakesThePlaceOfAnEarlierReportAndOfNothingElse) {
+  const analysis::Scratch s;
+  write_dumps(s);
+  s.write("precious/notes.txt", "mine");
+  ReportOptions w = options(s);
+  for (const char* place : {"precious", "post", "."}) {
+    w.out = (s.folder() / place).string();
+    test::MemoryReporter reporter;
+    EXPECT_EQ(report_command(w, reporter), 2);
+    EXPECT_THAT(reporter.errors, HasSubstr("no report, and a report would take its place"));
+  }
+  EXPECT_TRUE(fs::exists(s.folder() / "precious/notes.txt"));
+  EXPECT_TRUE(fs::exists(s.folder() / "post/dump0.liggghts"));
+  w.out = (s.folder() / "again").string();
+  for (int k = 0; k < 2; ++k) {
+    test::MemoryReporter reporter;
+    EXPECT_EQ(report_command(w, reporter), 0);
+  }
+}
+
 TEST(ReportCommand, WithAMeshAndPosesItKnowsTheDippersLoad) {
   const analysis::Scratch s;
   write_dumps(s);
