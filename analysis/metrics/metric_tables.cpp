@@ -53,16 +53,16 @@ json payload_notes(const PassFacts& f) {
     notes.push_back("The dipper rose or sank in the last second before the door opened.");
   }
   out["truck_kg"] = f.pass.truck_kg;
-  const LoadFate& fate = f.fate;
-  notes.push_back(
-      fmt::format("Of {:.2f} t in the dipper before the swing, {:.2f} t came into the truck, "
-                  "{:.2f} t stayed in "
-                  "the dipper, {:.2f} t fell back on the pile and {:.2f} t fell elsewhere.",
-                  tonnes(fate.lifted_kg), tonnes(fate.truck_kg), tonnes(fate.carry_back_kg),
-                  tonnes(fate.back_in_pile_kg), tonnes(fate.spillage_kg)));
-  if (std::abs(fate.truck_from_elsewhere_kg) > 1)
-    notes.push_back(fmt::format("{:+.2f} t in the truck was not in the dipper before the swing.",
-                                tonnes(fate.truck_from_elsewhere_kg)));
+  if (f.fate) {
+    notes.push_back(fmt::format(
+        "Of {:.2f} t in the dipper before the swing, {:.2f} t came into the truck, {:.2f} t stayed "
+        "in the dipper, {:.2f} t fell back on the pile and {:.2f} t fell elsewhere.",
+        tonnes(f.fate->lifted_kg), tonnes(f.fate->truck_kg), tonnes(f.fate->carry_back_kg),
+        tonnes(f.fate->back_in_pile_kg), tonnes(f.fate->spillage_kg)));
+    if (std::abs(f.fate->truck_from_elsewhere_kg) > 1)
+      notes.push_back(fmt::format("{:+.2f} t in the truck was not in the dipper before the swing.",
+                                  tonnes(f.fate->truck_from_elsewhere_kg)));
+  }
   out["notes"] = notes;
   return out;
 }
@@ -114,11 +114,13 @@ json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes,
     row["dig_force_peak_N"] = p.dig_force_peak_N;
     run::put_dig_energy(row, run.signals, f);
     if (monitor) run::put_monitor(row, run.signals, f, *monitor);
-    row["lifted_kg"] = f.fate.lifted_kg;
-    row["carry_back_kg"] = f.fate.carry_back_kg;
-    row["back_in_pile_kg"] = f.fate.back_in_pile_kg;
-    row["spillage_kg"] = f.fate.spillage_kg;
-    row["truck_from_elsewhere_kg"] = f.fate.truck_from_elsewhere_kg;
+    if (f.fate) {
+      row["lifted_kg"] = f.fate->lifted_kg;
+      row["carry_back_kg"] = f.fate->carry_back_kg;
+      row["back_in_pile_kg"] = f.fate->back_in_pile_kg;
+      row["spillage_kg"] = f.fate->spillage_kg;
+      row["truck_from_elsewhere_kg"] = f.fate->truck_from_elsewhere_kg;
+    }
     if (f.load_volume_m3 > 0) {
       row["load_volume_m3"] = f.load_volume_m3;
       row["load_bulk_density_kg_m3"] = f.load_in_volume_kg / f.load_volume_m3;
@@ -190,22 +192,23 @@ json frames_table(const io::DumpFolder& dumps, const Survey& survey,
   return out;
 }
 
-json pile_table(const PileSurface& before, const PileSurface& after) {
+json pile_table(const PileSurface& before, const PileSurface* after) {
   const rock::SurfaceProfile& p = before.profile;
-  json out = {{"x_m", p.x_m}, {"before_m", p.z_m}, {"after_m", json::array()}};
-  double removed = 0;
-  for (std::size_t i = 0; i < p.x_m.size(); ++i) {
-    const double z = after.profile.x_m.empty() ? 0 : height_at(after.profile, p.x_m[i]);
-    out["after_m"].push_back(z);
-    removed += (p.z_m[i] - z) * p.step_m;
+  json out = {{"x_m", p.x_m}, {"before_m", p.z_m}};
+  if (after != nullptr) {
+    double removed = 0;
+    for (std::size_t i = 0; i < p.x_m.size(); ++i) {
+      const double z = after->profile.x_m.empty() ? 0 : height_at(after->profile, p.x_m[i]);
+      out["after_m"].push_back(z);
+      removed += (p.z_m[i] - z) * p.step_m;
+    }
+    out["removed_m3_per_m"] = removed;
   }
-  for (const auto& [name, surface] :
-       {std::pair{"angle_before", &before}, {"angle_after", &after}}) {
-    if (!surface->angle) continue;
+  for (const auto& [name, surface] : {std::pair{"angle_before", &before}, {"angle_after", after}}) {
+    if (surface == nullptr || !surface->angle) continue;
     out[std::string(name) + "_deg"] = surface->angle->angle_deg;
     out[std::string(name) + "_sigma_deg"] = surface->angle->sigma_deg;
   }
-  out["removed_m3_per_m"] = removed;
   return out;
 }
 
@@ -223,9 +226,10 @@ json sizes_table(const run::RunData& run, const Survey& survey,
     row["pile_percent"] = 100 * c.mass_kg / all;
     json& loaded = row["loaded_percent"] = json::array();
     for (const PassFacts& f : passes) {
-      const auto at = f.fate.class_kg.find(type);
-      const double kg = at == f.fate.class_kg.end() ? 0 : at->second;
-      loaded.push_back(f.fate.lifted_kg > 0 ? 100 * kg / f.fate.lifted_kg : 0);
+      json& percent = loaded.emplace_back();
+      if (!f.fate || f.fate->lifted_kg <= 0) continue;
+      const auto at = f.fate->class_kg.find(type);
+      percent = at == f.fate->class_kg.end() ? 0 : 100 * at->second / f.fate->lifted_kg;
     }
     out.push_back(row);
   }

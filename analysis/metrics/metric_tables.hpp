@@ -16,7 +16,7 @@ using json = nlohmann::ordered_json;
 /// One pass as the signals and the dumps have it.
 struct PassFacts : signals::PassPhases {
   LoadToFollow load;
-  LoadFate fate;
+  std::optional<LoadFate> fate;  ///< none: no frame of the dig, or none after the dump
   double load_volume_m3 = 0;  ///< 0: not known
   double load_in_volume_kg = 0;
   std::vector<rock::Stage> stages;
@@ -31,7 +31,8 @@ json stages_table(const io::DumpFolder& dumps, const Survey& survey,
                   const std::vector<PassFacts>& passes);
 json frames_table(const io::DumpFolder& dumps, const Survey& survey,
                   const rock::LoadRegions& regions);
-json pile_table(const PileSurface& before, const PileSurface& after);
+/// `after` is null where there is one frame.
+json pile_table(const PileSurface& before, const PileSurface* after);
 json sizes_table(const run::RunData& run, const Survey& survey,
                  const std::vector<PassFacts>& passes);
 json walls_table(const std::vector<rock::WallField>& fields);

@@ -81,13 +81,16 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
   for (const PassFacts& f : passes) loads.push_back(f.load);
   const Survey survey = survey_frames(dumps, run.clumps, run.regions, run.dipper, loads);
   for (std::size_t k = 0; k < passes.size(); ++k) {
-    passes[k].fate = survey.fates[k];
+    const LoadToFollow& load = passes[k].load;
+    const bool lifted = dumps.time_s[load.lift_frame] >= passes[k].pass.t_dig_s;
+    if (lifted && (!passes[k].pass.dumped || dumps.time_s[load.end_frame] > passes[k].pass.t_dump_s))
+      passes[k].fate = survey.fates[k];
     passes[k].still = static_weight(run.signals, passes[k].pass);
     if (!run.regions.dipper) continue;
     if (passes[k].still)
       passes[k].suspended = suspended_load(dumps, run.clumps, run.regions, run.dipper,
                                            passes[k].still->from_s, passes[k].still->to_s);
-    add_load(passes[k], run, dumps, survey);
+    if (lifted) add_load(passes[k], run, dumps, survey);
     add_stages(passes[k], run, dumps, survey);
   }
   const auto surface = [&](std::size_t k) {
@@ -115,7 +118,11 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
   }
   v["frames"] = frames_table(dumps, survey, run.regions);
   const PileSurface before = surface(0);
-  if (!before.profile.x_m.empty()) v["pile"] = pile_table(before, surface(dumps.frames.size() - 1));
+  if (!before.profile.x_m.empty()) {
+    std::optional<PileSurface> after;
+    if (dumps.frames.size() > 1) after = surface(dumps.frames.size() - 1);
+    v["pile"] = pile_table(before, after ? &*after : nullptr);
+  }
   v["sizes"] = sizes_table(run, survey, passes);
   m.walls = rock::read_wall_fields(dumps);
   v["walls"] = walls_table(m.walls);

@@ -18,11 +18,12 @@ function sizeCurves(sizes) {
     return [0, ...classes.map((c) => (sum += share(c) ?? 0)), 100];
   };
   const loads = classes[0].loaded_percent ?? [];
+  const known = (k) => classes.some((c) => Number.isFinite(c.loaded_percent[k]));
   return curve(x, [
     { label: 'pile', values: passing((c) => c.pile_percent), colour: 'muted', width: 2.5, stepped: true },
-    ...loads.map((_, k) => ({ label: loads.length > 1 ? `load of pass ${k + 1}` : 'load', values: passing((c) => c.loaded_percent[k]),
-      colour: ['blue', 'orange', 'green', 'purple'][k % 4], stepped: true })),
-  ], { title: 'Sizes', unit: '% of the mass passing', height: 240, logX: true, yRange: [0, 104], xLabel: 'size (m)', xRange: [x[0], x[x.length - 1]],
+    ...loads.map((_, k) => known(k) && { label: loads.length > 1 ? `load of pass ${k + 1}` : 'load', values: passing((c) => c.loaded_percent[k]),
+      colour: ['blue', 'orange', 'green', 'purple'][k % 4], stepped: true }),
+  ].filter(Boolean), { title: 'Sizes', unit: '% of the mass passing', height: 240, logX: true, yRange: [0, 104], xLabel: 'size (m)', xRange: [x[0], x[x.length - 1]],
     xTicks: classes.map((c) => Number(c.size_m.toPrecision(2))) });
 }
 
@@ -30,7 +31,7 @@ function profile(pile) {
   const angle = (degrees, sigma) => (Number.isFinite(degrees) ? ` ${fixed(degrees, 1)}${Number.isFinite(sigma) ? ` ± ${fixed(sigma, 1)}` : ''}°` : '');
   return curve(pile.x_m, [
     { label: `before${angle(pile.angle_before_deg, pile.angle_before_sigma_deg)}`, values: pile.before_m, colour: 'ink', width: 1.6, dash: [6, 4] },
-    { label: `after${angle(pile.angle_after_deg, pile.angle_after_sigma_deg)}`, values: pile.after_m, colour: 'orange', fill: 0.2 },
-  ], { title: 'Face', unit: `m high${Number.isFinite(pile.removed_m3_per_m) ? `; ${number(pile.removed_m3_per_m, 3)} m³ a metre of width removed` : ''}`,
-    height: 240, xLabel: 'x (m)', yRange: [0, 1.08 * Math.max(...pile.before_m.filter(Number.isFinite), ...pile.after_m.filter(Number.isFinite))] });
+    pile.after_m && { label: `after${angle(pile.angle_after_deg, pile.angle_after_sigma_deg)}`, values: pile.after_m, colour: 'orange', fill: 0.2 },
+  ].filter(Boolean), { title: 'Face', unit: `m high${Number.isFinite(pile.removed_m3_per_m) ? `; ${number(pile.removed_m3_per_m, 3)} m³ a metre of width removed` : ''}`,
+    height: 240, xLabel: 'x (m)', yRange: [0, 1.08 * Math.max(...pile.before_m.filter(Number.isFinite), ...(pile.after_m ?? []).filter(Number.isFinite))] });
 }
