@@ -139,11 +139,14 @@ void check_spacing(const std::vector<DumpFrame>& frames, const fs::path& folder)
   std::int64_t least = frames[1].step - frames[0].step;
   for (std::size_t i = 1; i < frames.size(); ++i)
     least = std::min(least, frames[i].step - frames[i - 1].step);
+  const auto gap = [&](std::size_t i) { return frames[i].step - frames[i - 1].step; };
   std::vector<std::int64_t> missing;
   for (std::size_t i = 1; i < frames.size(); ++i) {
-    const std::int64_t gap = frames[i].step - frames[i - 1].step;
-    if (gap % least != 0) return;  // not evenly spaced: nothing to tell
-    if (gap > least) missing.push_back(frames[i - 1].step + least);
+    if (gap(i) % least != 0) return;  // not evenly spaced: nothing to tell
+    // Two like it in a row are another interval, with which the run went on.
+    const bool alone = (i == 1 || gap(i - 1) != gap(i)) &&
+                       (i + 1 == frames.size() || gap(i + 1) != gap(i));
+    if (gap(i) > least && alone) missing.push_back(frames[i - 1].step + least);
   }
   if (missing.empty()) return;
   // A dump whose interval was changed on purpose has many wide gaps, not a few.

@@ -1,25 +1,33 @@
 #include "coupler/run/dump_index.hpp"
 
+#include <charconv>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
+/// The step that ends a frame's name, rocks_1200.dump; none: the file is no frame.
+std::optional<std::int64_t> step_of(const fs::path& file) {
+  const std::string name = file.stem().string();
+  const std::size_t at = name.rfind('_') + 1;
+  std::int64_t step = 0;
+  const auto [end, fault] = std::from_chars(name.data() + at, name.data() + name.size(), step);
+  if (at == 0 || fault != std::errc() || end != name.data() + name.size()) return {};
+  return step;
+}
+
 void index(const fs::path& dumps, const std::string& stem, double timestep_s) {
-  std::map<long, std::string> frames;  // by step
+  std::map<std::int64_t, std::string> frames;  // by step
   for (const auto& entry : fs::directory_iterator(dumps)) {
-    const fs::path file = entry.path();
-    const std::string name = file.stem().string();
-    if (file.extension() != ".vtk" || name.rfind(stem, 0) != 0) continue;
-    try {
-      frames[std::stol(name.substr(stem.size()))] = file.filename().string();
-    } catch (const std::invalid_argument&) {  // not a frame
-    }
+    const fs::path file = entry.path().filename();
+    if (file.extension() != ".vtk" || file.string().rfind(stem, 0) != 0) continue;
+    if (const auto step = step_of(file)) frames[*step] = file.string();
   }
   auto files = nlohmann::json::array();
   for (const auto& [step, name] : frames) {
@@ -33,6 +41,14 @@ void index(const fs::path& dumps, const std::string& stem, double timestep_s) {
 
 void index_dumps(const fs::path& dumps, double timestep_s) {
   for (const char* wall : {"dipper_", "door_", "truck_"}) index(dumps, wall, timestep_s);
+}
+
+void drop_frames_after(const fs::path& dumps, std::int64_t step) {
+  std::vector<fs::path> later;
+  for (const auto& entry : fs::directory_iterator(dumps))
+    if (const auto frame = step_of(entry.path()); frame && *frame > step)
+      later.push_back(entry.path());
+  for (const fs::path& file : later) fs::remove(file);
 }
 
 }  // namespace dipper::run

@@ -11,6 +11,7 @@
 #include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/run/dump_index.hpp"
 #include "coupler/run/pile.hpp"
 #include "coupler/run/same_run.hpp"
 #include "coupler/sides/dipper_layers.hpp"
@@ -110,6 +111,8 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   if (from) {
     reporter.line(fmt::format("going on from t = {:.3f} s",
                               static_cast<double>(from->coupling.dem_step) * c.dem.timestep_s));
+    drop_frames_after(folder.dumps(), from->coupling.dem_step);
+    index_dumps(folder.dumps(), c.dem.timestep_s);
   }
   const fs::path restart = from ? from->rock() : find_pile(c, folder, places, reporter);
 

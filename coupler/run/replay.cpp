@@ -70,7 +70,7 @@ std::vector<std::string> segments(const fs::path& run) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() != ".lcmlog" || name.rfind("events", 0) != 0) continue;
     const std::string segment = name.substr(6);
-    if (segment.empty()) by_start[0] = segment;
+    if (segment.empty()) by_start[-1] = segment;
     if (segment.size() > 1) by_start[std::stoll(segment.substr(1))] = segment;
   }
   std::vector<std::string> all;

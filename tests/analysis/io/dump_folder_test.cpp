@@ -72,6 +72,16 @@ TEST(DumpFolder, AMissingFrameIsNamed) {
               HasSubstr("the frame of step 300 is missing: rocks is every 100 steps"));
 }
 
+TEST(DumpFolder, AnotherIntervalFromAResumeOnIsNoGap) {
+  const Scratch s;
+  for (const long step : {0, 100, 200, 400, 600})
+    s.write("post/rocks_" + std::to_string(step) + ".dump", frame(step));
+  EXPECT_EQ(open_dump_folder(s.folder() / "post", 1e-3).frames.size(), 5u);
+  s.write("post/rocks_300.dump", frame(300));
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder() / "post", 1e-3); }),
+              HasSubstr("the frame of step 500 is missing"));
+}
+
 TEST(DumpFolder, ASeriesListsOnlyWhatIsThere) {
   const Scratch s;
   write_run(s);
