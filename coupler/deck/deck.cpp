@@ -247,7 +247,12 @@ cases::BenchOutline bench_outline(const cases::Case& c) {
 }
 
 cases::BenchOutline bench_along_boom(const cases::Case& c, double heading_rad) {
+  constexpr double kAhead = 0.1;  // cosine: a boom that points less to the bench does not meet it
   cases::BenchOutline section = {{0, 0}};
+  if (std::cos(heading_rad) < kAhead) {
+    section.emplace_back(c.domain.max_m.x() - c.machine.base_position_m.x(), 0);
+    return section;
+  }
   for (const Eigen::Vector2d& p : bench_outline(c))
     section.emplace_back((p.x() - c.machine.base_position_m.x()) / std::cos(heading_rad), p.y());
   return section;
