@@ -12,7 +12,8 @@ namespace dipper {
 /// Whether an entry is there and its files are what was written (common/manifest.hpp).
 bool is_sound(const std::filesystem::path& entry);
 
-/// What the process that writes an entry has locked; of the entry, or of a part that is to become it.
+/// What the process that writes an entry has locked; of the entry, or of a part that is to become
+/// it.
 std::filesystem::path writers_lock(const std::filesystem::path& entry_or_part);
 
 /// The right to write an entry, and the folder to write it in: an entry appears whole or not at

@@ -149,8 +149,50 @@ YamlTree* YamlTree::find(const std::string& key) {
   return const_cast<YamlTree*>(std::as_const(*this).find(key));
 }
 
+std::optional<std::size_t> first_not_utf8(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = [&](std::size_t k) {
+      return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
+    };
+    const unsigned lead = byte(i);
+    const std::size_t length = lead < 0x80                    ? 1
+                               : lead >= 0xC2 && lead <= 0xDF ? 2
+                               : lead >= 0xE0 && lead <= 0xEF ? 3
+                               : lead >= 0xF0 && lead <= 0xF4 ? 4
+                                                              : 0;
+    // The second byte keeps out long forms, surrogates and what lies beyond the last code point.
+    const unsigned second = length > 1 ? byte(i + 1) : 0x80U;
+    bool sound = length > 0 && !(lead == 0xE0 && second < 0xA0) &&
+                 !(lead == 0xED && second > 0x9F) && !(lead == 0xF0 && second < 0x90) &&
+                 !(lead == 0xF4 && second > 0x8F);
+    for (std::size_t k = 1; k < length; ++k) sound = sound && (byte(i + k) & 0xC0U) == 0x80U;
+    if (!sound) return i;
+    i += length;
+  }
+  return std::nullopt;
+}
+
+std::string in_quotes(const std::string& text) {
+  std::string out = "\"";
+  for (const char ch : text) {
+    if (ch == '"' || ch == '\\') out += '\\';
+    if (static_cast<unsigned char>(ch) < 0x20) {
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(ch));
+    } else {
+      out += ch;
+    }
+  }
+  return out + "\"";
+}
+
 YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
                     const std::string& set_key, std::vector<Finding>& findings) {
+  if (const auto bad = first_not_utf8(text)) {
+    const auto lines = std::count(text.begin(), text.begin() + static_cast<long>(*bad), '\n');
+    findings.push_back({file, set_key.empty() ? static_cast<int>(lines) + 1 : 0, set_key,
+                        "holds a byte that is not UTF-8; save the text as UTF-8"});
+    return {};
+  }
   TreeBuilder builder(file, set_key, findings);
   const auto line = [&](const YAML::Mark& mark) {
     return set_key.empty() && !mark.is_null() ? mark.line + 1 : 0;

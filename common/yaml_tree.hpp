@@ -26,8 +26,15 @@ struct YamlTree {
   const YamlTree* find(const std::string& key) const;
 };
 
-/// Reads one document. Syntax errors, keys given twice, anchors and aliases, and further documents
-/// are appended to `findings`; the tree is what could be read. `set_key` is the dotted key of a
+/// Where text stops being UTF-8; none: all of it is.
+std::optional<std::size_t> first_not_utf8(const std::string& text);
+
+/// Text as a scalar in double quotes, which reads as itself whatever it holds.
+std::string in_quotes(const std::string& text);
+
+/// Reads one document. Text that is not UTF-8, syntax errors, keys given twice, anchors and
+/// aliases, and further documents are appended to `findings`; the tree is what could be read.
+/// `set_key` is the dotted key of a
 /// --set whose value this is, "" for a file.
 YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
                     const std::string& set_key, std::vector<Finding>& findings);

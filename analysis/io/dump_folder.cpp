@@ -144,8 +144,8 @@ void check_spacing(const std::vector<DumpFrame>& frames, const fs::path& folder)
   for (std::size_t i = 1; i < frames.size(); ++i) {
     if (gap(i) % least != 0) return;  // not evenly spaced: nothing to tell
     // Two like it in a row are another interval, with which the run went on.
-    const bool alone = (i == 1 || gap(i - 1) != gap(i)) &&
-                       (i + 1 == frames.size() || gap(i + 1) != gap(i));
+    const bool alone =
+        (i == 1 || gap(i - 1) != gap(i)) && (i + 1 == frames.size() || gap(i + 1) != gap(i));
     if (gap(i) > least && alone) missing.push_back(frames[i - 1].step + least);
   }
   if (missing.empty()) return;

@@ -83,7 +83,8 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
   for (std::size_t k = 0; k < passes.size(); ++k) {
     const LoadToFollow& load = passes[k].load;
     const bool lifted = dumps.time_s[load.lift_frame] >= passes[k].pass.t_dig_s;
-    if (lifted && (!passes[k].pass.dumped || dumps.time_s[load.end_frame] > passes[k].pass.t_dump_s))
+    if (lifted &&
+        (!passes[k].pass.dumped || dumps.time_s[load.end_frame] > passes[k].pass.t_dump_s))
       passes[k].fate = survey.fates[k];
     passes[k].still = static_weight(run.signals, passes[k].pass);
     if (!run.regions.dipper) continue;

@@ -92,9 +92,7 @@ class BoxCalibration {
     std::ofstream(request_.out / "calibration.json") << json.dump(1) << '\n';
     reporter_.line(fmt::format("{}: runs.csv, calibration.json{}", request_.out.string(),
                                met ? ", calibrated.set" : ""));
-    if (met)
-      reporter_.line(fmt::format("dipper run {} --set {}={:.6g}", request_.case_folder.string(),
-                                 kKey, density));
+    if (met) reporter_.line(run_command(request_, {{kKey, density}}));
     return 0;
   }
 

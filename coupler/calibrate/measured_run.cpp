@@ -93,4 +93,14 @@ void write_overlay(const std::vector<std::pair<std::string, double>>& parameters
   write(file, text);
 }
 
+std::string run_command(const CalibrationRequest& request,
+                        const std::vector<std::pair<std::string, double>>& parameters) {
+  std::string command = "dipper run " + request.case_folder.string();
+  for (const cases::Override& o : request.overrides)
+    command += fmt::format(" --set '{}={}'", o.key, o.value);
+  for (const auto& [key, value] : parameters)
+    command += fmt::format(" --set {}={:.6g}", key, value);
+  return command;
+}
+
 }  // namespace dipper::calibrate

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/reporter.hpp"
+#include "coupler/calibrate/calibration.hpp"
 #include "coupler/calibrate/deck_runs.hpp"
 
 namespace dipper::calibrate {
@@ -54,5 +55,10 @@ void write_runs_csv(const std::vector<MeasuredRun>& runs, const std::filesystem:
 /// One line `key=value` a parameter, as --set takes it.
 void write_overlay(const std::vector<std::pair<std::string, double>>& parameters,
                    const std::filesystem::path& file);
+
+/// The command line of a run of the case as it was calibrated: with the request's settings and
+/// these.
+std::string run_command(const CalibrationRequest& request,
+                        const std::vector<std::pair<std::string, double>>& parameters);
 
 }  // namespace dipper::calibrate

@@ -182,9 +182,7 @@ class PileCalibration {
     if (met) write_overlay(set, request_.out / "calibrated.set");
     write(json);
     if (!met) return 0;
-    std::string command = "dipper run " + request_.case_folder.string();
-    for (const auto& [key, value] : set) command += fmt::format(" --set {}={:.6g}", key, value);
-    reporter_.line(command);
+    reporter_.line(run_command(request_, set));
     return 0;
   }
 

@@ -30,7 +30,8 @@ bool starts_with(const std::string& text, const std::string& begin) {
 std::string fault_of(const SearchRange& r) {
   if (!starts_with(r.key, "contact.") && !starts_with(r.key, "rock."))
     return "the pile does not depend on it; search keys of contact or rock";
-  for (const char* wall : {"friction_dipper", "friction_truck", "adhesion_Pa"})
+  for (const char* wall : {"friction_dipper", "rolling_friction_dipper", "friction_truck",
+                           "friction_truck_sphere", "rolling_friction_truck", "adhesion_Pa"})
     if (r.key == std::string("contact.") + wall)
       return "there is no dipper and no truck at the pile; search a key of the ground or the rocks";
   if (r.key == "rock.bulk_density_kg_m3") return "it is measured, not searched";

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "common/yaml_tree.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 
@@ -11,19 +12,6 @@ namespace fs = std::filesystem;
 
 namespace dipper::cases {
 namespace {
-
-std::string in_quotes(const std::string& text) {
-  std::string out = "\"";
-  for (const char ch : text) {
-    if (ch == '"' || ch == '\\') out += '\\';
-    if (static_cast<unsigned char>(ch) < 0x20) {
-      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(ch));
-    } else {
-      out += ch;
-    }
-  }
-  return out + "\"";
-}
 
 // + 0.0 turns -0 into 0: equal numbers must print alike.
 std::string number(double x) { return fmt::format("{:.17g}", x + 0.0); }

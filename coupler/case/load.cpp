@@ -260,14 +260,19 @@ void apply(YamlTree& root, const Override& set, std::vector<Finding>& findings) 
       return;
     }
     YamlTree* child = node->find(part);
-    if (child == nullptr && node->kind == YamlTree::Kind::list) {
+    // A list that is --set's own grows element by element, as the lines of case.txt have it.
+    const bool starts = node->kind == YamlTree::Kind::empty && part == "0";
+    const bool goes_on = node->kind == YamlTree::Kind::list && node->origin.file == from &&
+                         part == std::to_string(node->children.size());
+    if (starts) node->kind = YamlTree::Kind::list;
+    if (child == nullptr && node->kind == YamlTree::Kind::list && !starts && !goes_on) {
       findings.push_back(
           {from, 0, set.key,
            fmt::format("no element {}; the list has 0 ... {}", part, node->children.size() - 1)});
       return;
     }
     if (child == nullptr) {
-      node->kind = YamlTree::Kind::map;
+      if (node->kind != YamlTree::Kind::list) node->kind = YamlTree::Kind::map;
       node->children.emplace_back(part, YamlTree{});
       child = &node->children.back().second;
       child->origin = {from, 0};
@@ -278,6 +283,18 @@ void apply(YamlTree& root, const Override& set, std::vector<Finding>& findings) 
   }
   *node = std::move(value);
   node->origin = {from, 0};
+}
+
+// Classes that are set take the place of the file's sieve, from which it would have made its own.
+void drop_sieve_for_set_classes(YamlTree& root) {
+  YamlTree* rock = root.find("rock");
+  const YamlTree* classes = rock != nullptr ? rock->find("classes") : nullptr;
+  const YamlTree* sieve = rock != nullptr ? rock->find("sieve") : nullptr;
+  if (classes == nullptr || sieve == nullptr) return;
+  if (classes->origin.file != "--set" || sieve->origin.file == "--set") return;
+  auto& sections = rock->children;
+  sections.erase(std::find_if(sections.begin(), sections.end(),
+                              [](const auto& child) { return child.first == "sieve"; }));
 }
 
 bool is_identifier(const std::string& name) {
@@ -408,10 +425,13 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
   const std::string text{std::istreambuf_iterator<char>(in), {}};
 
   const std::size_t before = findings.size();
+  if (first_not_utf8(c.folder.string()))
+    findings.push_back({file, 0, "", "the folder's name is not UTF-8; rename it"});
   YamlTree root = parse_yaml(text, file, "", findings);
   const bool syntax_error = findings.size() > before && root.kind == YamlTree::Kind::empty;
   take_in_include(root, c.folder, findings);
   for (const Override& set : overrides) apply(root, set, findings);
+  drop_sieve_for_set_classes(root);
   if (syntax_error) return c;  // every key would seem to be missing
 
   Loader(c, findings).read_section(root, "", "", {});

@@ -55,4 +55,8 @@ void check_windows(const cases::Case& c, const machine::Motion& motion, Findings
 /// Shapes that exist, a rock at least in every class, a stable DEM step.
 void check_rock(const cases::Case& c, Findings& findings);
 
+/// With one shape in classes that mix spheres and others, which check_rock reports: what is asked
+/// of the rest of the rock can be answered.
+cases::Case without_mixed_classes(cases::Case c);
+
 }  // namespace dipper::check

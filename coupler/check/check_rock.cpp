@@ -76,14 +76,15 @@ void check_shapes(const cases::Case& c, Findings& findings) {
 
 }  // namespace
 
+cases::Case without_mixed_classes(cases::Case c) {
+  for (cases::SizeClass& size : c.rock.classes)
+    if (is_mixed(size)) size.shapes.resize(1);
+  return c;
+}
+
 void check_rock(const cases::Case& c, Findings& findings) {
   check_shapes(c, findings);
-  // The deck refuses a mixed class, which is reported above; with one shape it counts the rest.
-  cases::Case unmixed = c;
-  for (cases::SizeClass& size : unmixed.rock.classes) {
-    if (is_mixed(size)) size.shapes.resize(1);
-  }
-
+  const cases::Case unmixed = without_mixed_classes(c);
   const std::vector<deck::ClassCount> counts = deck::rock_counts(unmixed);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i].rocks >= 1) continue;

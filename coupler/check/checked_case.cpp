@@ -11,6 +11,7 @@
 #include "coupler/case/case_hash.hpp"
 #include "coupler/case/case_text.hpp"
 #include "coupler/check/check.hpp"
+#include "coupler/check/check_parts.hpp"
 #include "coupler/check/cost_estimate.hpp"
 #include "coupler/check/doubts.hpp"
 #include "coupler/deck/deck.hpp"
@@ -105,7 +106,7 @@ cases::Case read_case(const std::filesystem::path& folder,
   cases::Case c = cases::load_case(folder, overrides, findings);
   if (!findings.empty()) return c;
   if (c.dem.timestep_s == 0) {
-    c.dem.timestep_s = deck::chosen_timestep(c);
+    c.dem.timestep_s = deck::chosen_timestep(without_mixed_classes(c));
     c.text = cases::case_text(c);
   }
   findings = check_case(c);

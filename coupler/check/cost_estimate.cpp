@@ -86,8 +86,9 @@ std::string to_string(const CostEstimate& e) {
 
 void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, Reporter& reporter) {
   std::filesystem::path there = std::filesystem::absolute(folder);
-  while (!std::filesystem::exists(there)) there = there.parent_path();
-  std::error_code unknown;
+  std::error_code unknown;  // a folder that may not be looked into is refused elsewhere
+  while (!std::filesystem::exists(there, unknown) && there.has_relative_path())
+    there = there.parent_path();
   const std::filesystem::space_info space = std::filesystem::space(there, unknown);
   const double free_B = static_cast<double>(space.available), wanted_B = cost_estimate(c).disk_B;
   if (unknown || space.capacity == 0 || wanted_B < free_B) return;

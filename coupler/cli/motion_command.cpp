@@ -11,6 +11,7 @@
 #include "common/draft_file.hpp"
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
+#include "common/yaml_tree.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/outline_file.hpp"
 #include "coupler/check/checked_case.hpp"
@@ -91,7 +92,7 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   const DraftFile draft(fs::absolute(out));
   if (!(std::ofstream(draft.path()) << text).flush())
     throw InputError({{fs::absolute(out), 0, "", "cannot be written"}});
-  set.push_back({"machine.motion", draft.path().string()});
+  set.push_back({"machine.motion", in_quotes(draft.path().string())});
   auto sound = check::checked_case(o.folder, set, reporter);
   if (!sound) return 2;
   const fs::path page = o.page.empty() ? fs::path(sound->name + "-motion.html") : fs::path(o.page);

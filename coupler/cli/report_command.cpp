@@ -61,9 +61,9 @@ void tell_passes(const nlohmann::ordered_json& metrics, Reporter& reporter) {
   if (!metrics.contains("passes")) return;
   const auto in_MN = [](double newton) { return newton / 1e6; };
   for (const auto& p : metrics["passes"]) {
-    std::string line = fmt::format("pass {}: {:.1f} t in the dipper, {:.1f} t in the truck",
-                                   p["pass"].get<int>(), p["payload_kg"].get<double>() / 1e3,
-                                   p["truck_kg"].get<double>() / 1e3);
+    std::string line =
+        fmt::format("pass {}: {:.1f} t in the dipper, {:.1f} t in the truck", p["pass"].get<int>(),
+                    p["payload_kg"].get<double>() / 1e3, p["truck_kg"].get<double>() / 1e3);
     if (p.contains("spillage_kg"))
       line += fmt::format(", {:.2f} t spilt", p["spillage_kg"].get<double>() / 1e3);
     line += fmt::format(", dig force {:.2f} MN", in_MN(p["dig_force_mean_N"]));

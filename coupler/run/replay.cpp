@@ -165,6 +165,7 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
                                       e.request.envelope.step_index, e.request.envelope.t_ns);
     ++result.requests;
     if (!is_window(e)) continue;
+    ++result.windows;
     compare(reply, e.reply, result);
     result.wall_s =
         wall_s + std::chrono::duration<double>(std::chrono::steady_clock::now() - *began).count();
@@ -187,6 +188,8 @@ ReplayResult replay(const fs::path& run, const std::string& side) {
   if (result.segments == 0) {
     throw std::runtime_error("no recording to replay: no events.lcmlog in " + run.string());
   }
+  if (result.windows == 0)
+    throw std::runtime_error("no recording to replay: no window of sync steps in " + run.string());
   return result;
 }
 

@@ -9,6 +9,7 @@ namespace dipper::run {
 struct ReplayResult {
   int segments = 0;            ///< from the start or a checkpoint to an end, each
   long requests = 0;           ///< windows and commands asked again
+  long windows = 0;            ///< of them windows
   long different = 0;          ///< answers that are not the recorded ones to the bit
   double force_N = 0;          ///< largest difference in a mean force component (rock side)
   double position_m = 0;       ///< largest difference in a body's position

@@ -1,5 +1,6 @@
 #include "coupler/run/settings.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <stdexcept>
@@ -24,7 +25,10 @@ std::vector<cases::Override> read_settings(const std::filesystem::path& run) {
 void write_settings(const std::filesystem::path& run,
                     const std::vector<cases::Override>& settings) {
   std::map<std::string, std::string> last;
-  for (const cases::Override& o : settings) last[o.key] = o.value;
+  for (const cases::Override& o : settings) {
+    std::string& value = last[o.key] = o.value;
+    std::replace(value.begin(), value.end(), '\n', ' ');  // a line a key
+  }
   std::ofstream out(run / kFile);
   for (const auto& [key, value] : last) out << key << '=' << value << '\n';
   if (!out.flush()) throw std::runtime_error("cannot write " + (run / kFile).string());

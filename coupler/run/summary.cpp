@@ -82,7 +82,7 @@ json describe(const AchievedProfile& p) {
 void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts& facts,
                    Reporter& reporter) {
   json summary = summarise(c, facts, folder.record());
-  if (c.pile.clear_machine == "on") {
+  if (c.pile.clear_machine == "on" && facts.syncs > 0) {
     const auto first = [&](const char* name) {
       return record::read_channel(folder.record(), name).at(0);
     };

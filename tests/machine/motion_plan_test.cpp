@@ -10,6 +10,7 @@
 #include "common/angles.hpp"
 #include "common/input_error.hpp"
 #include "machine/motion_plan_file.hpp"
+#include "machine/motion_row.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -52,6 +53,18 @@ TEST(MotionPlan, TheTeethGoWhereTheyAreSent) {
                 (tip - Vector2d(saddle.x(), saddle.z())).norm(), 1e-9);
   }
   EXPECT_THROW(shovel.kinematics.teeth_at({9.2, 10.8}), std::domain_error);
+}
+
+TEST(MotionRow, TimesAreToTheMicrosecond) {
+  const Shovel shovel;
+  const auto time = [&](double t_s) {
+    const std::string row = motion_row(t_s, {13.1, 0.4}, 0, 0, shovel.kinematics);
+    return row.substr(0, row.find(','));
+  };
+  EXPECT_EQ(time(0), "0.00");
+  EXPECT_EQ(time(12.3), "12.30");
+  EXPECT_EQ(time(1000.025), "1000.025");
+  EXPECT_EQ(time(0.0333333333), "0.033333");
 }
 
 class PlanFileTest : public testing::Test {

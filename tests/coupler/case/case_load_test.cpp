@@ -225,6 +225,21 @@ TEST(LoadCase, SyntaxErrorsHaveTheirLine) {
   expect_findings(findings_of(checkout), {{checkout.file(), 2, "", "a key must be a plain word"}});
 }
 
+TEST(LoadCase, TextIsUtf8) {
+  Checkout checkout;
+  checkout.replace("title",
+                   "title: Gr\xC3\xB6\xC3\x9F"
+                   "e, 4 \xE2\x84\xA6 \xF0\x9F\xAA\xA8");
+  expect_findings(findings_of(checkout), {});
+  for (const char* word : {"Gr\xF6\xDF"
+                           "e",
+                           "\xC0\xAF", "\xED\xA0\x80", "\xF5", "end\xE2\x84"}) {
+    const int line = checkout.replace("title", std::string("title: ") + word);
+    expect_findings(findings_of(checkout),
+                    {{checkout.file(), line, "", "holds a byte that is not UTF-8"}});
+  }
+}
+
 TEST(LoadCase, AliasesAreNotFollowed) {
   Checkout checkout;
   checkout.replace("seed", "seed: &s 1");

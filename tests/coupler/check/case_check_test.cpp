@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "common/case_lines.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/case/case_hash.hpp"
@@ -341,6 +342,10 @@ TEST(CheckCase, StepIsChosenWhereTheCaseSaysAuto) {
   const cases::Case stiff =
       read_case(checkout.folder(), {{"contact.normal_scale", "0.04"}}, findings);
   EXPECT_NEAR(stiff.dem.timestep_s / c.dem.timestep_s, 0.5, 0.04);
+  const int mixed = checkout.replace(
+      "name: d600", "- {name: d600, size_m: 0.6, mass_percent: 44, shapes: [sphere, block]}");
+  read_case(checkout.folder(), {}, findings);
+  expect_findings(findings, {{checkout.file(), mixed, "rock.classes.3.shapes", "mixes spheres"}});
 }
 
 TEST(CheckCase, StepOfAFractionOfANanosecond) {
@@ -599,6 +604,19 @@ TEST(CheckCase, SieveCurveInPlaceOfClasses) {
   expect_findings(check(checkout), {});
 }
 
+TEST(CheckCase, TheTextOfASieveCaseIsACase) {
+  Checkout checkout;
+  use_sieve(checkout, "0.15,0\n0.25,40\n0.4,60\n0.8,100\n",
+            "classes: 3, spheres_below_m: 0.25, shapes: [block, shard]");
+  std::vector<Finding> findings;
+  const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+  std::vector<cases::Override> lines;
+  for (const CaseLine& line : CaseLines(c.text)) lines.push_back({line.key, line.value});
+  const cases::Case again = cases::load_case(checkout.folder(), lines, findings);
+  expect_findings(findings, {});
+  EXPECT_EQ(again.text, c.text);
+}
+
 TEST(CheckCase, SieveFaults) {
   Checkout checkout;
   use_sieve(checkout, "0.15,0\n0.25,140\n", "classes: 3");
@@ -655,6 +673,28 @@ TEST(CheckCase, BodiesThatTheMachineDoesNotHave) {
                                      "the machine moves no such body; it has dipper and door"},
                                     {checkout.file(), checkout.line("bodies"), "bodies.dipper",
                                      "missing key; without it nothing digs"}});
+}
+
+TEST(CheckCase, ABoomThatPointsAwayFromTheBenchMeetsNone) {
+  const Checkout checkout;
+  std::vector<Finding> findings;
+  const cases::Case c = read_case(checkout.folder(), {}, findings);
+  expect_findings(findings, {});
+  EXPECT_EQ(deck::bench_along_boom(c, 0).size(), 4U);
+  for (const double heading_rad : {M_PI / 2, -M_PI / 2, M_PI}) {
+    const auto section = deck::bench_along_boom(c, heading_rad);
+    for (const auto& point : section) EXPECT_EQ(point.y(), 0);
+    EXPECT_LE(section.back().x(), c.domain.max_m.x() - c.machine.base_position_m.x());
+  }
+}
+
+TEST(CheckCase, ADipperWithoutADoor) {
+  Checkout checkout;
+  const int line = checkout.replace("door:", "flap: ../../meshes/door.stl");
+  expect_findings(check(checkout), {{checkout.file(), line, "bodies.flap",
+                                     "the machine moves no such body; it has dipper and door"},
+                                    {checkout.file(), checkout.line("bodies"), "bodies.door",
+                                     "missing key; without it nothing stays in the dipper"}});
 }
 
 TEST(CheckedCase, SoundCase) {
