@@ -17,7 +17,7 @@ using json = nlohmann::ordered_json;
 struct PassFacts : signals::PassPhases {
   LoadToFollow load;
   std::optional<LoadFate> fate;  ///< none: no frame of the dig, or none after the dump
-  double load_volume_m3 = 0;  ///< 0: not known
+  double load_volume_m3 = 0;     ///< 0: not known
   double load_in_volume_kg = 0;
   std::vector<rock::Stage> stages;
   std::optional<StaticWeight> still;
