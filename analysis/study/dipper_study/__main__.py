@@ -44,16 +44,19 @@ class Session:
 
     def __init__(self, study, planner, executor, out):
         self.study, self.planner, self.executor, self.out = study, planner, executor, out
-        self.runs, self.failed = {}, {}  # {folder: PlannedRun}, {folder: what was said}
+        self.runs, self.failed = {}, {}  # {(point, seed): PlannedRun}, {folder: what was said}
 
     def make(self, runs):
-        """Makes what is not kept of these runs, after telling what that takes; rows of all of them."""
-        self.runs.update((r.job.folder, r) for r in runs)
-        todo = [r for r in runs if not self.executor.kept(r.job.folder, r.job.drop)]
-        say(statement(self.study, self.planner, self.executor, runs, todo))
+        """Makes what is not kept of these runs, after telling what that takes; rows of all of them.
+
+        Points that are the same case share a run: it is made once, and each has a row of it.
+        """
+        self.runs.update(((r.point, r.seed), r) for r in runs)
+        own = list({r.job.folder: r for r in runs}.values())
+        todo = [r for r in own if not self.executor.kept(r.job.folder, r.job.drop)]
+        say(statement(self.study, self.planner, self.executor, runs, len(own), todo))
         if todo:
-            progress = Progress(len(runs), len(runs) - len(todo), self.planner.seconds(todo[0]),
-                                self.executor.at_once)
+            progress = Progress(len(own), len(own) - len(todo), self.planner.seconds(todo[0]), self.executor.at_once)
             try:
                 failures = self.executor.make([r.job for r in todo], progress)
             finally:
@@ -76,9 +79,12 @@ class Session:
                 _link(self.out / "runs" / run.name, run.folder)
         if answer:
             (self.out / "optimum.json").write_text(json.dumps(plain(answer), indent=1) + "\n")
-        write_page(self.study, rows, [f"{self.runs[f]}: {text}" for f, text in self.failed.items()], answer,
-                   self.out / "report.html")
+        write_page(self.study, rows, self.failures(), answer, self.out / "report.html")
         return rows
+
+    def failures(self):
+        """What was said of each run that failed."""
+        return [f"{r}: {self.failed[r.job.folder]}" for r in self.runs.values() if r.job.folder in self.failed]
 
 
 def _link(link, to):
@@ -121,19 +127,12 @@ def corners(optimise):
 
 
 def conduct(session, points, args):
-    study = session.study
     try:
         if args.cancel:
             say(f"study: {session.executor.cancel()} jobs cancelled")
             return 0
         session.executor.detach = args.detach
-        answer = None
-        if study.optimise:
-            from .optimise import search  # scikit-learn takes a second to start, which other studies need not wait
-            answer = search(session, say)
-        else:
-            session.make(session.planner.runs(points, study.seeds))
-        session.write(answer)
+        session.write(made(session, points))
     except Detached as e:
         say(f"study: {e}; the same command without --detach watches and collects")
         return 0
@@ -148,9 +147,23 @@ def conduct(session, points, args):
         print("\n".join(e.findings), file=sys.stderr)
         return 2
     say(f"study: {session.out / 'report.html'}, {session.out / 'study.csv'}, {session.out / 'study.h5'}")
-    for folder, text in session.failed.items():
-        print(f"study: {session.runs[folder]}: {text}", file=sys.stderr)
+    for text in session.failures():
+        print(f"study: {text}", file=sys.stderr)
     return 3 if session.failed else 0
+
+
+def made(session, points):
+    """Makes the runs; the answer of an optimisation, else None. What was run before a failure is written."""
+    if not session.study.optimise:
+        session.make(session.planner.runs(points, session.study.seeds))
+        return None
+    from .optimise import search  # scikit-learn takes a second to start, which other studies need not wait
+    try:
+        return search(session, say)
+    except ProgramFailed:
+        if session.runs:
+            session.write()
+        raise
 
 
 if __name__ == "__main__":

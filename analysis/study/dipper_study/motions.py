@@ -6,8 +6,9 @@ from pathlib import Path
 
 import yaml
 
-from dipper_run.findings import BadInput
+from dipper_run.findings import BadInput, Findings
 from dipper_run.program import ProgramFailed, check_json
+from dipper_run.text_file import read_yaml
 
 from .study_file import Setting
 
@@ -42,9 +43,9 @@ class Motions:
     def own(self, key):
         """The number that the case's plan has at `plan.KEY`; None where there is none."""
         try:
-            holder, last = _walk(yaml.safe_load((self.case / "plan.yaml").read_text()), key)
+            holder, last = _walk(_read_plan(self.case / "plan.yaml"), key)
             return float(holder[last])
-        except (OSError, KeyError, IndexError, TypeError, ValueError):
+        except (KeyError, IndexError, TypeError, ValueError):
             return None
 
     def _plan(self, study_file, setting):
@@ -52,11 +53,11 @@ class Motions:
         if not file.is_file():
             raise BadInput([f"{study_file}:{setting.line}: {setting.key}: {self.case} has no plan.yaml; "
                             "a case whose motion is planned (docs/motion.md)"])
-        plan = yaml.safe_load(file.read_text())
-        for one in plan.get("passes", ()):
-            face = one.get("cut", {}).get(FACE_FILES, "pile")
-            if face != "pile":
-                one["cut"][FACE_FILES] = os.path.join(self.case, face)
+        plan = _read_plan(file)
+        for cut in _cuts(plan):
+            face = cut.get(FACE_FILES)
+            if isinstance(face, str) and face != "pile":
+                cut[FACE_FILES] = os.path.join(self.case, face)
         return plan
 
     def _find(self, plan, study_file, setting):
@@ -93,9 +94,33 @@ class Motions:
             raise ProgramFailed(f"{self.program}: {e.strerror}; build it, or set DIPPER to it") from e
         if made.returncode:
             said = ", ".join(map(str, planned))
-            first = next((line for line in made.stderr.splitlines() if line.strip()), f"exit status {made.returncode}")
-            raise BadInput([f"{study_file}:{planned[0].line}: {said}: {first}"])
+            raise BadInput([f"{study_file}:{planned[0].line}: {said}: {_reason(made)}"])
         return motion
+
+
+def _reason(made):
+    """The first line that tells why `dipper motion` refuses: what `dipper check` finds is on its standard output."""
+    lines = [*made.stderr.splitlines(), *made.stdout.splitlines()]
+    return next((line for line in lines if line.strip() and not line.startswith("warning: ")),
+                f"exit status {made.returncode}")
+
+
+def _read_plan(file):
+    """The map in a plan.yaml. Raises BadInput."""
+    found = Findings()
+    read_yaml(file, found, "a plan; docs/motion.md has its keys")
+    found.raise_if_any()
+    try:
+        return yaml.safe_load(file.read_text())
+    except (yaml.YAMLError, ValueError) as e:  # a key that is a list, a date that is none
+        raise BadInput([f"{file}: YAML: {str(e).splitlines()[0]}; a plan; docs/motion.md has its keys"]) from e
+
+
+def _cuts(plan):
+    """The maps `cut` of a plan's passes; what else stands there is for `dipper motion` to refuse."""
+    passes = plan.get("passes")
+    cuts = [one.get("cut") for one in passes if isinstance(one, dict)] if isinstance(passes, list) else []
+    return [cut for cut in cuts if isinstance(cut, dict)]
 
 
 def _walk(plan, key):

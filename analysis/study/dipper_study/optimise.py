@@ -7,7 +7,7 @@
        the improvement is claimed where the 90 % interval of their paired difference is on the right side of zero, and
        the fresh means hold the constraints
 """
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.stats import qmc
@@ -33,6 +33,7 @@ class Search:
     places: list          # (d,) in the unit cube
     goal: list            # (seeds,) of each: the objective, to be made large
     margins: list         # (constraints, seeds) of each
+    left_out: list = field(default_factory=list)  # (d,) of points that gave no figure
 
     def models(self):
         """The objective's Surrogate, and one a constraint."""
@@ -42,6 +43,10 @@ class Search:
     def feasibility(self, models, x):
         """Probability that all constraints hold at x."""
         return np.prod([probability_inside(*m(x)) for m in models], axis=0) if models else np.ones(len(x))
+
+    def promising(self, x):
+        """Whether each of x is nearer to a point that gave figures than to one that gave none."""
+        return _nearest(self.places, x) < _nearest(self.left_out, x)
 
     def best(self):
         """Index of the point that the models call best among those that are likely to hold the constraints."""
@@ -56,7 +61,9 @@ class Search:
     def next_places(self, count):
         """Where to run next; each is taken as if it had come out as the model says before the next is chosen."""
         trial = Search(list(self.places), list(self.goal), list(self.margins))
-        x = _sobol(len(self.places[0]), len(self.places), CANDIDATES)
+        x = _sobol(len(self.places[0]), len(self.places) + len(self.left_out), CANDIDATES)
+        promising = self.promising(x)
+        x = x[promising] if promising.any() else x
         for _ in range(count):
             goal, margins = trial.models()
             mean, sd = goal(x)
@@ -70,6 +77,11 @@ class Search:
                         for k, m in enumerate(margins)]
             trial.margins.append(np.array(believed).reshape(-1, seeds))
         return trial.places[-count:]
+
+
+def _nearest(places, x):
+    """How far each of x is from the nearest of the places; infinite without any."""
+    return np.min([np.linalg.norm(x - p, axis=1) for p in places], axis=0) if places else np.full(len(x), np.inf)
 
 
 def _sobol(dimensions, seed, count):
@@ -93,11 +105,14 @@ def search(session, say):
     how, base = session.study.optimise, _base(session)
     low, width = np.array([r.low for r in how.ranges]), np.array([r.high - r.low for r in how.ranges])
     found = Search([], [], [])
-    _run(session, found, [(base - low) / width, *_sobol(len(low), 1, how.start - 1)])
+    _run(session, found, [(base - low) / width, *_sobol(len(low), 1, how.start - 1)], say)
+    if len(found.places) < 2:
+        raise ProgramFailed(f"{session.study.file}:{how.ranges[0].line}: optimise.parameters: of {how.start} points "
+                            "only the case itself gives a figure; ranges nearer to the case's own values")
     asked = how.start
     while asked < how.points:
         count = min(how.batch, how.points - asked)
-        _run(session, found, found.next_places(count))
+        _run(session, found, found.next_places(count), say)
         asked += count
         at = found.best()
         say(f"study: {asked} of {how.points} points; best so far {_text(how, low + width * found.places[at])}: "
@@ -133,18 +148,25 @@ def _value(told, key):
     return value if isinstance(value, (int, float)) else None
 
 
-def _run(session, found, places):
-    """Runs of these places of the unit cube, with every seed of the search. One whose runs fail is left out."""
+def _run(session, found, places, say):
+    """Runs of these places of the unit cube, with every seed of the search. What is no sound case, and one whose runs
+    fail, is left out."""
     how, seeds = session.study.optimise, session.study.seeds
     points = [session.study.point_at([r.low + (r.high - r.low) * u for r, u in zip(how.ranges, p)]) for p in places]
-    rows = _rows(session, points, seeds)
-    for place, of_point in zip(places, rows):
-        goal, margins = _figures(how, of_point)
+    unsound = session.planner.faults(points)
+    for point, findings in unsound.items():
+        say(f"study: {_text(how, [v.number for v in point.values])} is no sound case, left out: {findings[0]}")
+    sound = [p for p in points if p not in unsound]
+    rows = dict(zip(sound, _rows(session, sound, seeds)))
+    for place, point in zip(places, points):
+        goal, margins = _figures(how, rows.get(point, [{}] * len(seeds)))
         if np.isfinite(goal).all() and np.isfinite(margins).all():
             found.places.append(np.asarray(place, float))
             found.goal.append(goal)
             found.margins.append(margins)
-        elif not found.places:
+        elif found.places:
+            found.left_out.append(np.asarray(place, float))
+        else:
             raise ProgramFailed("the case itself gives no figure to hold others against")
 
 
@@ -154,7 +176,7 @@ def _rows(session, points, seeds):
         session.planner.check(points)
     except BadInput as e:
         raise ProgramFailed("a point inside the ranges is no sound case:\n" + str(e)) from e
-    rows = session.make(session.planner.runs(points, seeds))
+    rows = session.make(session.planner.runs(points, seeds)) if points else []
     return [rows[k * len(seeds):(k + 1) * len(seeds)] for k in range(len(points))]
 
 

@@ -15,6 +15,7 @@ from .motions import Motions
 # What a study removes of a run, by `keep`. A run's own page and its figures stay always.
 DROPPED = {"all": (), "record": HEAVY, "summary": (*HEAVY, "record.h5", "observed", "deck")}
 PAGE_BYTES = 2e6  # of a run, about
+NAME_BYTES = 100  # of a run's name: a longer one is cut, and ends with a hash
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,9 @@ class PlannedRun:
     def name(self):
         """Of the link to it in the study's folder."""
         values = "_".join(re.sub(r"[^\w.+-]+", "-", v.name) for v in self.point.values)
+        if len(values.encode()) > NAME_BYTES:
+            mark = hashlib.sha256(str(self.point).encode()).hexdigest()[:8]
+            values = f"{values.encode()[:NAME_BYTES].decode(errors='ignore')}-{mark}"
         return f"{values or 'case'}_s{self.seed}"
 
     def __str__(self):
@@ -49,18 +53,29 @@ class Planner:
         self._settings = {}  # {point: its settings as `--set` takes them}
 
     def check(self, points):
-        """Raises BadInput with what `dipper check` has against any of them, each finding once."""
-        new = [p for p in dict.fromkeys(points) if p not in self._told]
-        self._settings.update((p, self.motions.resolved(self.study.file, p.settings)) for p in new)
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            told = list(pool.map(self._ask, new))
-        wrong = {}
-        for point, said in zip(new, told):
-            for finding in said["findings"]:
-                wrong.setdefault(self._line(point, finding), None)
+        """Raises BadInput with what is wrong with any of them, each finding once."""
+        wrong = dict.fromkeys(finding for of_point in self.faults(points).values() for finding in of_point)
         if wrong:
             raise BadInput(wrong)
-        self._told.update(zip(new, told))
+
+    def faults(self, points):
+        """{point: what `dipper motion` and `dipper check` have against it}; the points left out are checked."""
+        found, planned = {}, []
+        for point in dict.fromkeys(points):
+            if point in self._told:
+                continue
+            try:
+                self._settings[point] = self.motions.resolved(self.study.file, point.settings)
+                planned.append(point)
+            except BadInput as e:
+                found[point] = e.findings
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            for point, told in zip(planned, pool.map(self._ask, planned)):
+                if told["findings"]:
+                    found[point] = [self._line(point, finding) for finding in told["findings"]]
+                else:
+                    self._told[point] = told
+        return found
 
     def runs(self, points, seeds):
         """The runs of checked points, seed by seed within a point."""

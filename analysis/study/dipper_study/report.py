@@ -35,7 +35,7 @@ def _chart(parameter, study, rows, columns):
     others = [n for n in study.names if n != parameter.name]
     numbers = [v.number for v in parameter.values]
     chart = {"name": parameter.name, "names": [v.name for v in parameter.values],
-             "numbers": None if None in numbers else numbers, "lines": []}
+             "numbers": None if None in numbers or len(set(numbers)) < len(numbers) else numbers, "lines": []}
     for key in dict.fromkeys(tuple(r[n] for n in others) for r in rows):
         of_line = [r for r in rows if tuple(r[n] for n in others) == key]
         cells = [[r for r in of_line if r[parameter.name] == v.name] for v in parameter.values]
@@ -49,7 +49,7 @@ def _chart(parameter, study, rows, columns):
 
 def _trends(parameter, study, rows, columns):
     """Slope of each column against a parameter that is a number: over seeds, and over the others' values."""
-    if any(v.number is None for v in parameter.values) or len(parameter.values) < 2:
+    if any(v.number is None for v in parameter.values) or len({v.number for v in parameter.values}) < 2:
         return
     number = {v.name: v.number for v in parameter.values}
     for column in columns:

@@ -12,6 +12,9 @@ class Section:
         self.line = node.start_mark.line + 1
         self._all, self._read = {}, set()
         for key, value in node.value:
+            if not isinstance(key, yaml.ScalarNode):
+                self.wrong("key", f"is {said(key)}", "a word, or a text in quotes", key)
+                continue
             if key.value in self._all:
                 self.wrong(key.value, "is given twice", "give it once", key)
             self._all[key.value] = (key, value)
@@ -46,9 +49,17 @@ class Section:
         """The map of a key, or None."""
         node = self.get(key)
         if node is not None and not isinstance(node, yaml.MappingNode):
-            self.wrong(key, f"is {said(node)}", "a map")
+            self.wrong(key, f"is {said(node) or 'empty'}", "a map")
             return None
         return node and Section(node, self.file, self.found, f"{self.name}{key}.")
+
+    def filled(self, key, what):
+        """The map of a key, which may not be empty; None without the key, or after a finding."""
+        inner = self.section(key)
+        if inner is not None and not inner.node.value:
+            self.wrong(key, "is an empty map", what)
+            return None
+        return inner
 
     def text(self, key, default=None):
         node = self.get(key)
@@ -80,7 +91,7 @@ class Section:
             return default
         value = number(node.value) if isinstance(node, yaml.ScalarNode) else None
         if value is None or not low <= value <= high:
-            self.wrong(key, f"is {said(node)}", f"a number, {low:g} to {high:g}")
+            self.wrong(key, f"is {said(node) or 'empty'}", f"a number, {low:g} to {high:g}")
             return default
         return value
 
@@ -90,7 +101,7 @@ class Section:
         if node is None:
             return ()
         if not isinstance(node, yaml.SequenceNode) or not node.value:
-            self.wrong(key, "is an empty list" if isinstance(node, yaml.SequenceNode) else f"is {said(node)}",
-                       f"a list of {what}: [...]")
+            is_list = isinstance(node, yaml.SequenceNode)
+            self.wrong(key, f"is {'an empty list' if is_list else said(node) or 'empty'}", f"a list of {what}: [...]")
             return ()
         return node.value

@@ -3,12 +3,13 @@ from .plan import free_bytes
 from .progress import minutes, size_text
 
 
-def statement(study, planner, executor, runs, todo):
-    """Two lines: runs and time; disk."""
+def statement(study, planner, executor, runs, own, todo):
+    """Two lines: runs and time; disk. Of the runs asked for, `own` are not the same as another, `todo` not kept."""
     points = len({r.point for r in runs})
     seeds = len({r.seed for r in runs})
-    said = (f"study: {points} points x {seeds} seeds of {study.case}: {len(runs)} runs, "
-            f"{len(runs) - len(todo)} of them kept")
+    said = (f"study: {points} points x {seeds} seeds of {study.case}: {own} runs"
+            + (f" (points that are the same case share {len(runs) - own})" if own < len(runs) else "")
+            + f", {own - len(todo)} of them kept")
     if not todo:
         return said
     seconds = sum(map(planner.seconds, todo)) / executor.at_once

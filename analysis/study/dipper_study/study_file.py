@@ -10,11 +10,13 @@ from dipper_run.findings import Findings
 from dipper_run.text_file import number, read_yaml, said
 
 from .goal import Constraint, Objective, read_objective
+from .results import FIGURES
 from .section import Section
 
 KEEPS = ("summary", "record", "all")
 EXECUTORS = ("local", "slurm")
 MOST_RANKS = 100_000
+COLUMNS = ("run", "seed", "status", *FIGURES)  # of study.csv, beside the parameters
 
 
 @dataclass(frozen=True)
@@ -173,15 +175,17 @@ def _fixed(top):
 
 
 def _parameters(top):
-    section = top.section("parameters")
+    section = top.filled("parameters", "a case key with a list of its values, KEY: [...], or more of them")
     return tuple(_parameter(section, name) for name in section.keys()) if section else ()
 
 
 def _parameter(section, name):
     """A key with a list of its values, or a name with a map {value's name: {key: value}}."""
     if isinstance(section.get(name), yaml.MappingNode):
-        inner = section.section(name)
-        values = [_named(inner, key) for key in inner.keys()]
+        inner = section.filled(name, "named values, each some keys: {wide: {bodies.dipper: wide.stl}}")
+        values = [_named(inner, key) for key in inner.keys()] if inner else []
+        if name in COLUMNS or "/" in name or not name.strip(". "):
+            section.wrong(name, "cannot name a column of study.csv", f"a name without /, none of {', '.join(COLUMNS)}")
     else:
         values = []
         for node in section.items(name, "values"):
@@ -217,7 +221,7 @@ def _optimise(top):
     if len(goals) != 1:
         section.wrong("maximise", "both or none of maximise and minimise", "one of them")
     objective = read_objective(section, goals[0]) if goals else None
-    inner = section.section("parameters")
+    inner = section.filled("parameters", "a case key between two numbers, KEY: {low: ..., high: ...}, or more of them")
     ranges = tuple(r for name in inner.keys() if (r := _range(inner, name))) if inner else ()
     bounds = section.section("constraints")
     constraints = tuple(_constraint(bounds, name) for name in bounds.keys()) if bounds else ()

@@ -75,6 +75,41 @@ def test_failures_are_kept_apart_and_told_at_the_end(world):
     assert len(world.calls()) == 12 and all(r["status"] == "complete" for r in world.rows())
 
 
+def test_points_that_are_the_same_case_share_a_run_and_each_has_its_rows(world):
+    said = world.study(NAMED.replace("[1, 2, 3, 4]", "[1, 2]").replace("plain: {}", "plain: {}\n    as_it_is: {}"))
+    assert len(world.calls()) == 4 and "4 runs (points that are the same case share 2), 0 of them kept" in said
+    assert "4 of 4 runs done" in said
+    rows = world.rows()
+    asked = [(name, seed) for name in ("plain", "as_it_is", "wide") for seed in "12"]
+    assert [(r["bucket"], r["seed"]) for r in rows] == asked
+    assert [r["payload_t"] for r in rows[:2]] == [r["payload_t"] for r in rows[2:4]]
+    assert all((world.out / "runs" / r["run"] / "record.h5").exists() for r in rows)
+
+
+def test_a_shared_run_that_fails_is_told_for_each_of_its_points(world):
+    world.say("fail", "2")
+    said = world.study(NAMED.replace("wide: {bodies.dipper: wide.stl}", "as_it_is: {}"), status=3)
+    assert len(world.calls()) == 4
+    assert "study: plain, seed 2: run failed" in said and "study: as_it_is, seed 2: run failed" in said
+    assert [r["seed"] for r in world.rows() if r["status"] == "failed"] == ["2", "2"]
+
+
+def test_one_number_written_twice_has_no_slope(world):
+    said = world.study(STUDY.replace("[60, 62, 64]", "[60, 60.0]"))
+    assert "Warning" not in said and len(world.rows()) == 6
+    rows = [{k: float(v) if k in COLUMNS else v for k, v in r.items()} for r in world.rows()]
+    data = page(read_study(world.folder / "study.yaml"), rows)
+    assert data["trends"] == [] and data["charts"][0]["numbers"] is None
+
+
+def test_a_long_value_has_a_run_with_a_short_name(world):
+    values = [f"[{classes}]" for classes in (", ".join(["{share: 0.2, size_m: 0.5}"] * 12), "ä" * 200, "ä" * 201)]
+    world.study(NAMED.replace("  bucket:\n    plain: {}\n    wide: {bodies.dipper: wide.stl}",
+                              f"  bodies.dipper: [{', '.join(values)}]"))
+    runs = {r["run"] for r in world.rows()}
+    assert len(runs) == 12 and all(len(name.encode()) < 120 and (world.out / "runs" / name).exists() for name in runs)
+
+
 def test_every_point_is_checked_before_anything_starts(world):
     said = world.study(STUDY.replace("64]", "640]") + "  pile.toe_y_m: [1, 2]\n", status=2)
     assert "study.yaml:4: machine.rake_angle_deg: 640 is out of range" in said

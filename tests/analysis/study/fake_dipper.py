@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Stands in for `dipper`: checks and runs a case in which payload, force and work are a known function of rake, toe
 and seed. Beside it: `calls` (a line a run that began), `fail` (seeds whose runs fail), `slow` (seconds a run takes),
-`real` (the program that writes pages)."""
+`steep` (the rake above which a toe beyond 0.5 m is no sound case), `real` (the program that writes pages)."""
 import hashlib
 import json
 import os
@@ -36,6 +36,8 @@ def check(words):
             findings.append((key, "unknown key"))
         elif not low <= float(value) <= high:
             findings.append((key, f"{value} is out of range; allowed is {low} ... {high}"))
+    if float(told.get("machine.rake_angle_deg", 0)) > float(read("steep", "inf")) and float(told["pile.toe_x_m"]) > 0.5:
+        findings.append(("pile.toe_x_m", "the dipper is in the pile"))
     case = pathlib.Path(words[words.index("--json") + 1]) / "case.yaml"
     text = case.read_text() + json.dumps(told, sort_keys=True)
     print(json.dumps({"findings": [{"file": "--set", "line": 0, "key": k, "message": m} for k, m in findings],
@@ -80,13 +82,16 @@ def run(words):
 
 
 def motion(words):
-    """A motion is its plan's only cut; no machine digs deeper than 5 m."""
+    """A motion is its plan's only cut; no machine digs deeper than 5 m, nor, as `check` finds, above the ground."""
     file, out = (pathlib.Path(words[words.index(option) + 1]) for option in ("--plan", "--out"))
     cut = yaml.safe_load(file.read_text())["passes"][0]["cut"]
     with open(HERE / "motions", "a") as f:
         f.write(f"{json.dumps(cut)}\n")
     if cut["depth_m"] > 5:
         print("dipper: the plan: the dipper is under the ground", file=sys.stderr)
+        return 2
+    if cut["depth_m"] < 0:
+        print("warning: case.yaml:2: seed: is odd\ncase.yaml:1: domain.max_m: the dipper leaves the box\n1 error")
         return 2
     out.write_text(json.dumps(cut))
     return 0

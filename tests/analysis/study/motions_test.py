@@ -52,6 +52,7 @@ def test_another_case_has_other_motions(world):
 
 @pytest.mark.parametrize("values, said", [
     ("plan.passes.0.cut.depth_m: [1, 9]", "under the ground"),
+    ("plan.passes.0.cut.depth_m: [1, -1]", "case.yaml:1: domain.max_m: the dipper leaves the box"),
     ("plan.passes.1.cut.depth_m: [1]", "no such key"),
     ("plan.passes.0.cut.face: [1]", "is no number"),
     ("plan.passes.0.cut.depth_m: [deep]", "is deep; a number"),
@@ -60,6 +61,16 @@ def test_what_cannot_be_planned_is_told_with_its_line(world, values, said):
     told = world.study(f"case: case\nseeds: [1]\nparameters:\n  {values}\n", status=2)
     assert f"study.yaml:4: {values.split(':')[0]}" in told and said in told
     assert world.calls() == []
+
+
+@pytest.mark.parametrize("plan, said", [
+    ("passes: [", "plan.yaml:1: YAML: "), ("[]", "plan.yaml:1: YAML: not a map; a plan"),
+    ("{[a]: 1}", "plan.yaml: YAML: "), ("passes: 3", "has no such key"), ("passes: [{cut: 1}]", "has no such key"),
+])
+def test_a_plan_that_is_none(world, plan, said):
+    (world.folder / "case/plan.yaml").write_text(plan)
+    told = world.study(STUDY, status=2)
+    assert said in told and "Traceback" not in told and world.calls() == []
 
 
 def test_a_case_without_a_plan(world):

@@ -5,6 +5,7 @@ import random
 import numpy as np
 import pytest
 
+from dipper_run.program import ProgramFailed
 from dipper_study.optimise import search
 from dipper_study.study_file import read_study
 from dipper_study.surrogate import Surrogate, expected_improvement, pooled_variance
@@ -38,6 +39,9 @@ class Session:
 class Planner:
     def check(self, points):
         pass
+
+    def faults(self, points):
+        return {}
 
     def told(self, point):
         return {"values": {"machine.rake_angle_deg": 60, "pile.toe_x_m": 0}}
@@ -111,6 +115,26 @@ def test_no_improvement_is_claimed_where_there_is_none(tmp_path):
     assert claims <= 2
 
 
+def test_points_that_give_no_figure_are_left_out_and_not_asked_for_again(tmp_path):
+    asked = []
+
+    def broken(rake, toe, seed):
+        if rake > 62:
+            asked.append((rake, toe, seed))
+            return {}
+        return hill(rake, toe, seed)
+
+    answer, _ = searched(tmp_path, broken)
+    assert answer["points"] + len(asked) // 3 == 16 and len(set(asked)) == len(asked)
+    assert answer["improved"] and 60.5 < answer["best"][0] <= 62
+
+
+def test_a_search_with_the_case_alone_is_refused(tmp_path):
+    with pytest.raises(ProgramFailed) as e:
+        searched(tmp_path, lambda rake, toe, seed: hill(rake, toe, seed) if abs(rake - 60) < 1e-9 else {})
+    assert "study.yaml:6: optimise.parameters: of 6 points only the case itself gives a figure; ranges" in str(e.value)
+
+
 def test_the_noise_is_that_of_the_seeds():
     rng = np.random.default_rng(1)
     groups = rng.normal(0, 5, (1, 6)) + rng.normal(0, 7, (40, 1)) + rng.normal(0, 1.5, (40, 6))
@@ -143,3 +167,21 @@ def test_the_command_searches_goes_on_and_says_what_it_found(tmp_path):
     assert len(world.calls()) == made and json.loads((world.out / "optimum.json").read_text()) == answer
     said = world.study(study.replace("low: 58, high: 70", "low: 62, high: 70"), status=2)
     assert "study.yaml:6: machine.rake_angle_deg: the case has 60; a range that holds it" in said
+
+
+def test_what_was_run_is_written_where_the_search_cannot_go_on(tmp_path):
+    world = World(tmp_path)
+    world.say("fail", "2")
+    said = world.study(STUDY, status=3)
+    assert "the case itself gives no figure to hold others against" in said
+    assert [r["status"] for r in world.rows()] == ["complete", "failed", "complete"] * 6
+    assert (world.out / "report.html").exists() and not (world.out / "optimum.json").exists()
+
+
+def test_a_point_that_is_no_sound_case_is_left_out(tmp_path):
+    world = World(tmp_path)
+    world.say("steep", "64")
+    said = world.study(STUDY.replace("points: 16", "points: 8"))
+    assert "is no sound case, left out: " in said and "study.yaml:7: pile.toe_x_m: the dipper is in the pile" in said
+    answer = json.loads((world.out / "optimum.json").read_text())
+    assert answer["points"] < 8 and answer["runs"] == len(world.rows())

@@ -73,6 +73,13 @@ slurm: {queue: long}
     ("case: case\nseeds: [1]\nseeds: [2]\nparameters: {a: [1]}\n", ":3: seeds: is given twice"),
     ("case: case\nseeds: [1.5]\nparameters: {a: [1]}\n", "whole numbers"),
     ("case: case\nseeds: [1]\nparameters: {a: [1]}\nset:\n  b:\n    - 1\n", "in flow style"),
+    ("case: case\nseeds: [1]\nparameters: {}\n", ":3: parameters: is an empty map; a case key with a list"),
+    ("case: case\nseeds: [1]\nparameters: {a: {}}\n", ":3: parameters.a: is an empty map; named values"),
+    ("case: case\nseeds: [1]\nparameters:\n  a:\n", ":4: parameters.a: is empty; a list of values"),
+    ("case: case\nseeds: [1]\nparameters: {[a, b]: [1]}\n", ":3: parameters.key: is a list; a word"),
+    ("case: case\nseeds: [1]\nparameters: {seed: {a: {}}}\n", ":3: parameters.seed: cannot name a column"),
+    ("case: case\nseeds: [1]\nparameters: {a/b: {a: {}}}\n", ":3: parameters.a/b: cannot name a column"),
+    ("case: case\nseeds: [1]\nparameters: {'': {a: {}}}\n", ":3: parameters.: cannot name a column"),
 ])
 def test_faults(folder, text, fault):
     assert any(fault in f for f in faults(folder, text))
@@ -100,6 +107,7 @@ def test_an_optimisation(folder):
     ("maximise", "best", "both or none of maximise and minimise"), ("low: 58", "low: 68", "68 is not below 66"),
     ("at_most: 10", "under: 10", "unknown key; one of at_least, at_most"), ("[11, 12]", "[2, 12]", "fresh ones"),
     ("[1, 2]", "[1]", "two or more where optimise is"),
+    ("{machine.rake_angle_deg: {low: 58, high: 66}}", "{}", ":6: optimise.parameters: is an empty map; a case key"),
 ])
 def test_faults_of_an_optimisation(folder, old, new, fault):
     assert any(fault in f for f in faults(folder, OPTIMISE.replace(old, new)))
