@@ -12,6 +12,7 @@ from .readings import row_gaps, sound_readings
 from .units import CHANNELS, DRIVES, FORCES, TRUCK_MASS
 
 WEIGHED_S = 1.0  # readings of the truck's scale that are averaged
+SIGMAS = 3       # of the scale: as far below zero the mass of a pass that loads nothing may be
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,7 @@ def motion_text(made, what, source):
              "time_s,hoist_m,crowd_m,swing_deg,door_deg"]
     columns = [made.fits[name].value for name in DRIVES]
     for k, t in enumerate(made.grid):
-        lines.append(f"{t:.6g}," + ",".join(f"{c[k] + 0.0:.6f}" for c in columns))
+        lines.append(f"{t:.9f}".rstrip("0").rstrip(".") + "," + ",".join(f"{c[k] + 0.0:.6f}" for c in columns))
     return "\n".join(lines) + "\n"
 
 
@@ -75,7 +76,7 @@ def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
     signals = {CHANNELS[n].measured: rows.values[n][whole] * CHANNELS[n].factor for n in names}
     masses = [np.nan] * len(spans)
     if TRUCK_MASS in what.channels:
-        masses = _masses(rows, fits, grid, spans, what.channels[TRUCK_MASS], path, found)
+        masses = _masses(rows, fits, grid, spans, what.channels[TRUCK_MASS], path, found, notes)
     channels = {}
     for n in (*names, *([TRUCK_MASS] if TRUCK_MASS in what.channels else [])):
         kind, channel = CHANNELS[n], what.channels[n]
@@ -88,25 +89,29 @@ def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
     return Measured(channels, passes, rows.time_s[whole], signals)
 
 
-def _masses(rows, fits, grid, spans, channel, path, found):
-    """What each pass brought to the truck, t, by its scale."""
+def _masses(rows, fits, grid, spans, channel, path, found, notes):
+    """What each pass brought to the truck, t, by its scale; 0 where it reads less, within the scale's error."""
     mass, there = rows.values[TRUCK_MASS], np.isfinite(rows.values[TRUCK_MASS])
     phases = find_phases(grid, fits["crowd"].value, np.radians(fits["swing"].value), spans)
-    out = []
+    out, least = [], -SIGMAS * channel.sigma
     for number, ((start, end), found_phases) in enumerate(zip(spans, phases), 1):
         dump = found_phases.get("dump", (end, end))[0]
         after = _scale(rows.time_s, mass, there, end - WEIGHED_S, end)
         empty = max(start, dump - WEIGHED_S)
         before = 0.0 if channel.reads == "pass" else _scale(rows.time_s, mass, there, empty, dump)
-        if after is None or before is None or after < before:
+        if after is None or before is None or after - before < least:
             line = int(rows.lines[np.searchsorted(rows.time_s, end, side="right") - 1])
             found.add(path, line, channel.column,
                       f"pass {number} ({start:.4g} to {end:.4g} s) "
                       + ("has no reading before or after its dump" if after is None or before is None
                          else f"brings {after - before:.4g} t"),
-                      "0 t or more; reads: total is a scale that goes up with each pass, reads: pass one a pass")
+                      f"0 t or more, down to {least:.3g} t where it loads nothing ({SIGMAS} sigma); reads: total is a "
+                      "scale that goes up with each pass, reads: pass one a pass")
             return [np.nan] * len(spans)
-        out.append(after - before)
+        if after < before:
+            notes.append(f"pass {number} ({start:.4g} to {end:.4g} s) brings {after - before:.4g} t, within {SIGMAS} "
+                         f"sigma of the scale ({-least:.3g} t): taken as 0")
+        out.append(max(0.0, after - before))
     return out
 
 

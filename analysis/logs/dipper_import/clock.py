@@ -34,6 +34,8 @@ def order_rows(log, what, path, found, notes):
     interval = float(np.median(steps[steps > 0]))
     if not log.has_date:
         stamp = stamp + DAY_S * np.cumsum(np.append(0, steps < -DAY_S / 2))
+    if _first_is_last(log, index, stamp, what, path, found):
+        return None
     time = _merge(log, index, stamp, interval, what, notes)
     order = np.argsort(time, kind="stable")
     late = index[time < np.maximum.accumulate(time)]
@@ -68,10 +70,23 @@ def _spread(stamp):
     return stamp + np.repeat(steps, counts) * (np.arange(len(stamp)) - np.repeat(starts, counts))
 
 
+def _first_is_last(log, index, stamp, what, path, found):
+    """Whether the first row is long after all others, a finding: it would hide every later setting of the clock."""
+    first, second = (int(line) for line in log.lines[index[:2]])
+    after = stamp[0] - stamp[1:].max()
+    if after <= what.longest_gap_s or second in what.time.clock_set_at:
+        return False
+    found.add(path, first, "time", f"is {after:.6g} s after all other rows: its stamp is wrong, or the clock was set",
+              f"a stamp before that of line {second}, or time.clock_set_at: [{second}]")
+    return True
+
+
 def goes_on(values, drives, rows):
     """Whether each drive goes from the second to the third of four rows as between the first two and the last two, and
     one of them moves: no time has passed there."""
     rows, moves = list(rows), False
+    if len(rows) != 4:
+        return False
     for name in drives:
         all_of_it = values[name]
         if rows[0] < 0 or rows[-1] >= len(all_of_it) or not np.isfinite(all_of_it[rows]).all():
@@ -103,7 +118,7 @@ def _merge(log, index, stamp, interval, what, notes):
         last = known.max()
         told = int(line[start]) in clock_set_at
         if new[-1] < known.min():
-            set_back = goes_on(log.values, what.smooth(), index[start - 2:start + 2])
+            set_back = goes_on(log.values, what.smooth(), index[max(start - 2, 0):start + 2])
         else:
             set_back = new[0] < last and _doubled(log, index, known, new, last, interval)
         if told or set_back:

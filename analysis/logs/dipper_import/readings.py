@@ -114,7 +114,7 @@ def _row_gap_within(rows, start, end):
 
 def row_gaps(rows, what, path, found, notes):
     """(start, end) in s of each stretch without rows; those too long to bridge are findings."""
-    gaps = []
+    gaps, alone = [], {0: rows.lines[0], len(rows.lines) - 2: rows.lines[-1]}
     for k in np.flatnonzero(np.diff(rows.time_s) > HOLE * rows.interval_s):
         start, end = float(rows.time_s[k]), float(rows.time_s[k + 1])
         a, b = sorted((int(rows.lines[k]), int(rows.lines[k + 1])))
@@ -125,5 +125,6 @@ def row_gaps(rows, what, path, found, notes):
         found.add(path, a, "time", f"nothing for {end - start:.6g} s, up to line {b}",
                   f"{what.longest_gap_s:g} s at most (longest_gap_s); choose a part with time.from and time.to"
                   + (f"; the drives go on as if no time had passed: was the clock set? time.clock_set_at: [{b}]"
-                     if goes_on(rows.values, what.smooth(), range(k - 1, k + 3)) else ""))
+                     if goes_on(rows.values, what.smooth(), range(k - 1, k + 3)) else "")
+                  + (f"; line {alone[k]} stands alone there: is its stamp wrong?" if k in alone else ""))
     return gaps

@@ -133,6 +133,28 @@ def test_a_clock_that_is_set_forward(tmp_path):
     assert read.is_whole() and "the clock is set forward by 3600 s at line 122" in read.notes[0]
 
 
+@pytest.mark.parametrize("row, stamp, line", [(N - 1, 0.0, 201), (0, 0.0, 2), (N - 1, 1.8e9, 201)])
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_clock_that_is_wrong_in_one_row_at_an_end(tmp_path, row, stamp, line, backwards):
+    stamps = seconds(1.7e9)
+    stamps[row] = f"{stamp:.3f}"
+    read = Read(tmp_path, stamps, list(reversed(range(N))) if backwards else None)
+    line = N + 3 - line if backwards else line
+    assert len(read.found.all) == 1 and "time: nothing for " in read.found.all[0]
+    assert read.found.all[0].endswith(f"; line {line} stands alone there: is its stamp wrong?")
+
+
+@pytest.mark.parametrize("back", [0, 7])
+def test_a_first_row_after_all_others(tmp_path, back):
+    """With and without another setting of the clock."""
+    stamps = [f"{t - back * (t > 12):.3f}" for t in TIME]
+    stamps[0] = "3600.000"
+    read = Read(tmp_path, stamps)
+    assert len(read.found.all) == 1 and "log.csv:2: time: is 358" in read.found.all[0]
+    assert read.found.all[0].endswith("a stamp before that of line 3, or time.clock_set_at: [3]")
+    assert Read(tmp_path, stamps, clock_set_at=frozenset([3])).is_whole()
+
+
 def test_gaps_are_told_with_their_lines(tmp_path):
     read = Read(tmp_path, seconds(), [*range(60), *range(70, N)])
     assert read.notes == ["gap of 1.1 s between lines 61 and 62: bridged"]

@@ -1,10 +1,13 @@
 """Known signals, written as an ugly log, come back; what cannot be repaired is told with its line."""
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 import ugly_log
 from dipper_gap.measured import read_measured
 from dipper_import.__main__ import main, read
+from dipper_import.build import motion_text
 from dipper_run.findings import BadInput
 
 MAP = ugly_log.ROOT / "docs/data/import/shift.yaml"
@@ -12,10 +15,10 @@ MAP = ugly_log.ROOT / "docs/data/import/shift.yaml"
 WITHIN = {"hoist": 0.03, "crowd": 0.03, "swing": 0.5, "door": 1.0}
 
 
-def known(rate_hz=10.0):
+def known(rate_hz=10.0, loads=(40, 40, 40)):
     truth = ugly_log.planned(rate_hz)
     t = truth.time_s
-    truck = 40.0 * sum(np.clip((t - at) / 2, 0, 1) for at in (15, 40, 65))
+    truck = sum(load * np.clip((t - at) / 2, 0, 1) for load, at in zip(loads, (15, 40, 65)))
     return ugly_log.with_forces(truth, 900 + 500 * np.sin(t), 300 * np.cos(t), truck)
 
 
@@ -132,6 +135,29 @@ def test_readings_that_no_drive_can_make_are_left_out(log, map_file):
     change(log, "999,99", "25,00")  # within the rope's range, and 4 m off
     _, _, said = read(log, map_file)
     assert any("hoist: 1 reading (line 232) out of reach of their neighbours at 1.8 m/s" in s for s in said), said
+
+
+@pytest.mark.parametrize("load, taken", [(-0.3, True), (-3.0, False)])
+def test_a_pass_that_loads_nothing_counts_as_0_within_the_error_of_the_scale(log, map_file, load, taken):
+    """Of 0.5 short tons."""
+    log.write_text(ugly_log.ugly(ugly_log.rows_of(known(loads=(40, load, 40)), seed=3)), newline="")
+    if not taken:
+        assert any("pass 2 (" in f and "; 0 t or more, down to -1.36 t where it loads nothing (3 sigma)" in f
+                   for f in findings(log, map_file))
+        return
+    made, _, said = read(log, map_file)
+    assert [p.truck_mass_t for p in made.measured.passes] == pytest.approx([40, 0, 40], abs=0.6)
+    assert made.measured.passes[1].truck_mass_t == 0
+    assert any("pass 2 (" in s and "within 3 sigma of the scale (1.36 t): taken as 0" in s for s in said), said
+
+
+@pytest.mark.parametrize("sample_s", [0.1, 0.005, 1 / 3])
+def test_the_times_of_a_long_motion_rise_by_the_sample(sample_s):
+    grid = sample_s * np.arange(int(1020 / sample_s))
+    made = SimpleNamespace(grid=grid, fits=dict.fromkeys(WITHIN, SimpleNamespace(value=np.zeros(len(grid)))))
+    rows = motion_text(made, SimpleNamespace(path=MAP), "shift.csv").splitlines()[2:]
+    assert rows[0].startswith("0,") and (sample_s == 1 / 3 or max(map(len, rows)) < 47)
+    assert np.diff([float(row.split(",")[0]) for row in rows]) == pytest.approx(sample_s, abs=1e-8)
 
 
 def test_forces_without_a_pass(log, map_file):
