@@ -38,7 +38,7 @@ TEST(CostEstimate, IsWhatRunsHaveTaken) {
   EXPECT_THAT(quick.disk_B - quick.dumps_B, about(238e6 - 107e6));
 
   EXPECT_THAT(cost_estimate(load(source / "cases" / "screening", {})).dig_s, about(117 + 10));
-  EXPECT_THAT(cost_estimate(load(source / "cases" / "aitik_coarse", {})).dig_s, about(494 + 40));
+  EXPECT_THAT(cost_estimate(load(source / "cases" / "aitik_coarse", {})).dig_s, about(370 + 21));
 
   const CostEstimate aitik = cost_estimate(load(source / "cases" / "aitik", {}));
   EXPECT_THAT(aitik.spheres, about(207964));
