@@ -136,10 +136,9 @@ void check_names(const std::vector<DumpFrame>& frames) {
 /// Steps that are evenly spaced but for a gap have a frame missing.
 void check_spacing(const std::vector<DumpFrame>& frames, const fs::path& folder) {
   if (frames.size() < 3) return;
-  std::int64_t least = frames[1].step - frames[0].step;
-  for (std::size_t i = 1; i < frames.size(); ++i)
-    least = std::min(least, frames[i].step - frames[i - 1].step);
   const auto gap = [&](std::size_t i) { return frames[i].step - frames[i - 1].step; };
+  std::int64_t least = gap(1);
+  for (std::size_t i = 2; i < frames.size(); ++i) least = std::min(least, gap(i));
   std::vector<std::int64_t> missing;
   for (std::size_t i = 1; i < frames.size(); ++i) {
     if (gap(i) % least != 0) return;  // not evenly spaced: nothing to tell
