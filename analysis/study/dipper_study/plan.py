@@ -15,7 +15,7 @@ from .motions import Motions
 # What a study removes of a run, by `keep`. A run's own page and its figures stay always.
 DROPPED = {"all": (), "record": HEAVY, "summary": (*HEAVY, "record.h5", "observed", "deck")}
 PAGE_BYTES = 2e6  # of a run, about
-NAME_BYTES = 100  # of a run's name: a longer one is cut, and ends with a hash
+NAME_BYTES = 100  # of a run's name: a longer one is cut
 
 
 @dataclass(frozen=True)
@@ -32,11 +32,11 @@ class PlannedRun:
 
     @property
     def name(self):
-        """Of the link to it in the study's folder."""
-        values = "_".join(re.sub(r"[^\w.+-]+", "-", v.name) for v in self.point.values)
-        if len(values.encode()) > NAME_BYTES:
-            mark = hashlib.sha256(str(self.point).encode()).hexdigest()[:8]
-            values = f"{values.encode()[:NAME_BYTES].decode(errors='ignore')}-{mark}"
+        """Of the link to it in the study's folder; ends with a hash where it does not say all of the values."""
+        told = "_".join(v.name for v in self.point.values)
+        values = re.sub(r"[^\w.+-]+", "-", told).encode()[:NAME_BYTES].decode(errors="ignore")
+        if values != told:
+            values += f"-{hashlib.sha256(str(self.point).encode()).hexdigest()[:8]}"
         return f"{values or 'case'}_s{self.seed}"
 
     def __str__(self):

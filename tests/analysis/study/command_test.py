@@ -110,6 +110,13 @@ def test_a_long_value_has_a_run_with_a_short_name(world):
     assert len(runs) == 12 and all(len(name.encode()) < 120 and (world.out / "runs" / name).exists() for name in runs)
 
 
+def test_values_that_differ_only_where_a_file_name_cannot_have_links_of_their_own(world):
+    world.study(NAMED.replace("  bucket:\n    plain: {}\n    wide: {bodies.dipper: wide.stl}",
+                              "  bodies.dipper: ['a b.stl', 'a  b.stl', a-b.stl]"))
+    links = {r["run"]: (world.out / "runs" / r["run"]).resolve() for r in world.rows()}
+    assert len(links) == len(set(links.values())) == len(world.rows())
+
+
 def test_every_point_is_checked_before_anything_starts(world):
     said = world.study(STUDY.replace("64]", "640]") + "  pile.toe_y_m: [1, 2]\n", status=2)
     assert "study.yaml:4: machine.rake_angle_deg: 640 is out of range" in said
