@@ -4,7 +4,6 @@ Exit status: 0 an answer was reached; 2 bad input, nothing started; 3 a run fail
 command goes on from the runs already made.
 """
 import argparse
-import hashlib
 import signal
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -18,13 +17,11 @@ from dipper_run.findings import BadInput, Findings
 from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
+from .answer import write_answer
 from .effects import read_catalogue
-from .gap_json import as_json, write_json
 from .measured import read_measured
 from .model import NEED_PASSES
 from .motion import compare_motion, read_motion
-from .patch import write_patched_case
-from .report import write_report
 from .simulator import JOBS, DipperSimulator, RunFailed, check
 from .workflow import analyse
 
@@ -68,14 +65,6 @@ def usable(catalogue, simulator):
     return kept, left_out
 
 
-def measured_hash(folder):
-    digest = hashlib.sha256()
-    for file in sorted(folder.iterdir()):
-        if file.is_file():
-            digest.update(file.name.encode() + b"\0" + file.read_bytes())
-    return digest.hexdigest()
-
-
 def say(text):
     print(text, flush=True)
 
@@ -114,14 +103,8 @@ def main(words=None):
     except ValueError as e:
         print(f"gap: {e}", file=sys.stderr)
         return 2
-    out_folder.mkdir(parents=True, exist_ok=True)
-    answer = as_json(out, catalogue, {"case": simulator.case_hash(), "measured": measured_hash(args.measured)})
-    write_json(answer, out_folder / "gap.json")
-    if out.effects:
-        write_patched_case(args.case, out.effects, out_folder / "case")
-    write_report(out, answer, catalogue, out_folder / "report.html", args.case.resolve().name)
-    say(f"gap: {out_folder / 'report.html'}, {out_folder / 'gap.json'}"
-        + (f", {out_folder / 'case'}" if out.effects else ""))
+    files = write_answer(out, catalogue, simulator, args.measured, out_folder)
+    say(f"gap: {', '.join(map(str, files))}")
     return 0
 
 

@@ -74,6 +74,12 @@ class Analysis(unittest.TestCase):
         self.assertIn("--set effects.fines=", self.text("#again pre"))
         self.assertEqual(self.browser.run("return document.title"), "synthetic <b> – Dipper")
 
+    def test_the_table_of_masses_has_two_standard_deviations_as_its_text_says(self):
+        self.assertIn("two standard deviations", self.text("#before-after"))
+        cells = self.browser.run("return [...document.querySelectorAll('#before-after td')].map((td) => td.textContent)")
+        shown = [text for text in cells if "±" in text]
+        self.assertEqual(shown, [f"{m['before']:.1f} ± {2 * m['spread']:.1f}" for m in self.data["masses"]])
+
     def test_the_heat_map_has_every_cell_and_frames_the_significant(self):
         maps = self.browser.run("""return [...document.querySelectorAll('#disagreement table')].map((t) =>
             [t.caption.textContent, t.querySelectorAll('td[tabindex]').length, t.querySelectorAll('.framed').length])""")

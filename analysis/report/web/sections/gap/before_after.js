@@ -62,7 +62,7 @@ function massTable(masses) {
   return table(null, [
     { name: 'Truck mass', cell: (m) => passName(m.pass, m.held_out) },
     { name: 'measured', unit: 't', cell: (m) => fixed(m.measured, 1) },
-    { name: 'model', unit: 't', cell: (m) => `${fixed(m.before, 1)} ± ${fixed(m.spread, 1)}` },
+    { name: 'model', unit: 't', cell: (m) => `${fixed(m.before, 1)} ± ${fixed(2 * m.spread, 1)}` },
     ...(masses[0].after === null ? [] : [{ name: 'with the effect', unit: 't', cell: (m) => fixed(m.after, 1) }]),
   ], masses, { compact: true });
 }

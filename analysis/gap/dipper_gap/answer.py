@@ -1,0 +1,27 @@
+"""The files of an answer: gap.json, report.html and, where effects were found, the case with them."""
+import hashlib
+
+from .gap_json import as_json, write_json
+from .patch import write_patched_case
+from .report import write_report
+
+
+def write_answer(out, catalogue, simulator, measured, folder):
+    """Writes the outcome `out` into `folder`, which is made where it is not; the files. `measured`: the mine's folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    files = [folder / "report.html", folder / "gap.json"]
+    answer = as_json(out, catalogue, {"case": simulator.case_hash(), "measured": _measured_hash(measured)})
+    write_json(answer, folder / "gap.json")
+    if out.effects:
+        write_patched_case(simulator.case, out.effects, folder / "case")
+        files.append(folder / "case")
+    write_report(out, answer, catalogue, folder / "report.html", simulator.case.resolve().name)
+    return files
+
+
+def _measured_hash(folder):
+    digest = hashlib.sha256()
+    for file in sorted(folder.iterdir()):
+        if file.is_file():
+            digest.update(file.name.encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
