@@ -8,7 +8,6 @@
 #include <modify.h>
 #include <update.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -27,7 +26,7 @@ struct Meshes : LAMMPS_NS::FixWallGran {
 
 ContactPause::ContactPause(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup,
                            const std::vector<WallMotion*>& walls)
-    : lmp_(lmp), pauses_(setup.pauses), floor_(setup.floor), walls_(walls) {
+    : lmp_(lmp), floor_(setup.floor), walls_(walls) {
   contact_ = dynamic_cast<LAMMPS_NS::FixWallGran*>(lmp.modify->find_fix_id("walls"));
   if (contact_ == nullptr || !contact_->is_mesh_wall())
     throw std::runtime_error("the deck has no `fix walls all wall/gran ... mesh ...`");
@@ -49,20 +48,14 @@ void ContactPause::measure(const std::vector<Pose>&, std::vector<double>& parts)
   parts.insert(parts.end(), {mine ? overlap_kg_ : 0, mine ? floor_kg_ : 0});
 }
 
-bool ContactPause::paused_at(std::int64_t step) const {
-  return std::any_of(pauses_.begin(), pauses_.end(),
-                     [&](const StepRange& r) { return r.begin <= step && step < r.end; });
-}
-
 bool ContactPause::needs_all_rock(const Window& window) const {
-  return !touches_ && !paused_at(window.first_step);
+  return !touches_ && window.contact;
 }
 
 void ContactPause::before_window(const Window& window) {
-  const bool touch = !paused_at(window.first_step);
-  if (touch == touches_) return;
-  let_touch(touch);
-  if (touch) clear();
+  if (window.contact == touches_) return;
+  let_touch(window.contact);
+  if (touches_) clear();
 }
 
 void ContactPause::let_touch(bool touch) {

@@ -16,8 +16,8 @@ namespace dipper::dem {
 
 class WallMotion;
 
-/// Takes the bodies' walls out of the wall contact for stretches of the run (Svanberg et al. 2021,
-/// section 3.3: "The contact was deactivated when the rope shovel was moving back to the dig
+/// Takes the bodies' walls out of the wall contact for the windows that say so (Svanberg et al.
+/// 2021, section 3.3: "The contact was deactivated when the rope shovel was moving back to the dig
 /// position") and puts them back. Rock that is in their steel by then is taken out, as at a run's
 /// start: it would be shot out. So is, where the set-up says so, the rock that lies on the floor in
 /// front of the face, which in a mine is the work of a dozer. Both are booked.
@@ -38,12 +38,10 @@ class ContactPause final : public RockFeature {
   void load(ByteReader& in) override;
 
  private:
-  bool paused_at(std::int64_t step) const;
   void let_touch(bool touch);
   void clear();
 
   LAMMPS_NS::LAMMPS& lmp_;
-  std::vector<StepRange> pauses_;
   std::optional<FloorStrip> floor_;
   std::vector<WallMotion*> walls_;
   LAMMPS_NS::FixWallGran* contact_ = nullptr;

@@ -55,8 +55,7 @@ LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup
   if (setup_.fall) features_.push_back(std::make_unique<Collapse>(*lmp_, *setup_.fall));
   if (!setup_.cleared.empty())
     features_.push_back(std::make_unique<ClearStart>(*lmp_, setup_.cleared));
-  if (!setup_.pauses.empty())
-    features_.push_back(std::make_unique<ContactPause>(*lmp_, setup_, walls_));
+  if (setup_.pauses) features_.push_back(std::make_unique<ContactPause>(*lmp_, setup_, walls_));
 }
 
 LiggghtsRock::~LiggghtsRock() = default;
@@ -88,8 +87,14 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
   return state();
 }
 
+void LiggghtsRock::set_contact(bool on) {
+  if (!on && !setup_.pauses)
+    throw std::runtime_error("the bodies' contact is to pause, which the set-up has not asked for");
+  contact_ = on;
+}
+
 core::RockState LiggghtsRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
-  Window window{lmp_->update->ntimestep, n_steps, X_WB_, X_WB_target};
+  Window window{lmp_->update->ntimestep, n_steps, X_WB_, X_WB_target, contact_};
   window.all_rock_in = std::any_of(features_.begin(), features_.end(), [&](const auto& feature) {
     return feature->needs_all_rock(window);
   });

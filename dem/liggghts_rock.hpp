@@ -34,6 +34,8 @@ class LiggghtsRock final : public core::Rock {
 
   core::ServerInfo info() const override;
   core::RockState place(const std::vector<Pose>& X_WB) override;
+  /// Throws std::runtime_error for a pause that the set-up has not asked for.
+  void set_contact(bool on) override;
   core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
   /// Writes a restart file of LIGGGHTS, and beside it its image (image_of), which a resumed run
   /// needs as well. Changes nothing: a run that saves goes on as one that does not, to the bit.
@@ -51,6 +53,7 @@ class LiggghtsRock final : public core::Rock {
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::vector<WallMotion*> walls_;  // owned by LIGGGHTS
   std::vector<Pose> X_WB_;
+  bool contact_ = true;
   std::vector<std::unique_ptr<RockFeature>> features_;
   Holding* holding_ = nullptr;  // one of them, or none
 };

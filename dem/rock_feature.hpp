@@ -16,6 +16,7 @@ struct Window {
   std::int64_t n_steps = 0;
   const std::vector<Pose>& X_WB;         ///< of the bodies when it begins
   const std::vector<Pose>& X_WB_target;  ///< when it ends
+  bool contact = true;                   ///< whether the bodies meet rock in it
   bool all_rock_in = false;              ///< a feature needs all rock: none may be taken out
 };
 

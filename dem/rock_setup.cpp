@@ -37,8 +37,6 @@ json to_json(const RockSetup& setup) {
   json fall;  // null: none
   if (const auto& f = setup.fall)
     fall = {{"deck", f->deck}, {"at_step", f->at_step}, {"mass_kg", f->mass_kg}};
-  json pauses = json::array();
-  for (const StepRange& r : setup.pauses) pauses.push_back({r.begin, r.end});
   json floor;  // null: not cleared
   if (const auto& f = setup.floor) floor = {f->to_x_m, f->half_width_m, f->height_m};
   return {{"deck", setup.deck},
@@ -52,7 +50,7 @@ json to_json(const RockSetup& setup) {
           {"cleared", setup.cleared},
           {"crust", crust},
           {"fall", fall},
-          {"pauses", pauses},
+          {"pauses", setup.pauses},
           {"floor", floor},
           {"hold", hold},
           {"layer", layer}};
@@ -81,8 +79,7 @@ RockSetup rock_setup_from(const json& j) {
   if (const auto fall = j.find("fall"); fall != j.end() && !fall->is_null()) {
     setup.fall = RockFall{fall->at("deck"), fall->at("at_step"), fall->at("mass_kg")};
   }
-  if (const auto pauses = j.find("pauses"); pauses != j.end())
-    for (const auto& r : *pauses) setup.pauses.push_back({r.at(0), r.at(1)});
+  setup.pauses = j.value("pauses", false);
   if (const auto floor = j.find("floor"); floor != j.end() && !floor->is_null())
     setup.floor = FloorStrip{floor->at(0), floor->at(1), floor->at(2)};
   if (const auto layer = j.find("layer"); layer != j.end() && !layer->is_null())

@@ -50,11 +50,6 @@ struct HeldLayer {
   double rear_x_m = 0, half_width_m = 0;  ///< of the pile, in W
 };
 
-/// DEM steps from `begin` to before `end`.
-struct StepRange {
-  std::int64_t begin = 0, end = 0;
-};
-
 /// The floor in front of the face, which is cleared after each pause: x < to_x, |y| < half_width,
 /// z < height, in W.
 struct FloorStrip {
@@ -73,7 +68,7 @@ struct RockSetup {
   std::optional<CrustZone> crust;
   std::optional<RockFall> fall;
   std::optional<HeldLayer> layer;
-  std::vector<StepRange> pauses;     ///< when the bodies meet no rock
+  bool pauses = false;               ///< the bodies' contact can be told to pause
   std::optional<FloorStrip> floor;   ///< needs pauses
   std::optional<HoldSettings> hold;  ///< not set: all rock is computed all the time
   /// Set, one a body, when the deck reads a checkpoint, with the walls in place.

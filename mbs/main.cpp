@@ -31,7 +31,8 @@ void run(const char* config_file) {
                     machine::load_machine(settings.at("model").get<std::string>()), condition),
                 machine::Motion::load(settings.at("motion").get<std::string>()), X_W0, rake,
                 kLongestSubstep_ns,
-                machine::drive_mode_from(settings.value("drives", "prescribed")));
+                machine::drive_mode_from(settings.value("drives", "prescribed")),
+                settings.value("contact_on_return", "on") == "on");
   const auto transport =
       transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::to_mbs);
   transport::serve(*transport, transport::Channels::to_mbs, transport::Channels::from_mbs, config,

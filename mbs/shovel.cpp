@@ -8,6 +8,7 @@
 
 #include "common/seconds.hpp"
 #include "machine/kinematics.hpp"
+#include "machine/return_legs.hpp"
 #include "mbs/operator.hpp"
 #include "mbs/runge_kutta.hpp"
 #include "mbs/shovel_channels.hpp"
@@ -27,12 +28,14 @@ using Numbers = Eigen::VectorXd;  ///< what is integrated: q, u, works, the rope
 
 struct Shovel::Impl {
   Impl(const machine::MachineData& machine_data, machine::Motion motion_in, const Pose& X_W0,
-       double rake, std::int64_t max_substep, machine::DriveMode mode)
+       double rake, std::int64_t max_substep, machine::DriveMode mode, bool contact_on_return)
       : machine(machine_data),
         motion(std::make_shared<const machine::Motion>(std::move(motion_in))),
         path(mode == machine::DriveMode::limited
                  ? std::make_unique<Operator>(motion, machine.limits.crowd_min)
                  : nullptr),
+        free_ways(contact_on_return ? std::vector<machine::ReturnLeg>{}
+                                    : machine::return_legs(*motion)),
         dynamics(machine, mode, X_W0, rake),
         model(machine, X_W0, rake, dynamics.drum_inertia()),
         max_substep_ns(max_substep),
@@ -165,6 +168,13 @@ struct Shovel::Impl {
     return {states.begin(), states.end()};
   }
 
+  bool contact(const Snapshot& at) const {
+    const std::int64_t t_ns = path ? std::llround(1e9 * at.path[0]) : at.t_ns;
+    return std::none_of(free_ways.begin(), free_ways.end(), [&](const machine::ReturnLeg& way) {
+      return way.begin_ns <= t_ns && t_ns < way.end_ns;
+    });
+  }
+
   core::MachineState report(const Snapshot& at);
 
   [[noreturn]] void fail(std::int64_t t0_ns, std::int64_t t1_ns, const std::string& what) const {
@@ -176,7 +186,8 @@ struct Shovel::Impl {
 
   machine::MachineData machine;
   std::shared_ptr<const machine::Motion> motion;
-  std::unique_ptr<Operator> path;  ///< none: the drives are prescribed
+  std::unique_ptr<Operator> path;             ///< none: the drives are prescribed
+  std::vector<machine::ReturnLeg> free_ways;  ///< on which the bodies meet no rock
   ShovelDynamics dynamics;
   ShovelModel model;
   std::int64_t max_substep_ns;  ///< from look to look of the operator
@@ -186,8 +197,10 @@ struct Shovel::Impl {
 };
 
 Shovel::Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0,
-               double rake, std::int64_t max_substep_ns, machine::DriveMode mode)
-    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns, mode)) {}
+               double rake, std::int64_t max_substep_ns, machine::DriveMode mode,
+               bool contact_on_return)
+    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns, mode,
+                                   contact_on_return)) {}
 
 Shovel::~Shovel() = default;
 
@@ -213,6 +226,7 @@ core::MachineState Shovel::Impl::report(const Snapshot& at) {
   core::MachineState out;
   out.t_ns = at.t_ns;
   out.bodies = bodies(at);
+  out.contact = contact(at);
   out.channels = {
       // As shovel_channels.cpp names them.
       drive.position.swing,

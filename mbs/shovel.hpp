@@ -34,9 +34,11 @@ class Shovel : public core::Machine {
   /// \param rake handle centre line to dipper floor, rad
   /// \param max_substep_ns the longest integrator step; windows are cut into equal ones.
   ///        The stiffest mode, the empty dipper on the ropes, has a period of about 200 ms.
+  /// \param contact_on_return  whether the bodies meet rock on the motion's way back from the truck
+  ///        (machine/return_legs.hpp), where an operator comes later
   Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0, double rake,
          std::int64_t max_substep_ns = kLongestSubstep_ns,
-         machine::DriveMode mode = machine::DriveMode::prescribed);
+         machine::DriveMode mode = machine::DriveMode::prescribed, bool contact_on_return = true);
   ~Shovel() override;
 
   core::ServerInfo info() const override;

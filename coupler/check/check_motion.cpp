@@ -107,12 +107,6 @@ void check_bodies_in_domain(const cases::Case& c, const machine::ShovelKinematic
 // What happens at the motion's times has none where limited drives come later.
 void check_times_of_motion(const cases::Case& c, Findings& findings) {
   if (c.machine.drives != "limited") return;
-  if (c.machine.contact_on_return == "off") {
-    findings.push_back(
-        cases::finding_at(c, "machine.contact_on_return",
-                          "off goes by the motion's times, which limited drives do not keep; write "
-                          "machine.drives: prescribed, or contact_on_return: on"));
-  }
   if (c.collapse.height_m > 0 && c.collapse.at_s == 0) {
     findings.push_back(cases::finding_at(
         c, "collapse.at_s", "when the door opens is not known with limited drives; write a time"));

@@ -65,6 +65,7 @@ Window Coupling::advance(std::int64_t n_steps) {
   Window w;
   w.step_index = state_.step_index + 1;
   const MachineState first = machine_.step(t_end_ns, held, scheme_ == Scheme::serial);
+  rock_.set_contact(machine_state_.contact);
   w.rock = rock_.step(n_steps, poses(first));
   std::vector<Wrench> felt(n);
   for (std::size_t b = 0; b < n; ++b) felt[b] = w.rock.bodies[b].mean;

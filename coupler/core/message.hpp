@@ -23,6 +23,7 @@ struct TargetMotion {
   std::int64_t n_steps = 0;  ///< 0: place the walls
   std::vector<BodyState> bodies;
   std::vector<double> channels;
+  bool contact = true;  ///< whether the bodies meet rock on the way there; from then on
 };
 
 /// From the rock: what it did. To the machine: hold bodies[].mean until the envelope's t_ns.

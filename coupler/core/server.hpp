@@ -40,6 +40,7 @@ struct MachineState {
   std::int64_t t_ns = 0;
   std::vector<BodyState> bodies;
   std::vector<double> channels;
+  bool contact = true;  ///< whether the bodies meet rock, from this instant on
 };
 
 /// A moment between two windows.
@@ -99,6 +100,10 @@ class Rock {
 
   /// Puts the walls where the machine's bodies start (before the first step only).
   virtual RockState place(const std::vector<Pose>& X_WB) = 0;
+
+  /// Told by the coupling before a window: whether the bodies meet rock in it. For a rock that can
+  /// let them through.
+  virtual void set_contact(bool) {}
 
   /// Advances exactly n_steps DEM steps while every wall moves, at constant twist, from where it
   /// is to its target.

@@ -87,6 +87,10 @@ core::RockState EstimatedRock::step(std::int64_t n_steps, const std::vector<Pose
 
 Wrench EstimatedRock::dig(const Pose& from, const Pose& to, double window_s) {
   const DiggingEstimate& e = estimate_;
+  if (!contact_) {
+    depth_m_ = resistance_N_ = 0;
+    return {};
+  }
   const Vector3d tip_W = to * tip_B_;
   resistance_N_ = resistance(to, (tip_W - from * tip_B_) / window_s);
   const double cut_m3 =

@@ -37,6 +37,7 @@ class EstimatedRock final : public core::Rock {
 
   core::ServerInfo info() const override;
   core::RockState place(const std::vector<Pose>& X_WB) override;
+  void set_contact(bool on) override { contact_ = on; }
   core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
   /// There is nothing to go on from.
   void save(const std::filesystem::path&) override {}
@@ -54,6 +55,7 @@ class EstimatedRock final : public core::Rock {
   std::vector<Pose> X_WB_;
   Wrench load_;
   std::int64_t step_ = 0;
+  bool contact_ = true;
   double in_dipper_kg_ = 0, in_truck_kg_ = 0, depth_m_ = 0, resistance_N_ = 0;
 };
 

@@ -14,6 +14,7 @@ class TimedRock final : public core::Rock {
   core::ServerInfo info() const override { return rock_.info(); }
   void set_sync_time(const core::SyncTime& now) override { rock_.set_sync_time(now); }
   core::RockState place(const std::vector<Pose>& X_WB) override { return rock_.place(X_WB); }
+  void set_contact(bool on) override { rock_.set_contact(on); }
   core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override {
     using Clock = std::chrono::steady_clock;
     const auto began = Clock::now();

@@ -11,7 +11,6 @@
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "dem/rock_setup.hpp"
-#include "machine/return_legs.hpp"
 
 namespace dipper::sides {
 namespace fs = std::filesystem;
@@ -60,17 +59,10 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
                      {"door_z", "0"}};
   setup.bodies = {"dipper", "door"};
   if (c.pile.clear_machine == "on") setup.cleared = {"dipper", "door", "truck"};
-  if (c.machine.contact_on_return == "off") {
-    const auto step = [&](std::int64_t t_ns) {
-      return std::llround(1e-9 * static_cast<double>(t_ns) / c.dem.timestep_s);
-    };
-    for (const machine::ReturnLeg& leg :
-         machine::return_legs(machine::Motion::load(c.machine.motion)))
-      setup.pauses.push_back({step(leg.begin_ns), step(leg.end_ns)});
-    if (c.pile.clean_floor_to_x_m > 0)
-      setup.floor = dem::FloorStrip{c.pile.clean_floor_to_x_m, c.pile.width_m / 2 + kFloorSide_m,
-                                    kFloorHeight_m};
-  }
+  setup.pauses = c.machine.contact_on_return == "off";
+  if (c.pile.clean_floor_to_x_m > 0)
+    setup.floor = dem::FloorStrip{c.pile.clean_floor_to_x_m, c.pile.width_m / 2 + kFloorSide_m,
+                                  kFloorHeight_m};
   if (c.dem.hold_below_m_s > 0) setup.hold.emplace().below_m_s = c.dem.hold_below_m_s;
   if (c.pile.held_layer_m > 0)
     setup.layer =
@@ -98,6 +90,7 @@ nlohmann::json mbs_settings(const cases::Case& c, const DipperLayers& layers) {
   return {{"model", c.machine.model.string()},
           {"motion", c.machine.motion.string()},
           {"drives", c.machine.drives},
+          {"contact_on_return", c.machine.contact_on_return},
           {"base_position_m", json_of(c.machine.base_position_m)},
           {"rake_angle_deg", c.machine.rake_angle_deg},
           {"crowd_friction_N", c.machine.crowd_friction_N},

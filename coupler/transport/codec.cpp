@@ -44,6 +44,7 @@ core::Envelope unpack(const header_t& h) {
 target_motion_t pack(const core::TargetMotion& m) {
   target_motion_t t;
   t.n_steps = m.n_steps;
+  t.contact = m.contact;
   t.n_bodies = static_cast<std::int32_t>(m.bodies.size());
   for (const auto& b : m.bodies) {
     body_motion_t& out = t.bodies.emplace_back();
@@ -60,6 +61,7 @@ target_motion_t pack(const core::TargetMotion& m) {
 core::TargetMotion unpack(const target_motion_t& t) {
   core::TargetMotion m;
   m.n_steps = t.n_steps;
+  m.contact = t.contact != 0;
   for (const auto& b : t.bodies) {
     m.bodies.push_back(
         {{rotation(b.R_WB), vector(b.p_WBo_W)}, {vector(b.w_WB_W), vector(b.v_WBo_W)}});
@@ -174,7 +176,7 @@ class LengthCheck {
 
 // As in coupler/lcm/dipper_msg.lcm.
 bool is_whole(const std::string& bytes, const target_motion_t*) {
-  return LengthCheck(bytes).skip(8).list(3 + 4 + 3 + 3).list(1).ends();
+  return LengthCheck(bytes).skip(8 + 1).list(3 + 4 + 3 + 3).list(1).ends();
 }
 bool is_whole(const std::string& bytes, const wall_wrench_t*) {
   return LengthCheck(bytes).skip(8 + 1).list(4 * 3 + 3 + 4).list(1).ends();

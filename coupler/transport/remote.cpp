@@ -30,7 +30,7 @@ RemoteMachine::RemoteMachine(Link& link) : link_(link) {
 core::MachineState RemoteMachine::state() {
   auto m = take<core::TargetMotion>(
       link_.ask(core::Command{core::Action::state, ""}, now_.step_index, now_.t_ns), link_.side());
-  return {now_.t_ns, std::move(m.bodies), std::move(m.channels)};
+  return {now_.t_ns, std::move(m.bodies), std::move(m.channels), m.contact};
 }
 
 core::MachineState RemoteMachine::step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
@@ -40,7 +40,7 @@ core::MachineState RemoteMachine::step(std::int64_t t_end_ns, const std::vector<
   for (const auto& F : F_Bo_W) request.bodies.push_back({F, F, Pose{}});
   auto m = take<core::TargetMotion>(link_.ask(std::move(request), now_.step_index, t_end_ns),
                                     link_.side());
-  return {t_end_ns, std::move(m.bodies), std::move(m.channels)};
+  return {t_end_ns, std::move(m.bodies), std::move(m.channels), m.contact};
 }
 
 void RemoteMachine::save(const std::filesystem::path& file) {
@@ -68,6 +68,7 @@ core::RockState RemoteRock::step(std::int64_t n_steps, const std::vector<Pose>& 
 core::RockState RemoteRock::move(std::int64_t n_steps, const std::vector<Pose>& X_WB) {
   core::TargetMotion request;
   request.n_steps = n_steps;
+  request.contact = contact_;
   for (const auto& X : X_WB) request.bodies.push_back({X, Twist{}});
   const std::int64_t t_end_ns = now_.t_ns + n_steps * dt_ns_;
   auto m = take<core::WallWrench>(link_.ask(std::move(request), now_.step_index, t_end_ns),

@@ -33,6 +33,7 @@ class RemoteRock final : public core::Rock {
   void save(const std::filesystem::path& file) override;
   std::string state_hash() override;
   void set_sync_time(const core::SyncTime& now) override { now_ = now; }
+  void set_contact(bool on) override { contact_ = on; }
   void stop();  ///< may be called again until the process has ended
 
  private:
@@ -41,6 +42,7 @@ class RemoteRock final : public core::Rock {
   core::ServerInfo info_;
   std::int64_t dt_ns_ = 0;
   core::SyncTime now_;
+  bool contact_ = true;
 };
 
 }  // namespace dipper::transport

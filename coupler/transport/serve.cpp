@@ -9,7 +9,7 @@ namespace dipper::transport {
 namespace {
 
 core::Body motion(const core::MachineState& s) {
-  return core::TargetMotion{0, s.bodies, s.channels};
+  return core::TargetMotion{0, s.bodies, s.channels, s.contact};
 }
 core::Body load(const core::RockState& s) {
   return core::WallWrench{s.step, false, s.bodies, s.channels};
@@ -55,6 +55,7 @@ core::Body answer(core::Rock& rock, const core::Message& request) {
   if (const auto* m = std::get_if<core::TargetMotion>(&request.body)) {
     std::vector<Pose> X_WB;
     for (const auto& b : m->bodies) X_WB.push_back(b.X_WB);
+    rock.set_contact(m->contact);
     return load(m->n_steps == 0 ? rock.place(X_WB) : rock.step(m->n_steps, X_WB));
   }
   throw core::ProtocolError("a rock answers motions and commands only");

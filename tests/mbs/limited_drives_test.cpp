@@ -3,6 +3,7 @@
 
 #include "common/seconds.hpp"
 #include "coupler/core/coupling.hpp"
+#include "machine/return_legs.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 #include "tests/mbs/wall_rock.hpp"
 
@@ -184,6 +185,35 @@ TEST_F(LimitedDrivesTest, RopesGoSlackAndCatchWithTheBooksInOrder) {
   }
   EXPECT_TRUE(slack);
   EXPECT_TRUE(caught);
+}
+
+// Where the bodies meet no rock goes by the motion, and so by the path's time.
+TEST_F(LimitedDrivesTest, TheWayBackIsThePathsToo) {
+  machine.drives.swing.stall = 3e6;  // it comes late
+  const machine::Motion m =
+      motion("0,-4,0,40,50\n1,-4,0,40,50\n4,-4,-1,0,0\n6,-4,1,0,0\n8,-4,1,40,0\n9,-4,1,40,50\n");
+  const auto back = machine::return_legs(m).at(0);
+  for (const auto mode : {machine::DriveMode::prescribed, machine::DriveMode::limited}) {
+    Shovel on(machine, m, Pose{}, rake, kLongestSubstep_ns, mode);
+    Shovel off(machine, m, Pose{}, rake, kLongestSubstep_ns, mode, false);
+    double late_s = 0;
+    int free = 0;
+    EXPECT_TRUE(off.state().contact);
+    for (int i = 1; i <= 4000; ++i) {
+      EXPECT_TRUE(on.step(2 * i * kMillisecond, no_rock, true).contact);
+      const core::MachineState s = off.step(2 * i * kMillisecond, no_rock, true);
+      ASSERT_EQ(off.state().contact, s.contact);
+      const double t_s =
+          mode == machine::DriveMode::limited ? named(off, s)["path_time"] : seconds(s.t_ns);
+      late_s = std::max(late_s, seconds(s.t_ns) - t_s);
+      ASSERT_EQ(s.contact, t_s < seconds(back.begin_ns) || t_s >= seconds(back.end_ns)) << t_s;
+      free += s.contact ? 0 : 1;
+    }
+    EXPECT_GT(free, 500);
+    if (mode == machine::DriveMode::limited) {
+      EXPECT_GT(late_s, 0.5);
+    }
+  }
 }
 
 // The door is sent with the rest: where the way stands so does the door.

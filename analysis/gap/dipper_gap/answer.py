@@ -7,7 +7,7 @@ from .report import write_report
 
 
 def write_answer(out, catalogue, simulator, measured, folder):
-    """Writes the outcome `out` into `folder`, which is made where it is not; the files. `measured`: the mine's folder."""
+    """Writes the outcome `out` into `folder`, making it; the files. `measured`: the mine's folder."""
     folder.mkdir(parents=True, exist_ok=True)
     files = [folder / "report.html", folder / "gap.json"]
     answer = as_json(out, catalogue, {"case": simulator.case_hash(), "measured": _measured_hash(measured)})

@@ -90,9 +90,7 @@ TEST(CheckCase, WhatGoesByTheMotionsTimesNeedsPrescribedDrives) {
     return findings.empty() ? check::check_case(c) : findings;
   };
   EXPECT_TRUE(findings_with({}).empty());
-  const auto contact = findings_with({{"machine.contact_on_return", "off"}});
-  ASSERT_EQ(contact.size(), 1U);
-  EXPECT_EQ(contact[0].key, "machine.contact_on_return");
+  EXPECT_TRUE(findings_with({{"machine.contact_on_return", "off"}}).empty()) << "the operator's";
   const auto collapse = findings_with({{"collapse.height_m", "2"}});
   ASSERT_EQ(collapse.size(), 1U);
   EXPECT_EQ(collapse[0].key, "collapse.at_s");

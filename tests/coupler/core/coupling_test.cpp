@@ -50,6 +50,7 @@ class MassSpring final : public Machine {
     s.bodies.resize(1);
     s.bodies[0].X_WB.p.x() = x[0];
     s.bodies[0].V_WB_W.v.x() = x[1];
+    s.contact = t_ns < 10'000'000;
     return s;
   }
   double m_, k_;
@@ -87,6 +88,8 @@ class SpringRock final : public Rock {
   void save(const std::filesystem::path&) override {}
   void set_sync_time(const SyncTime& now) override { told = now; }
   SyncTime told;
+  void set_contact(bool on) override { contact.push_back(on); }
+  std::vector<bool> contact;  ///< told before each window
   std::string state_hash() override { return ""; }
   double x2() const { return x2_; }
 
@@ -194,6 +197,7 @@ TEST(Coupling, CountsForBothSidesAndGoesOnFromItsState) {
   EXPECT_EQ(whole.state().dem_step, 10);
   EXPECT_EQ(spring.told.step_index, 2);
   EXPECT_EQ(spring.told.t_ns, 10'000'000);
+  EXPECT_EQ(spring.contact, (std::vector<bool>{true, true}));
 
   SpringRock again = rock();
   Coupling resumed(mass, again, Scheme::serial);
@@ -201,6 +205,7 @@ TEST(Coupling, CountsForBothSidesAndGoesOnFromItsState) {
   EXPECT_EQ(again.told.t_ns, 10'000'000);
   EXPECT_EQ(resumed.t_ns(), whole.t_ns());
   EXPECT_EQ(resumed.advance(5).step_index, 3);
+  EXPECT_EQ(again.contact, std::vector<bool>{false}) << "as the machine was when the window began";
 }
 
 TEST(Coupling, RefusesSidesWithDifferentBodies) {

@@ -70,6 +70,20 @@ TEST_F(EstimatedRockTest, ResistsByTheCutsAreaAgainstTheFloor) {
   EXPECT_EQ(s.bodies[1].mean.force.norm(), 0) << "the door feels nothing";
 }
 
+TEST_F(EstimatedRockTest, LetsADipperThroughThatMeetsNoRock) {
+  EstimatedRock r = rock();
+  const double x = c.pile.toe_x_m + 14;
+  r.place(at(x, top - 0.5));
+  r.set_contact(false);
+  core::RockState s = r.step(1, at(x + 0.5, top - 0.5));
+  EXPECT_EQ(s.bodies[0].mean.force.norm(), 0);
+  EXPECT_EQ(channel(r, s, "cut_depth"), 0);
+  EXPECT_EQ(channel(r, s, "mass_in_dipper"), 0);
+  r.set_contact(true);
+  s = r.step(1, at(x + 0.51, top - 0.5));
+  EXPECT_NEAR(channel(r, s, "cut_resistance"), 1e5 * 0.5 * 2, 1e-6);
+}
+
 TEST_F(EstimatedRockTest, DoesNotResistADipperThatStandsOrComesBack) {
   EstimatedRock r = rock();
   const double x = c.pile.toe_x_m + 14;

@@ -40,9 +40,11 @@ TEST(Codec, AWrenchSurvivesToTheLastBit) {
 TEST(Codec, MotionCommandAndStatusSurvive) {
   core::TargetMotion t;
   t.n_steps = 20;
+  t.contact = false;
   t.bodies = {{{Quaterniond(0, 1, 0, 0), {1, 2, 3}}, {{4, 5, 6}, {7, 8, 9}}}};
   const auto motion = std::get<core::TargetMotion>(decode(encode({envelope(), t})).body);
   EXPECT_EQ(motion.n_steps, 20);
+  EXPECT_FALSE(motion.contact);
   EXPECT_EQ(motion.bodies[0].V_WB_W.w, Vector3d(4, 5, 6));
   EXPECT_EQ(motion.bodies[0].V_WB_W.v, Vector3d(7, 8, 9));
   EXPECT_EQ(motion.bodies[0].X_WB.R.x(), 1.0);
