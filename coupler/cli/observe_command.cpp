@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "common/manifest.hpp"
+#include "common/writable_folder.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/run/observed.hpp"
 
@@ -24,6 +25,7 @@ int observe(const ObserveOptions& o) {
   } catch (const std::invalid_argument& e) {
     throw CLI::ValidationError("--set", e.what());
   }
+  make_writable(o.out);
   run::write_observed(fs::path(o.folder) / "record.h5", observation, o.out);
   return 0;
 }

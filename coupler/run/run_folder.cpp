@@ -1,12 +1,8 @@
 #include "coupler/run/run_folder.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <system_error>
-
 #include "common/input_error.hpp"
 #include "common/manifest.hpp"
+#include "common/writable_folder.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -16,12 +12,7 @@ RunFolder::RunFolder(const fs::path& folder, bool resume)
   const auto refuse = [&](const std::string& why) { throw InputError({{folder, 0, "", why}}); };
   if (resume && !fs::exists(record()))
     refuse("holds no run to resume; leave out --resume, or name the run's folder with --out");
-  std::error_code failed;
-  fs::create_directories(root_, failed);
-  if (failed || access(root_.c_str(), W_OK | X_OK) != 0)
-    refuse("cannot be written (" +
-           (failed ? failed : std::error_code(errno, std::generic_category())).message() +
-           "); choose another --out");
+  make_writable(root_);
   if (!lock_.try_lock()) {
     const auto owner = lock_.owner();
     refuse("another run is writing it" +

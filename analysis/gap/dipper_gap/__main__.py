@@ -14,6 +14,7 @@ import yaml
 
 from dipper_run import run_cache
 from dipper_run.findings import BadInput, Findings
+from dipper_run.out_folder import check_writable
 from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
@@ -81,6 +82,8 @@ def main(words=None):
         measured = read_measured(args.measured, NEED_PASSES)
         for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
             say(f"gap: {question}")
+        out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
+        check_writable(out_folder)
     except BadInput as e:
         for finding in e.findings:
             print(finding, file=sys.stderr)
@@ -88,7 +91,6 @@ def main(words=None):
         return 2
     for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
         signal.signal(number, signal.default_int_handler)
-    out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
     try:
         simulator = DipperSimulator(args.case, catalogue, program(), run_cache.cache_folder("gap"))
         catalogue, left_out = usable(catalogue, simulator)

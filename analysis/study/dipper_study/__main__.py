@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 from dipper_run.findings import BadInput
+from dipper_run.out_folder import check_writable
 from dipper_run.page_data import plain
 from dipper_run.program import ProgramFailed, program
 from dipper_run.run_cache import cache_folder
@@ -105,6 +106,7 @@ def main(words=None):
         executor = executor_of(study, program(), out)
         if (args.detach or args.cancel) and study.executor != "slurm":
             raise BadInput([f"{study.file}: --detach and --cancel are for executor: slurm"])
+        check_writable(out)
     except BadInput as e:
         print("\n".join(e.findings), file=sys.stderr)
         print(f"{len(e.findings)} error{'s' * (len(e.findings) > 1)}", file=sys.stderr)

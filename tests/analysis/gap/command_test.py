@@ -116,6 +116,14 @@ def test_a_case_that_is_no_utf8_is_told_with_its_line(words, tmp_path):
     assert gap.returncode == 2 and f"{case}:3: encoding: byte 0xE9 is not UTF-8" in err and "Traceback" not in err
 
 
+def test_an_out_that_is_a_file_starts_nothing(words, tmp_path):
+    (tmp_path / "file").write_text("in the way")
+    gap = start([*words, "--out", str(tmp_path / "file")], tmp_path)
+    _, err = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and f"{tmp_path / 'file'}: cannot be written" in err and "--out" in err
+    assert not (tmp_path / "started").exists() and (tmp_path / "file").read_text() == "in the way"
+
+
 def test_bad_measurements_start_nothing(words, tmp_path):
     passes = tmp_path / "mine" / "passes.csv"
     passes.write_text(passes.read_text().replace("\n2,", "\n2,-"))

@@ -124,6 +124,14 @@ def test_every_point_is_checked_before_anything_starts(world):
     assert not world.calls() and not world.out.exists()
 
 
+def test_an_out_that_is_a_file_starts_nothing(world):
+    file = world.out.with_name("file")
+    file.write_text("in the way")
+    said = world.study(STUDY, "--out", str(file), status=2)
+    assert f"{file}: cannot be written" in said and "choose another --out" in said
+    assert not world.calls()
+
+
 def test_bad_usage_is_2(world):
     world.study("case: case\n", status=2)
     world.study(STUDY, "--outt", status=2)
