@@ -161,7 +161,8 @@ run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& fo
   }
   for (const fs::path& unused : {folder.dumps(), folder.checkpoints()}) fs::remove(unused);
   if (!complete) {
-    reporter.error("interrupted; a run without rock is not resumed: it is begun anew");
+    fs::remove(folder.record());  // which makes it a run's folder
+    reporter.error("interrupted; the same command begins it anew");
     return run::RunStatus::interrupted;
   }
   const std::vector<LimitUse> limits =

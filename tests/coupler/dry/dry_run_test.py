@@ -1,8 +1,10 @@
 """`dipper run --no-rock`: the machine alone, and against an estimate of the rock."""
 
 import json
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
 import h5py
@@ -12,7 +14,7 @@ import yaml
 sys.path.insert(0, __file__.rsplit("/tests/", 1)[0] + "/tests/coupler/run")
 sys.path.insert(0, __file__.rsplit("/tests/", 1)[0] + "/tests/analysis/report")
 from browser import Browser
-from runs import DIPPER, SOURCE, TINY, RunTest
+from runs import DIPPER, PATIENCE_S, SOURCE, TINY, RunTest
 
 QUICK = SOURCE / "cases" / "quick"
 NARROW = SOURCE / "tests/coupler/case/narrow"
@@ -165,6 +167,14 @@ class DryRun(RunTest):
         self.assertFalse(out.exists())
         _, said = self.run_case(out, "--no-rock=sand", status=2)
         self.assertIn("none,estimate", said.replace(" ", "").replace("{", "").replace("}", ""))
+        interrupted = self.start(out, "--no-rock", case=QUICK)
+        while not (out / "record.h5").exists():
+            self.assertIsNone(interrupted.poll())
+            time.sleep(0.01)
+        interrupted.send_signal(signal.SIGINT)
+        _, said = interrupted.communicate(timeout=PATIENCE_S)
+        self.assertEqual(interrupted.returncode, 4, said)
+        self.assertIn("the same command begins it anew", said)
         self.run_case(out, "--no-rock", case=TINY)
         before = json.loads((out / "summary.json").read_text())
         _, said = self.run_case(out, "--no-rock", case=TINY, status=2)
