@@ -123,7 +123,7 @@ class Network(RunTest):
             began = time.monotonic()
             _, err = process.communicate(timeout=20)
             self.assertIn("no answer for 2 s", err)
-            self.assertLess(time.monotonic() - began, 2 + 1 + 3)  # and up to 3 s to end both sides
+            self.assertLess(time.monotonic() - began, 2 + 1 + 3 + 2)  # up to 3 s to end both sides; 2 for a busy machine
         finally:
             process.kill()
             stranger.kill()
