@@ -17,7 +17,7 @@ export class Model {
     this.dem = m.dem;
     this.mbs = m.mbs;
     const { frames, dipper } = m;
-    this.zones = frames?.flow_kg && {
+    this.zones = frames?.flow_kg && frames.time_s.length > 1 && { // of the start alone there is no curve
       threshold_m_s: FLOW_FASTER,
       region: dipper?.load_region ?? dipper?.cavity,
       time_s: frames.time_s,
