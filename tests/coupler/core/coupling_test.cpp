@@ -17,7 +17,7 @@ class MassSpring final : public Machine {
   MassSpring(double m, double k, double x0, double v0) : m_(m), k_(k), x_(x0, v0) {}
 
   ServerInfo info() const override { return {"analytic", {"mass"}, {}, 0}; }
-  MachineState state() override { return report(0, x_); }
+  MachineState state() override { return report(t_ns_, x_); }
   MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F, bool commit) override {
     const double h = static_cast<double>(t_end_ns - t_ns_) * 1e-9;
     const double f = F[0].force.x();
