@@ -123,7 +123,8 @@ class Network(RunTest):
             began = time.monotonic()
             _, err = process.communicate(timeout=20)
             self.assertIn("no answer for 2 s", err)
-            self.assertLess(time.monotonic() - began, 2 + 1 + 3 + 2)  # up to 3 s to end both sides; 2 for a busy machine
+            # Up to 3 s to end both sides; 2 for a busy machine.
+            self.assertLess(time.monotonic() - began, 2 + 1 + 3 + 2)
         finally:
             process.kill()
             stranger.kill()
