@@ -6,7 +6,7 @@ import unittest
 import h5py
 import numpy as np
 
-from runs import DIPPER, PATIENCE_S, RunTest, last_rocks, two_cores
+from runs import DIPPER, PATIENCE_S, RunTest, last_rocks, rocks, two_cores
 
 
 def option(**keys):
@@ -115,6 +115,24 @@ class RockPhysics(RunTest):
             mass[fines] = column(out, "rock/rock_mass")[0]
         # The same bench, 1 + phi e times as heavy, but for which rocks its profile cuts off.
         self.assertAlmostEqual(mass[1] / mass[0], 1 + (1 - 1903 / 3215), delta=0.05)
+
+    def test_rock_twice_as_heavy_on_contacts_twice_as_stiff_is_the_same_pile_to_the_bit(self):
+        # Gravity, friction and shares of critical damping have no force in them, so that forces go with the density. By
+        # two, and with stiffnesses that the tables' six digits hold, without a rounding: spheres, K_t 0.256 K_n.
+        alike = ["--ranks", "1", "--set", "pile.toe_x_m=13.0", "--set", "contact.tangential_scale=0.256", "--set",
+                 "rock.classes=[{name: d200, size_m: 0.2, mass_percent: 100, shapes: [sphere]}]"]
+        frames, force_N = {}, {}
+        for times in (1, 2):
+            out = self.folder / str(times)
+            self.run_case(out, *alike, *option(rock__density_kg_m3=3215 * times, contact__normal_scale=0.01 * times,
+                                               rock__bulk_density_kg_m3=1903 * times, end_s=1.5))
+            frames[times] = [rocks(out / "dumps" / f"rocks_{step}.dump") for step in (0, 4000)]
+            force_N[times] = column(out, "bodies/dipper/wrench_mean")[:, 3:]
+        for light, heavy in zip(frames[1], frames[2]):
+            for name in ("id", "x", "y", "z", "vx", "vy", "vz"):
+                np.testing.assert_array_equal(light[name], heavy[name])
+        touched = np.flatnonzero(force_N[1].any(axis=1))[0]  # from then on the ropes give in to what the rock weighs
+        np.testing.assert_array_equal(2 * force_N[1][touched], force_N[2][touched])
 
 
 if __name__ == "__main__":
