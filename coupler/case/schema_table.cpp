@@ -200,7 +200,7 @@ std::vector<KeySpec> make_schema() {
        "rock that overlaps dipper, door or truck at the start is removed; off",
        SLOT(c.pile.clear_machine)},
       {"pile.clean_floor_to_x_m", "m", place, {}, optional,
-       "rock on the floor in front of this x is taken away as each return ends; 0, the default: it stays",
+       "rock on the floor in front of this x is taken away as each return without rock ends; 0, the default: it stays",
        SLOT(c.pile.clean_floor_to_x_m)},
 
       {"collapse.height_m", "m", between(0, 20), {}, optional,
