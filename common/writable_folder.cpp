@@ -8,14 +8,35 @@
 #include "common/input_error.hpp"
 
 namespace dipper {
+namespace {
+
+bool can_write_into(const std::filesystem::path& folder) {
+  return access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
+  throw InputError({{folder, 0, "", "cannot be written (" + why + "); choose another --out"}});
+}
+
+}  // namespace
 
 void make_writable(const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  if (!failed && access(folder.c_str(), W_OK | X_OK) == 0) return;
+  if (!failed && can_write_into(folder)) return;
   if (!failed) failed = std::error_code(errno, std::generic_category());
-  throw InputError(
-      {{folder, 0, "", "cannot be written (" + failed.message() + "); choose another --out"}});
+  refuse(folder, failed.message());
+}
+
+void require_writable(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  fs::path nearest = fs::absolute(folder);
+  while (!fs::exists(fs::symlink_status(nearest, unknown)) && nearest.has_relative_path())
+    nearest = nearest.parent_path();
+  if (!fs::is_directory(nearest, unknown)) refuse(folder, nearest.string() + " is no folder");
+  if (!can_write_into(nearest))
+    refuse(folder, std::error_code(errno, std::generic_category()).message());
 }
 
 }  // namespace dipper

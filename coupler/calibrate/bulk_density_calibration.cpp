@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -89,7 +88,7 @@ class BoxCalibration {
         {"case_as_it_is", summary(case_.rock.density_kg_m3, before, interior(runs, "case"))},
         {"confirmed", summary(density, after, interior(runs, "confirm"))},
         {"on_target", met}};
-    std::ofstream(request_.out / "calibration.json") << json.dump(1) << '\n';
+    write_text(request_.out / "calibration.json", json.dump(1) + '\n');
     reporter_.line(fmt::format("{}: runs.csv, calibration.json{}", request_.out.string(),
                                met ? ", calibrated.set" : ""));
     if (met) reporter_.line(run_command(request_, {{kKey, density}}));

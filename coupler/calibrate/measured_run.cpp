@@ -16,12 +16,6 @@ std::string words_of(const std::vector<std::pair<std::string, double>>& paramete
   return out;
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
-}
-
 }  // namespace
 
 std::vector<MeasuredRun> make_runs(const std::vector<PlannedRun>& plan, int jobs,
@@ -72,6 +66,12 @@ MeanOfSeeds mean_of_seeds(const std::vector<MeasuredRun>& runs, const std::strin
   return m;
 }
 
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
 void write_runs_csv(const std::vector<MeasuredRun>& runs, const std::filesystem::path& file) {
   std::string text = "stage,seed";
   for (const auto& p : runs.at(0).parameters) text += "," + p.first;
@@ -83,14 +83,14 @@ void write_runs_csv(const std::vector<MeasuredRun>& runs, const std::filesystem:
     for (const auto& m : r.measures) text += fmt::format(",{:.6g}", m.second);
     text += fmt::format(",{:.1f},{}\n", r.result.cpu_s, r.result.hash.substr(0, 16));
   }
-  write(file, text);
+  write_text(file, text);
 }
 
 void write_overlay(const std::vector<std::pair<std::string, double>>& parameters,
                    const std::filesystem::path& file) {
   std::string text;
   for (const auto& [key, value] : parameters) text += fmt::format("{}={:.6g}\n", key, value);
-  write(file, text);
+  write_text(file, text);
 }
 
 std::string run_command(const CalibrationRequest& request,

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -130,7 +129,7 @@ class PileCalibration {
   void write(const Json& json) const {
     std::filesystem::create_directories(request_.out);
     write_runs_csv(runs_, request_.out / "runs.csv");
-    std::ofstream(request_.out / "calibration.json") << json.dump(1) << '\n';
+    write_text(request_.out / "calibration.json", json.dump(1) + '\n');
     reporter_.line(fmt::format(
         "{}: runs.csv, calibration.json{}", request_.out.string(),
         std::filesystem::exists(request_.out / "calibrated.set") ? ", calibrated.set" : ""));

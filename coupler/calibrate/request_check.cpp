@@ -7,7 +7,9 @@
 #include <thread>
 
 #include "common/case_lines.hpp"
+#include "common/input_error.hpp"
 #include "common/installation.hpp"
+#include "common/writable_folder.hpp"
 #include "coupler/calibrate/search_scale.hpp"
 #include "coupler/check/checked_case.hpp"
 #include "coupler/deck/liggghts_path.hpp"
@@ -80,6 +82,11 @@ std::optional<cases::Case> checked_request(const CalibrationRequest& request, Re
     faults.push_back(request.out.string() + " is there already; choose another --out");
   if (!deck::liggghts_takes(data_folder()))  // the deck and its sheet are there
     faults.push_back(data_folder().string() + ": " + deck::kLiggghtsRefuses);
+  try {
+    require_writable(request.out);
+  } catch (const InputError& e) {
+    faults.push_back(e.what());
+  }
   for (const std::string& fault : faults) reporter.line(fault);
   std::optional<cases::Case> c =
       check::checked_case(request.case_folder, request.overrides, reporter);

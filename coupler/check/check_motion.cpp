@@ -113,6 +113,14 @@ void check_times_of_motion(const cases::Case& c, Findings& findings) {
   }
 }
 
+// The floor is cleaned as a way back without rock ends, and at no other time.
+void check_clean_floor(const cases::Case& c, Findings& findings) {
+  if (c.pile.clean_floor_to_x_m == 0 || c.machine.contact_on_return == "off") return;
+  findings.push_back(
+      cases::finding_at(c, "pile.clean_floor_to_x_m",
+                        "needs a way back without rock: machine.contact_on_return: off"));
+}
+
 }  // namespace
 
 std::optional<machine::Motion> check_motion(const cases::Case& c,
@@ -151,6 +159,7 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
   }
   check_bodies_in_domain(c, shovel, *motion, known, findings);
   check_times_of_motion(c, findings);
+  check_clean_floor(c, findings);
   check_collapse(c, shovel, *motion, known, findings);
   return motion;
 }

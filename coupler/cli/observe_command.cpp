@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "common/input_error.hpp"
 #include "common/manifest.hpp"
 #include "common/writable_folder.hpp"
 #include "coupler/cli/set_option.hpp"
@@ -25,8 +26,10 @@ int observe(const ObserveOptions& o) {
   } catch (const std::invalid_argument& e) {
     throw CLI::ValidationError("--set", e.what());
   }
+  const fs::path record = fs::path(o.folder) / "record.h5";
+  if (!fs::exists(record)) throw InputError({{record, 0, "", "is missing; DIR is a run's folder"}});
   make_writable(o.out);
-  run::write_observed(fs::path(o.folder) / "record.h5", observation, o.out);
+  run::write_observed(record, observation, o.out);
   return 0;
 }
 

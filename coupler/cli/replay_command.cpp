@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "common/manifest.hpp"
+#include "common/writable_folder.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
@@ -35,6 +36,7 @@ int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
   }
   for (const Finding& f : findings) reporter.error(to_string(f));
   if (!findings.empty()) return 2;
+  make_writable(o.out);
   enter_own_network(reporter);
   run::observe_changed_machine(o.folder, changed, o.out);
   return 0;

@@ -10,6 +10,7 @@
 #include "common/input_error.hpp"
 #include "common/record/columns.hpp"
 #include "common/record/record.hpp"
+#include "common/temporary_folder.hpp"
 #include "coupler/run/lone_machine.hpp"
 #include "coupler/run/observed.hpp"
 #include "coupler/sides/dipper_layers.hpp"
@@ -75,11 +76,10 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
   transport::PeerConfig config = transport::read_peer_config(run / "logs" / "mbs.json");
   config.settings = sides::mbs_settings(
       changed, sides::dipper_layers(changed, sides::read_mesh_facts(changed).dipper.cavity));
-  const fs::path scratch = out.string() + ".part";
-  fs::create_directories(scratch);
   analysis::signals::DriveSignals s;
   {
-    LoneMachine lone(config, scratch);
+    const TemporaryFolder scratch("dipper-replay");
+    LoneMachine lone(config, scratch.path());
     const core::ServerInfo info = lone.machine().info();
     const auto put = [&](double t_s, const core::MachineState& state) {
       s.time_s.push_back(t_s);
@@ -100,7 +100,6 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
       put(time_s[i], lone.machine().step(t_ns, {dipper.at(i - late), door.at(i - late)}, true));
     }
   }
-  fs::remove_all(scratch);
   write_observed(s, analysis::run::read_drive_signals(record).pass, changed.observation, out);
 }
 

@@ -21,7 +21,9 @@ constexpr double kLostMass_kg = 1000;
 constexpr double kMuchRattle = 0.05;  // of a dig's windows; at true size up to 0.03
 constexpr double kHighPeak = 8;       // times the mean; whole digs have 3 to 5
 
-void warn_of_pass(const cases::Case& c, const json& p, std::vector<std::string>& warnings) {
+/// `whole`: the run came to its end; one that was cut short goes on by --resume.
+void warn_of_pass(const cases::Case& c, const json& p, bool whole,
+                  std::vector<std::string>& warnings) {
   const int pass = p.at("pass").get<int>();
   const auto number = [&](const char* key) { return p.value(key, 0.0); };
   if (const double slack = number("dig_slack_share"); slack > kMuchSlack)
@@ -41,7 +43,7 @@ void warn_of_pass(const cases::Case& c, const json& p, std::vector<std::string>&
         "between walls rattle, and press too hard; a dem.timestep_s below {:.1e} s has none of it, "
         "contact.normal_damping_other 0.5 little (docs/rock.md#how-long-a-step-may-be)",
         pass, 100 * rattle, deck::pressed_timestep(c)));
-  if (const auto dumped = p.find("dumped"); dumped != p.end() && *dumped == false)
+  if (const auto dumped = p.find("dumped"); whole && dumped != p.end() && *dumped == false)
     warnings.push_back(fmt::format(
         "pass {}: unfinished, the run ends before the door opens; a later end_s lets it go on",
         pass));
@@ -61,8 +63,10 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
     for (const Finding& doubt : check::doubts(c)) warnings.push_back(to_string(doubt));
   } catch (const InputError&) {  // a file has gone since the run began
   }
-  for (const json& p : summary.at("passes")) warn_of_pass(c, p, warnings);
-  if (const auto drives = summary.find("drives"); drives != summary.end() && c.end_s == 0) {
+  const bool whole = summary.value("status", "complete") == "complete";
+  for (const json& p : summary.at("passes")) warn_of_pass(c, p, whole, warnings);
+  if (const auto drives = summary.find("drives");
+      whole && drives != summary.end() && c.end_s == 0) {
     const double path_s = drives->at("path_time_s").get<double>(),
                  motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());
     if (path_s < motion_s - 1e-3)

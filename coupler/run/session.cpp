@@ -97,10 +97,6 @@ RunFacts Session::close(bool orderly) {
   f.cost = cost();
   f.syncs = coupling_.state().step_index;
   f.dem_steps = coupling_.state().dem_step;
-  if (!stepper_.last().rock.channels.empty()) {
-    f.particles = std::llround(channel(stepper_.last(), rock_.info(), "particles"));
-    f.bodies = std::llround(channel(stepper_.last(), rock_.info(), "rocks"));
-  }
   const RecordPosition& at = record_.position();
   f.interface_work_J = at.rock_work_J;
   f.energy_residual_J = at.machine_work_J - at.rock_work_J;

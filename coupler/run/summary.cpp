@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -23,6 +24,12 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
   const double sim_s = time_s.empty() ? 0.0 : time_s.back();
   const double cpu_s = f.cost.dem_cpu_s + f.cost.mbs_cpu_s;
   const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0.0; };
+  // As at the end, also where this start of the program took no window.
+  const auto last = [&](const char* channel) {
+    const auto rows = record::read_channel(record, channel);
+    return static_cast<std::int64_t>(rows.empty() ? 0 : std::llround(rows.back()));
+  };
+  const std::int64_t particles = last("rock/particles");
   json out = {
       {"case", c.name},
       {"seed", c.seed},
@@ -40,14 +47,14 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
         {"resends", f.resends},
         {"foreign_messages", f.foreign_messages}}},
       {"dem",
-       {{"particles", f.particles},
-        {"bodies", f.bodies},
+       {{"particles", particles},
+        {"bodies", last("rock/rocks")},
         {"timestep_s", c.dem.timestep_s},
         {"steps", f.dem_steps},
         {"cpu_s", f.cost.dem_cpu_s},
         {"wall_s", f.cost.wall_s},
         {"particle_steps_per_cpu_s",
-         ratio(static_cast<double>(f.particles) * static_cast<double>(f.dem_steps),
+         ratio(static_cast<double>(particles) * static_cast<double>(f.dem_steps),
                f.cost.dem_cpu_s)}}},
       {"mbs", {{"cpu_s", f.cost.mbs_cpu_s}, {"realtime_factor", ratio(sim_s, f.cost.mbs_cpu_s)}}},
       {"sim_s", sim_s},

@@ -18,7 +18,6 @@ struct RunFacts {
   std::int64_t syncs = 0, dem_steps = 0;
   std::int64_t resends = 0, foreign_messages = 0;
   double interface_work_J = 0, energy_residual_J = 0;
-  std::int64_t particles = 0, bodies = 0;
   RunCost cost;
   std::string state_hash;
 };

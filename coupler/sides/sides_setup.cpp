@@ -60,7 +60,7 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
   setup.bodies = {"dipper", "door"};
   if (c.pile.clear_machine == "on") setup.cleared = {"dipper", "door", "truck"};
   setup.pauses = c.machine.contact_on_return == "off";
-  if (c.pile.clean_floor_to_x_m > 0)
+  if (c.pile.clean_floor_to_x_m != 0)
     setup.floor = dem::FloorStrip{c.pile.clean_floor_to_x_m, c.pile.width_m / 2 + kFloorSide_m,
                                   kFloorHeight_m};
   if (c.dem.hold_below_m_s > 0) setup.hold.emplace().below_m_s = c.dem.hold_below_m_s;

@@ -6,7 +6,9 @@ from .findings import BadInput
 
 def check_writable(folder):
     """BadInput when the folder cannot be made or written into: for before the work is done. Makes nothing."""
-    nearest = next(p for p in (folder.absolute(), *folder.absolute().parents) if p.exists())
-    why = "Permission denied" if nearest.is_dir() else f"{nearest} is a file"
-    if not nearest.is_dir() or not os.access(nearest, os.W_OK | os.X_OK):
+    # A link to nothing is there; what lies in a folder that cannot be looked into is not.
+    nearest = next(p for p in (folder.absolute(), *folder.absolute().parents) if os.path.lexists(p))
+    folders = os.path.isdir(nearest)
+    why = "Permission denied" if folders else f"{nearest} is no folder"
+    if not folders or not os.access(nearest, os.W_OK | os.X_OK):
         raise BadInput([f"{folder}: cannot be written ({why}); choose another --out"])

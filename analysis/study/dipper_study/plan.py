@@ -32,10 +32,11 @@ class PlannedRun:
 
     @property
     def name(self):
-        """Of the link to it in the study's folder; ends with a hash where it does not say all of the values."""
+        """Of the link to it in the study's folder; ends with a hash where it does not say the values."""
         told = "_".join(v.name for v in self.point.values)
         values = re.sub(r"[^\w.+-]+", "-", told).encode()[:NAME_BYTES].decode(errors="ignore")
-        if values != told:
+        parted = len(self.point.values) < 2 or not any("_" in v.name for v in self.point.values)
+        if values != told or not parted:
             values += f"-{hashlib.sha256(str(self.point).encode()).hexdigest()[:8]}"
         return f"{values or 'case'}_s{self.seed}"
 

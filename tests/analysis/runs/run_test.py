@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 import dipper_run
+from dipper_run.findings import BadInput
+from dipper_run.out_folder import check_writable
 
 SOURCE = Path(__file__).resolve().parents[3] / "analysis/runs"
 DUMP = """ITEM: TIMESTEP
@@ -80,6 +82,16 @@ def test_a_file_that_is_not_what_the_run_wrote_is_not_read(folder):
     (folder / "summary.json").write_text('{"passes": []}')
     with pytest.raises(dipper_run.NotARun, match="not what the run wrote"):
         dipper_run.read(folder).summary
+
+
+def test_an_answers_folder_that_cannot_be_made_is_told_and_nothing_is_made(tmp_path):
+    (tmp_path / "file").write_text("in the way")
+    (tmp_path / "nowhere").symlink_to(tmp_path / "gone")
+    for folder in (tmp_path / "file/out", tmp_path / "nowhere", tmp_path / "nowhere/out"):
+        with pytest.raises(BadInput, match="cannot be written .*another --out"):
+            check_writable(folder)
+    check_writable(tmp_path / "new/out")
+    assert not (tmp_path / "new").exists()
 
 
 def test_pip_installs_it(tmp_path):

@@ -90,6 +90,9 @@ class Calibrate(unittest.TestCase):
         self.assertEqual((self.folder / "again" / "runs.csv").read_text(),
                          (out / "runs.csv").read_text())
         self.calibrate(*words, *again, status=2)  # a result is never written over
+        in_the_way = out / "runs.csv" / "more"
+        text, _ = self.calibrate(*words, "--out", in_the_way, status=2)
+        self.assertIn(f"{in_the_way}: cannot be written", text)
 
     def test_scaled_density_gives_the_bulk_density(self):
         out = self.folder / "bulk"

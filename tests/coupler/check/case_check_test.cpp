@@ -96,6 +96,16 @@ TEST(CheckCase, WhatGoesByTheMotionsTimesNeedsPrescribedDrives) {
   EXPECT_EQ(collapse[0].key, "collapse.at_s");
 }
 
+TEST(CheckCase, AFloorIsCleanedOnAWayBackWithoutRock) {
+  const Checkout checkout(true);
+  const auto findings = check(checkout, {{"pile.clean_floor_to_x_m", "14.5"}});
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].key, "pile.clean_floor_to_x_m");
+  EXPECT_TRUE(
+      check(checkout, {{"pile.clean_floor_to_x_m", "14.5"}, {"machine.contact_on_return", "off"}})
+          .empty());
+}
+
 TEST(CheckCase, EveryMissingFileAtOnce) {
   const Checkout checkout;
   for (const char* file : {"meshes/dipper.stl", "meshes/door.stl", "meshes/truck.stl",

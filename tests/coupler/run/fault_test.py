@@ -104,6 +104,9 @@ class Faults(RunTest):
         process.send_signal(signal.SIGINT)
         self.assert_ended(process, out, 4, "interrupted at t = ", "--resume")
         self.assertEqual(self.summary(out)["status"], "interrupted")
+        # On to where it stands: no window is taken, and nothing is said otherwise than before.
+        self.run_case(out, "--resume", "--set", f"end_s={self.summary(out)['sim_s']}")
+        self.assertGreater(self.summary(out)["dem"]["particles"], 100)
         steps = self.go_on(out)
         self.assertEqual(self.summary(out)["status"], "complete")
         self.assertEqual(self.summary(out)["dem"]["steps"], steps)

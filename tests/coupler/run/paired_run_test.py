@@ -268,6 +268,24 @@ class PairedRun(RunTest):
             force_a, force_b = (f["bodies/dipper/wrench_mean"][:, 3:] for f in (a, b))
             np.testing.assert_allclose(force_a, force_b, rtol=0, atol=1e-9 * np.abs(force_a).max())
 
+    def test_a_way_back_without_rock_goes_through_it(self):
+        # The dig's first 2.5 s backwards, out of the bench; the door, having opened, closes from 0.5 s on.
+        lines = (TINY / "motion.csv").read_text().splitlines()
+        rows = [line.split(",") for line in lines if line[0].isdigit()][10::-1]
+        door = {0.25: "5", 0.5: "10", 0.75: "5"}
+        back = self.folder / "back.csv"
+        back.write_text("time_s,hoist_m,crowd_m,swing_deg,door_deg\n" + "".join(
+            f"{2.5 - float(row[0])},{row[1]},{row[2]},0,{door.get(2.5 - float(row[0]), '0')}\n" for row in rows))
+        met = {}
+        for contact in ("on", "off"):
+            out = self.folder / contact
+            self.run_case(out, *ONE_RANK, "--set", f"machine.motion={back}", "--set", "pile.clear_machine=on",
+                          "--set", "end_s=1.5", "--set", f"machine.contact_on_return={contact}")
+            with h5py.File(out / "record.h5") as f:
+                met[contact] = np.abs(f["bodies/dipper/wrench_mean"][:][f["time_s"][:] > 0.55]).max()
+        self.assertGreater(met["on"], 1e5)
+        self.assertEqual(met["off"], 0)
+
     def test_without_dumps_only_those_of_the_start_are_left(self):
         run = self.folder / "quiet"
         self.run_case(run, *ONE_RANK, "--set", "output.dump_every_s=0", "--set", "end_s=0.9")

@@ -14,7 +14,7 @@ using json = nlohmann::ordered_json;
 
 /// Of a run in which nothing is wrong, with a change.
 std::vector<std::string> warnings(const std::vector<std::pair<std::string, json>>& pass,
-                                  double residual_J = 0) {
+                                  double residual_J = 0, const std::string& status = "complete") {
   const test::Checkout checkout;
   std::vector<Finding> findings;
   const cases::Case c =
@@ -28,7 +28,9 @@ std::vector<std::string> warnings(const std::vector<std::pair<std::string, json>
               {"dig_slack_share", 0.01}};
   for (const auto& [key, value] : pass) row[key] = value;
   return run_warnings(
-      c, {{"passes", json::array({row})},
+      c, {{"status", status},
+          {"passes", json::array({row})},
+          {"drives", {{"path_time_s", status == "complete" ? 1e3 : 1.0}}},
           {"coupling", {{"energy_residual_J", residual_J}, {"interface_work_J", -1e8}}}});
 }
 
@@ -44,6 +46,7 @@ TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
   EXPECT_THAT(warnings({{"truck_kg", -28e3}}),
               ElementsAre(HasSubstr("28.0 t more leave the truck")));
   EXPECT_THAT(warnings({{"dumped", false}}), ElementsAre(HasSubstr("pass 1: unfinished")));
+  EXPECT_THAT(warnings({{"dumped", false}}, 0, "interrupted"), ElementsAre()) << "it goes on";
   EXPECT_THAT(warnings({}, -2e6), ElementsAre(HasSubstr("by 2.0 % of the work of 100 MJ")));
 }
 

@@ -8,7 +8,8 @@
 
 namespace dipper::transport {
 
-/// A point mass of 2 kg under the held force; semi-implicit, one step a window.
+/// A point mass of 2 kg under the held force; semi-implicit, one step a window. It meets rock until
+/// 50 ms.
 class FakeMachine final : public core::Machine {
  public:
   core::ServerInfo info() const override { return {"fake", {"body"}, {{"x", "m", "W"}}, 0}; }
@@ -38,6 +39,7 @@ class FakeMachine final : public core::Machine {
     s.bodies[0].X_WB.p.x() = x;
     s.bodies[0].V_WB_W.v.x() = v;
     s.channels = {x};
+    s.contact = t_ns < 50'000'000;
     return s;
   }
   std::int64_t t_ns_ = 0;
@@ -54,6 +56,7 @@ class FakeRock final : public core::Rock {
     step_ += n;
     return report(X[0]);
   }
+  void set_contact(bool on) override { contact_ = on; }
   void save(const std::filesystem::path&) override {}
   std::string state_hash() override { return "hash"; }
   std::atomic<int> windows{0};
@@ -65,13 +68,14 @@ class FakeRock final : public core::Rock {
     s.step = step_;
     s.bodies.resize(1);
     s.bodies[0].X_WB = X;
-    double f = -50 * X.p.x();
+    double f = contact_ ? -50 * X.p.x() : 0;
     if (step_ >= sick_from) f = std::numeric_limits<double>::quiet_NaN();
     s.bodies[0].mean.force.x() = s.bodies[0].end.force.x() = f;
     s.channels = {f};
     return s;
   }
   std::int64_t step_ = 0;
+  bool contact_ = true;
 };
 
 }  // namespace dipper::transport
