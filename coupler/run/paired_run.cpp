@@ -52,9 +52,9 @@ void conclude(const cases::Case& c, const RunFolder& folder, std::unique_ptr<Ses
   session.reset();
   facts.status = word(status);
   facts.failure = failure;
+  // The summary last: it says "complete" once all the rest is written.
   write_observed(folder.record(), c.observation, folder.observed());
-  write_summary(c, folder, facts,
-                reporter);  // "complete" stands there once all the rest is written
+  write_summary(c, folder, facts, reporter);
   folder.seal();
 }
 
