@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
-#include <stdexcept>
+
+#include "common/text_file.hpp"
 
 namespace dipper::analysis::metrics {
 namespace {
@@ -34,12 +34,6 @@ std::vector<std::pair<std::string, std::string>> flat(const json& row) {
       if (value[k].is_number()) out.emplace_back(fmt::format("{}_{}", key, k + 1), cell(value[k]));
   }
   return out;
-}
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
 std::string map_csv(const rock::WallField& f) {
@@ -107,14 +101,14 @@ void write_report(const Metrics& metrics, const fs::path& folder,
   fs::remove_all(made);
   fs::create_directories(made);
   try {
-    write(made / "metrics.json", metrics.values.dump(1) + "\n");
+    write_text(made / "metrics.json", metrics.values.dump(1) + "\n");
     for (const char* name : {"passes", "phases", "stages", "frames", "pile", "sizes", "walls"}) {
       const auto table = metrics.values.find(name);
       if (table == metrics.values.end() || table->empty()) continue;
-      write(made / (std::string(name) + ".csv"), to_csv(*table));
+      write_text(made / (std::string(name) + ".csv"), to_csv(*table));
     }
     for (const rock::WallField& f : metrics.walls)
-      write(made / fmt::format("wall_{}_{}.csv", f.body, f.field), map_csv(f));
+      write_text(made / fmt::format("wall_{}_{}.csv", f.body, f.field), map_csv(f));
     if (more) more(made);
     fs::remove_all(folder);
     fs::rename(made, folder);

@@ -4,8 +4,8 @@
 
 #include <chrono>
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
+
+#include "common/text_file.hpp"
 
 namespace dipper::calibrate {
 namespace {
@@ -64,12 +64,6 @@ MeanOfSeeds mean_of_seeds(const std::vector<MeasuredRun>& runs, const std::strin
   if (m.n > 1) m.sigma = std::sqrt(squares / static_cast<double>(m.n - 1));
   m.sigma_of_mean = m.sigma / std::sqrt(static_cast<double>(m.n));
   return m;
-}
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
 void write_runs_csv(const std::vector<MeasuredRun>& runs, const std::filesystem::path& file) {

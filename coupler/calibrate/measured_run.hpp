@@ -48,9 +48,6 @@ struct MeanOfSeeds {
 };
 MeanOfSeeds mean_of_seeds(const std::vector<MeasuredRun>& runs, const std::string& stage);
 
-/// Throws std::runtime_error naming the file that cannot be written, as those below do.
-void write_text(const std::filesystem::path& file, const std::string& text);
-
 /// One row a run: stage, parameters, seed, measures, CPU seconds, hash. All runs have the same
 /// parameters and measures.
 void write_runs_csv(const std::vector<MeasuredRun>& runs, const std::filesystem::path& file);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "common/text_file.hpp"
 #include "common/version.hpp"
 #include "coupler/calibrate/calibration.hpp"
 #include "coupler/calibrate/calibration_decks.hpp"

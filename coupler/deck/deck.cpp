@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 
 #include "common/angles.hpp"
 #include "common/mesh/stl.hpp"
+#include "common/text_file.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/case/outline_file.hpp"
 #include "coupler/deck/contact_table.hpp"
@@ -27,12 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSurfaceFile = "surface.stl";
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
-}
 
 /// LIGGGHTS wants primes above 10,000; a different one for each stream k of a case.
 std::int64_t prime_seed(std::int64_t seed, int k) {
@@ -286,18 +280,18 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
       if (name != "sphere" && used.count(name) == 0) used[name] = find_rock_shape(shapes, name);
 
   fs::create_directories(folder);
-  write(folder / "case.in", case_in(c));
-  write(folder / "material.in", material_in(c));
-  write(folder / "rocks.in", rocks_in(c, used));
+  write_text(folder / "case.in", case_in(c));
+  write_text(folder / "material.in", material_in(c));
+  write_text(folder / "rocks.in", rocks_in(c, used));
   for (const auto& [name, shape] : used)
-    write(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
+    write_text(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
   if (c.pile.surface) {
-    write(folder / kSurfaceFile, mesh::to_stl("surface", c.pile.surface->mesh()));
+    write_text(folder / kSurfaceFile, mesh::to_stl("surface", c.pile.surface->mesh()));
   } else {
-    write(folder / "outline.csv", cases::to_csv(bench_outline(c)));
+    write_text(folder / "outline.csv", cases::to_csv(bench_outline(c)));
   }
-  write(folder / "funnel.stl", mesh::to_stl("funnel", funnel_walls(c)));
-  write(folder / "sides.stl", mesh::to_stl("sides", bench_walls(c)));
+  write_text(folder / "funnel.stl", mesh::to_stl("funnel", funnel_walls(c)));
+  write_text(folder / "sides.stl", mesh::to_stl("sides", bench_walls(c)));
   for (const auto& [name, mesh] : wall_meshes(c)) {
     if (!mesh.is_absolute()) continue;
     fs::create_directories(folder / "walls");

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "common/sha256.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/run/dump_index.hpp"
