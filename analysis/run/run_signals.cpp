@@ -3,6 +3,7 @@
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/run/run_folder.hpp"
+#include "common/input_error.hpp"
 #include "common/record/columns.hpp"
 
 namespace dipper::analysis::run {
@@ -97,6 +98,8 @@ RunSignals read_signals(const fs::path& record) {
   RunSignals s;
   try {
     s = signals_of(read_columns(record));
+  } catch (const InputError&) {
+    throw;
   } catch (const std::exception& e) {  // of HDF5, or times that do not rise
     throw io::input_error(record, 0, e.what());
   }

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "common/input_error.hpp"
+
 namespace dipper::record {
 namespace {
 
@@ -19,6 +21,16 @@ Hdf5Handle space_of(hid_t id) { return {id, H5Sclose}; }
 Hdf5Handle properties_of(hid_t id) { return {id, H5Pclose}; }
 Hdf5Handle type_of(hid_t id) { return {id, H5Tclose}; }
 Hdf5Handle attribute_of(hid_t id) { return {id, H5Aclose}; }
+
+Hdf5Handle open_to_read(const std::filesystem::path& file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
+  auto opened = file_of(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  if (opened) return opened;
+  throw InputError({{file, 0, "",
+                     std::filesystem::exists(file)
+                         ? "cannot be read as a run's record (HDF5)"
+                         : "is missing; a run's folder holds its record there"}});
+}
 
 }  // namespace
 
@@ -144,12 +156,10 @@ void Record::flush() {
 
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
                                  std::size_t column) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const auto refuse = [&](const std::string& why) {
     return std::runtime_error("cannot read dataset '" + name + "' of " + file.string() + why);
   };
-  const auto opened = file_of(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-  if (!opened) throw refuse("");
+  const auto opened = open_to_read(file);
   const auto dataset = dataset_of(H5Dopen2(opened.id(), name.c_str(), H5P_DEFAULT));
   if (!dataset) throw refuse("");
   const auto space = space_of(H5Dget_space(dataset.id()));
@@ -174,9 +184,7 @@ std::vector<double> read_channel(const std::filesystem::path& file, const std::s
 }
 
 std::string read_attribute(const std::filesystem::path& file, const std::string& name) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const auto opened = file_of(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-  if (!opened) throw std::runtime_error("cannot open " + file.string());
+  const auto opened = open_to_read(file);
   if (H5Aexists(opened.id(), name.c_str()) <= 0) return "";
   const auto attribute = attribute_of(H5Aopen(opened.id(), name.c_str(), H5P_DEFAULT));
   const auto type = type_of(attribute ? H5Aget_type(attribute.id()) : -1);

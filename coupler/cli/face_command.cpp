@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/json_values.hpp"
+#include "common/text_file.hpp"
 #include "coupler/cli/number_option.hpp"
 
 namespace dipper::cli {
@@ -60,9 +60,7 @@ int face_command(const FaceOptions& o, Reporter& reporter) {
     reporter.line(csv);
     return 0;
   }
-  std::ofstream file(o.out);
-  file << csv;
-  if (!file.flush()) throw std::runtime_error("cannot write " + o.out);
+  write_text(o.out, csv);
   return 0;
 }
 

@@ -27,7 +27,6 @@ int observe(const ObserveOptions& o) {
     throw CLI::ValidationError("--set", e.what());
   }
   const fs::path record = fs::path(o.folder) / "record.h5";
-  if (!fs::exists(record)) throw InputError({{record, 0, "", "is missing; DIR is a run's folder"}});
   make_writable(o.out);
   run::write_observed(record, observation, o.out);
   return 0;

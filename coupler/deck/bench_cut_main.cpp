@@ -9,13 +9,13 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 
 #include "analysis/io/dump_reader.hpp"
 #include "common/mesh/stl.hpp"
+#include "common/text_file.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/case/outline_file.hpp"
 #include "coupler/deck/bench_cut.hpp"
@@ -57,11 +57,8 @@ std::string from_environment(const char* name) {
 
 void cut_for_deck() {
   const std::filesystem::path folder = from_environment("BENCH_FOLDER");
-  const std::string text = commands(folder / "bench.dump", from_environment("BENCH_OUTLINE"));
-  std::ofstream out(folder / "waste.in");
-  out << text;
-  if (!out.flush())
-    throw std::runtime_error((folder / "waste.in").string() + ": cannot be written");
+  write_text(folder / "waste.in",
+             commands(folder / "bench.dump", from_environment("BENCH_OUTLINE")));
 }
 
 }  // namespace

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 
 #include "common/cache_entry.hpp"
 #include "common/cache_folder.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/sha256.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -48,10 +48,7 @@ RockShape find_rock_shape(const fs::path& folder, const std::string& name) {
   const fs::path entry =
       cache_folder() / "shapes" / fmt::format("{}-{}", sha256_file(stl), kFitVersion);
   const auto fit = [&](const fs::path& part) {
-    std::ofstream out(part / kShapeFile);
-    out << to_yaml(fit_rock_shape(stl));
-    out.close();
-    if (!out) throw std::runtime_error((part / kShapeFile).string() + ": cannot be written");
+    write_text(part / kShapeFile, to_yaml(fit_rock_shape(stl)));
   };
   make_once(entry, fit, [] {});
   // Also when it was just made: the digits of the file, so that the first run is as the second.

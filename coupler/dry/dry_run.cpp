@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
 
 #include "common/record/record.hpp"
+#include "common/text_file.hpp"
 #include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/deck/deck.hpp"
@@ -170,9 +169,7 @@ run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& fo
   json summary = summarise(c, rock, folder, limits, mbs_cpu_s);
   summary["status"] = "complete";
   run::tell_drives(c, folder.record(), summary, reporter);
-  std::ofstream out(folder.summary());
-  out << summary.dump(2) << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write " + folder.summary().string());
+  write_text(folder.summary(), summary.dump(2) + '\n');
   if (rock == Rock::estimate) run::tell_passes(summary.at("passes"), reporter);
   tell_limits(limits, reporter);
   return run::RunStatus::complete;

@@ -9,6 +9,7 @@
 #include "common/input_error.hpp"
 #include "common/json_values.hpp"
 #include "common/manifest.hpp"
+#include "common/text_file.hpp"
 #include "common/warn.hpp"
 
 namespace dipper::run {
@@ -66,24 +67,20 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
     walls.push_back(json_of(wall.X_WB));
     memory.push_back({json_of(wall.load), json_of(wall.V_WB_W)});
   }
-  std::ofstream out(c.folder / "coupling.json");
-  out << json{{"step_index", c.coupling.step_index},
-              {"dem_step", c.coupling.dem_step},
-              {"held", held},
-              {"walls", walls},
-              {"memory", memory},
-              {"record_rows", c.record.rows},
-              {"record_t_ns", c.record.t_ns},
-              {"rock_work_J", c.record.rock_work_J},
-              {"machine_work_J", c.record.machine_work_J},
-              {"dem_cpu_s", c.cost.dem_cpu_s},
-              {"mbs_cpu_s", c.cost.mbs_cpu_s},
-              {"wall_s", c.cost.wall_s},
-              {"rock_wait_s", c.cost.rock_wait_s}}
-             .dump(1);
-  if (!out.flush())
-    throw std::runtime_error("cannot write " + (c.folder / "coupling.json").string());
-  out.close();
+  const json coupling{{"step_index", c.coupling.step_index},
+                      {"dem_step", c.coupling.dem_step},
+                      {"held", held},
+                      {"walls", walls},
+                      {"memory", memory},
+                      {"record_rows", c.record.rows},
+                      {"record_t_ns", c.record.t_ns},
+                      {"rock_work_J", c.record.rock_work_J},
+                      {"machine_work_J", c.record.machine_work_J},
+                      {"dem_cpu_s", c.cost.dem_cpu_s},
+                      {"mbs_cpu_s", c.cost.mbs_cpu_s},
+                      {"wall_s", c.cost.wall_s},
+                      {"rock_wait_s", c.cost.rock_wait_s}};
+  write_text(c.folder / "coupling.json", coupling.dump(1));
   seal(c.folder);
   fs::remove_all(place);
   rename_sealed(c.folder, place);

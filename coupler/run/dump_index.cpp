@@ -1,12 +1,12 @@
 #include "coupler/run/dump_index.hpp"
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "analysis/io/dump_reader.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -24,7 +24,7 @@ void index(const fs::path& dumps, const std::string& stem, double timestep_s) {
     files.push_back({{"name", name}, {"time", static_cast<double>(step) * timestep_s}});
   }
   const fs::path out = dumps / (stem.substr(0, stem.size() - 1) + ".vtk.series");
-  std::ofstream(out) << nlohmann::json{{"file-series-version", "1.0"}, {"files", files}}.dump(1);
+  write_text(out, nlohmann::json{{"file-series-version", "1.0"}, {"files", files}}.dump(1));
 }
 
 }  // namespace

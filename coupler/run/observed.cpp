@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <stdexcept>
 
 #include "analysis/run/run_folder.hpp"
@@ -10,6 +9,7 @@
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/numbers.hpp"
+#include "common/text_file.hpp"
 #include "coupler/case/schema.hpp"
 
 namespace dipper::run {
@@ -24,12 +24,6 @@ constexpr const char* kChannels =
     "swing_rad: {unit: rad, role: driven, sigma: 0, common_sigma: 0}\n"
     "hoist_force_kN: {unit: kN, role: response, sigma: 0, common_sigma: 0}\n"
     "crowd_force_kN: {unit: kN, role: response, sigma: 0, common_sigma: 0}\n";
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
-}
 
 }  // namespace
 
@@ -55,9 +49,9 @@ void write_observed(const analysis::signals::DriveSignals& drives,
         fmt::format("{},{:.4f},{:.4f},{:.5f}\n", p.pass, p.t_start_s, p.t_end_s, p.truck_mass_t);
   }
   fs::create_directories(out);
-  write(out / "channels.yaml", kChannels);
-  write(out / "signals.csv", signals);
-  write(out / "passes.csv", passes);
+  write_text(out / "channels.yaml", kChannels);
+  write_text(out / "signals.csv", signals);
+  write_text(out / "passes.csv", passes);
 }
 
 void set_observation(cases::ObservationCase& observation, const cases::Override& set) {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
 #include "common/seconds.hpp"
+#include "common/text_file.hpp"
 #include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/deck/deck.hpp"
@@ -26,15 +26,9 @@ void write_decks(const cases::Case& c, const sides::DipperLayers& layers, const 
   cases::Case as_built = c;
   if (layers.mesh) {
     as_built.bodies["dipper"] = deck / "dipper.stl";
-    std::ofstream(as_built.bodies["dipper"]) << mesh::to_stl("dipper", *layers.mesh);
+    write_text(as_built.bodies["dipper"], mesh::to_stl("dipper", *layers.mesh));
   }
   deck::write_deck(as_built, c.rock.shape_folder, deck);
-}
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
 fs::path find_pile(const cases::Case& c, const RunFolder& folder, const launch::MpiPlaces& places,
@@ -89,7 +83,7 @@ std::map<std::string, std::string> record_attributes(const cases::Case& c,
 }
 
 void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings) {
-  write(folder.scales(), nlohmann::json{{"scales", dem_settings.at("scales")}}.dump() + "\n");
+  write_text(folder.scales(), nlohmann::json{{"scales", dem_settings.at("scales")}}.dump() + "\n");
 }
 
 sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,

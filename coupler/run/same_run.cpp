@@ -8,10 +8,10 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <stdexcept>
 
 #include "common/case_lines.hpp"
 #include "common/sha256.hpp"
+#include "common/text_file.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "machine/motion.hpp"
 
@@ -74,19 +74,13 @@ std::map<std::string, std::string> recorded_hashes(const fs::path& file) {
   return hashes;
 }
 
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
-}
-
 }  // namespace
 
 void write_identity(const fs::path& folder, const cases::Case& c) {
   std::string inputs;
   for (const auto& [file, hash] : input_hashes(c)) inputs += hash + "  " + file + "\n";
-  write(folder / "case.txt", c.text);
-  write(folder / "inputs.sha256", inputs);
+  write_text(folder / "case.txt", c.text);
+  write_text(folder / "inputs.sha256", inputs);
   const auto keep = [&](const fs::path& file, const char* name) {
     fs::copy_file(file, folder / name, fs::copy_options::overwrite_existing);
   };

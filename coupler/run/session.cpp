@@ -98,8 +98,8 @@ RunFacts Session::close(bool orderly) {
   const RecordPosition& at = record_.position();
   f.interface_work_J = at.rock_work_J;
   f.energy_residual_J = at.machine_work_J - at.rock_work_J;
-  index_dumps(folder_.dumps(), case_.dem.timestep_s);
   record_.flush();
+  index_dumps(folder_.dumps(), case_.dem.timestep_s);
   return f;
 }
 

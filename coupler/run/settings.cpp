@@ -1,11 +1,10 @@
 #include "coupler/run/settings.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <stdexcept>
 
 #include "common/case_lines.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::run {
 namespace {
@@ -29,9 +28,9 @@ void write_settings(const std::filesystem::path& run,
     std::string& value = last[o.key] = o.value;
     std::replace(value.begin(), value.end(), '\n', ' ');  // a line a key
   }
-  std::ofstream out(run / kFile);
-  for (const auto& [key, value] : last) out << key << '=' << value << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write " + (run / kFile).string());
+  std::string text;
+  for (const auto& [key, value] : last) text += key + '=' + value + '\n';
+  write_text(run / kFile, text);
 }
 
 }  // namespace dipper::run

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <fstream>
-#include <stdexcept>
 
 #include "common/record/record.hpp"
+#include "common/text_file.hpp"
 #include "common/version.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
@@ -67,7 +67,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
 json achieved(const cases::Case& c, const RunFolder& folder) {
   json rock = json::array();
   const auto grading = achieved_grading(c, folder.dumps());
-  std::ofstream(folder.deck() / "achieved.csv") << to_csv(grading);
+  write_text(folder.deck() / "achieved.csv", to_csv(grading));
   for (const AchievedClass& k : grading) {
     rock.push_back({{"class", k.name},
                     {"rocks", k.rocks},
@@ -108,9 +108,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
   tell_drives(c, folder.record(), summary, reporter);
   const std::vector<std::string> warnings = run_warnings(c, summary);
   summary["warnings"] = warnings;
-  std::ofstream out(folder.summary());
-  out << summary.dump(2) << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write " + folder.summary().string());
+  write_text(folder.summary(), summary.dump(2) + '\n');
   tell_passes(summary.at("passes"), reporter);
   for (const std::string& warning : warnings) reporter.line("warning: " + warning);
 }

@@ -7,11 +7,16 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
+
+#include "common/input_error.hpp"
 
 namespace dipper::record {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 class RecordTest : public testing::Test {
  protected:
@@ -96,7 +101,7 @@ TEST_F(RecordTest, AFullDiskIsAnErrorThatNamesTheFile) {
     r.flush();
     FAIL();
   } catch (const std::runtime_error& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("/dev/full"));
+    EXPECT_THAT(e.what(), HasSubstr("/dev/full"));
   }
 }
 
@@ -106,8 +111,8 @@ TEST_F(RecordTest, AnAttributeOrDatasetThatCannotBeCreatedIsAnError) {
     Record r = Record::create(file_, {{"case", too_long}});
     FAIL();
   } catch (const std::runtime_error& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("attribute 'case'"));
-    EXPECT_THAT(e.what(), testing::HasSubstr(file_.string()));
+    EXPECT_THAT(e.what(), HasSubstr("attribute 'case'"));
+    EXPECT_THAT(e.what(), HasSubstr(file_.string()));
   }
   const fs::path other = folder_ / "other.h5", third = folder_ / "third.h5";
   {
@@ -137,13 +142,18 @@ TEST_F(RecordTest, AColumnThatIsNotThereIsAnError) {
 }
 
 TEST_F(RecordTest, MissingFileAndDatasetAreNamed) {
-  EXPECT_THROW(read_channel(file_, "time_s"), std::runtime_error);
+  const auto missing = ThrowsMessage<InputError>(HasSubstr(file_.string() + ": is missing"));
+  EXPECT_THAT([&] { read_channel(file_, "time_s"); }, missing);
+  EXPECT_THAT([&] { read_attribute(file_, "version"); }, missing);
+  std::ofstream(file_) << "no record";
+  EXPECT_THAT([&] { read_channel(file_, "time_s"); },
+              ThrowsMessage<InputError>(HasSubstr("cannot be read as a run's record")));
   { Record r = Record::create(file_, {}); }
   try {
     read_channel(file_, "no/such");
     FAIL();
   } catch (const std::runtime_error& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("no/such"));
+    EXPECT_THAT(e.what(), HasSubstr("no/such"));
   }
 }
 

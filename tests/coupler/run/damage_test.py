@@ -100,6 +100,11 @@ class Damage(RunTest):
                         self.assertIn(str(self.run), done.stderr, (name, words))
                     shutil.rmtree(self.folder / "no", ignore_errors=True)
         self.assertGreater(refused, 10)
+        (self.run / "record.h5").unlink()
+        for words in readers:
+            done = self.dipper(*words)
+            self.assertEqual(done.returncode, 2, (words, done))
+            self.assertIn(f"{self.run / 'record.h5'}: is missing", done.stderr)
 
 
 if __name__ == "__main__":
