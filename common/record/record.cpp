@@ -26,10 +26,10 @@ Hdf5Handle open_to_read(const std::filesystem::path& file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
   auto opened = file_of(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
   if (opened) return opened;
-  throw InputError({{file, 0, "",
-                     std::filesystem::exists(file)
-                         ? "cannot be read as a run's record (HDF5)"
-                         : "is missing; a run's folder holds its record there"}});
+  throw InputError(
+      {{file, 0, "",
+        std::filesystem::exists(file) ? "cannot be read as a run's record (HDF5)"
+                                      : "is missing; a run's folder holds its record there"}});
 }
 
 }  // namespace
