@@ -8,12 +8,12 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 #include <vector>
 
 #include "analysis/report/headless_browser.hpp"
 #include "common/draft_file.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::analysis::report {
 namespace {
@@ -123,12 +123,6 @@ class Projector {
   HeadlessBrowser browser_;
 };
 
-void write_bytes(const fs::path& file, const std::string& bytes) {
-  std::ofstream out(file, std::ios::binary);
-  out << bytes;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
-}
-
 bool is_png(const fs::path& file) { return file.extension() == ".png"; }
 
 }  // namespace
@@ -158,9 +152,9 @@ void write_film(const fs::path& page, const FilmOptions& options, Reporter& repo
   const BrokenPipesAreErrors while_it_draws;
   Projector projector(*find_browser(), page);
   if (!options.poster.empty()) {
-    write_bytes(options.poster,
-                projector.picture(projector.fullest_s(),
-                                  is_png(options.poster) ? "image/png" : "image/jpeg"));
+    write_text(options.poster,
+               projector.picture(projector.fullest_s(),
+                                 is_png(options.poster) ? "image/png" : "image/jpeg"));
     reporter.line(options.poster.string());
   }
   if (options.video.empty()) return;

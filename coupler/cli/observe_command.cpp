@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "common/input_error.hpp"
 #include "common/manifest.hpp"
 #include "common/writable_folder.hpp"
 #include "coupler/cli/set_option.hpp"
