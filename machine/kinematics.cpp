@@ -108,16 +108,27 @@ Vector2d ShovelKinematics::teeth(const Drives& drives) const {
   return in_plane(machine_.saddle.position) + Eigen::Rotation2Dd(saddle) * (out + end_to_teeth());
 }
 
-Drives ShovelKinematics::teeth_at(const Vector2d& tip) const {
+ShovelKinematics::Arm ShovelKinematics::arm_to(const Vector2d& tip) const {
   const Vector2d arm = tip - in_plane(machine_.saddle.position), tool = end_to_teeth();
   const double along = arm.squaredNorm() - tool.y() * tool.y();
   if (!(along > 0)) throw std::domain_error("it is at the saddle block");
   const double handle = std::sqrt(along) - tool.x();
-  const double saddle = std::atan2(arm.y(), arm.x()) - std::atan2(tool.y(), handle + tool.x());
+  return {handle - machine_.handle.reach_at_zero_crowd,
+          std::atan2(arm.y(), arm.x()) - std::atan2(tool.y(), handle + tool.x())};
+}
+
+Drives ShovelKinematics::teeth_at(const Vector2d& tip) const {
+  const Arm arm = arm_to(tip);
   Drives drives;
-  drives.crowd = handle - machine_.handle.reach_at_zero_crowd;
-  drives.hoist = rope_path(saddle, drives.crowd) - machine_.rope.length_at_zero_hoist;
+  drives.crowd = arm.crowd;
+  drives.hoist = rope_path(arm.saddle, arm.crowd) - machine_.rope.length_at_zero_hoist;
   return drives;
+}
+
+Vector2d ShovelKinematics::heel(const Vector2d& tip) const {
+  const MachineData::Dipper& d = machine_.dipper;
+  const Vector3d back = X_EB_.R * Vector3d(-d.inside.x() - d.tooth_reach, 0, 0);
+  return tip + Eigen::Rotation2Dd(arm_to(tip).saddle) * in_plane(back);
 }
 
 ShovelPose ShovelKinematics::pose(const Drives& drives) const {

@@ -44,6 +44,10 @@ class ShovelKinematics {
   /// count. Throws as saddle_angle does.
   Eigen::Vector2d teeth(const Drives& drives) const;
 
+  /// The dipper's heel, the rear edge of its floor, while the tooth tips are at that point, in the
+  /// plane of the boom as they are. Throws as teeth_at does.
+  Eigen::Vector2d heel(const Eigen::Vector2d& tip) const;
+
   /// From the saddle to the tooth tips at a crowd [m].
   double teeth_reach(double crowd) const;
 
@@ -59,6 +63,12 @@ class ShovelKinematics {
   std::vector<std::string> check(const Motion& motion) const;
 
  private:
+  /// Crowd [m] and saddle angle [rad] with the tooth tips at a point, as teeth_at.
+  struct Arm {
+    double crowd, saddle;
+  };
+  Arm arm_to(const Eigen::Vector2d& tip) const;
+
   /// From the handle's dipper end to the tooth tips, along and across the handle (x, z of A).
   Eigen::Vector2d end_to_teeth() const;
 

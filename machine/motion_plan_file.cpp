@@ -109,7 +109,8 @@ class PlanReader {
     y.refuse_others();
     if (!findings_.empty() || !y.is_there()) return {};
     try {
-      return cut_path(face_(face, heading_rad), c, saddle_, shovel_.teeth_reach(crowd));
+      return cut_path(face_(face, heading_rad), c, saddle_, shovel_.teeth_reach(crowd),
+                      [&](const Vector2d& tip) { return shovel_.heel(tip); });
     } catch (const InputError& e) {
       for (const Finding& f : e.findings()) y.fault(*y.find("face"), "face", to_string(f));
     } catch (const std::invalid_argument& e) {

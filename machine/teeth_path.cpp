@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kPoints = 4000;  // of a path
 constexpr std::size_t kLegPoints = 200;
 constexpr double kStep_m = 0.1;         // of a face's surface
+constexpr double kRise_m = 0.01;        // at a time, until the heel is clear
 constexpr double kPolygonSide_m = 1.6;  // coarse: the spline rounds what the rocks made uneven
 
 /// As many points at equal steps along the line through the given ones.
@@ -123,14 +124,19 @@ Vector2d at_share(const TeethPath& path, double share) {
   return path[i] + (place - static_cast<double>(i)) * (path[i + 1] - path[i]);
 }
 
-TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle, double reach_m) {
+TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle, double reach_m,
+                   const std::function<Vector2d(const Vector2d&)>& heel) {
   const TeethPath bottom = below(smoothed(face, cut.smooth_m), cut.depth_m);
+  const auto floor = [&](double x) {
+    return cut.start.y() + cut.floor_rise * std::max(0.0, x - cut.start.x());
+  };
   TeethPath path(1, cut.start);
   double z = cut.start.y();
   while (true) {
     const double x = path.back().x() + kStep_m;
-    const double floor = cut.start.y() + cut.floor_rise * (x - cut.start.x());
-    z = std::max({z, floor, height(bottom, x)});
+    z = std::max({z, floor(x), height(bottom, x)});
+    for (Vector2d h = heel({x, z}); h.y() < floor(h.x()) && z < cut.exit_z_m; h = heel({x, z}))
+      z += kRise_m;
     const Vector2d next(x, z);
     if ((next - saddle).norm() > reach_m || z > cut.exit_z_m || x > bottom.back().x()) break;
     path.push_back(next);

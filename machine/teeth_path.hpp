@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 namespace dipper::machine {
@@ -29,19 +30,23 @@ Vector2d at_share(const TeethPath& path, double share);
 struct Cut {
   Vector2d start = Vector2d::Zero();  ///< in front of the toe, m
   double depth_m = 0;                 ///< below the face's surface, square to it
-  double floor_rise = 0;              ///< dz/dx of the floor that the teeth keep to, from the start
+  double floor_rise = 0;              ///< dz/dx of the floor that teeth and heel keep to, from the start
   double exit_z_m = 0;                ///< where they leave the face, at the latest
   double smooth_m = 0;                ///< over which the surface is averaged
 };
 
 /// The control polygon of a dig: from the start out along the floor to where the surface less the
 /// depth is higher, up along that, and, where the crowd is all out, up on the circle about the
-/// saddle block, to the exit. It never goes down.
+/// saddle block, to the exit. It never goes down, and rises where the heel would come below the
+/// floor: a heel that goes down onto rock which the teeth have passed over jams it against the
+/// ground and lifts the dipper off its ropes.
 ///
 /// \param face  the surface, x rising; flat beyond its ends
 /// \param saddle  the saddle block's pivot
 /// \param reach_m  from there to the teeth with the crowd all out
+/// \param heel  where the dipper's heel is with the teeth at a point
 /// Throws std::invalid_argument when the face has no point within reach.
-TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle, double reach_m);
+TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle, double reach_m,
+                   const std::function<Vector2d(const Vector2d&)>& heel);
 
 }  // namespace dipper::machine

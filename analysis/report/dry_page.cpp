@@ -99,8 +99,6 @@ void write_dry_page(const fs::path& folder, const fs::path& file) {
                file);
   } catch (const json::exception& e) {
     throw InputError({{folder / "summary.json", 0, "", e.what()}});
-  } catch (const std::runtime_error& e) {
-    throw InputError({{folder, 0, "", e.what()}});
   }
 }
 

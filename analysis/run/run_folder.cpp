@@ -161,14 +161,10 @@ RunData read_run_folder(const fs::path& folder) {
   if (fs::exists(folder / "summary.json")) run.summary = read_summary(folder / "summary.json");
   const fs::path record = folder / "record.h5";
   run.signals = read_signals(record);
-  try {
-    run.case_hash = record::read_attribute(record, "case_hash");
-    run.version = record::read_attribute(record, "version");
-    run.rock_version = record::read_attribute(record, "rock_version");
-    run.machine_version = record::read_attribute(record, "machine_version");
-  } catch (const std::runtime_error& e) {
-    throw io::input_error(record, 0, e.what());
-  }
+  run.case_hash = record::read_attribute(record, "case_hash");
+  run.version = record::read_attribute(record, "version");
+  run.rock_version = record::read_attribute(record, "rock_version");
+  run.machine_version = record::read_attribute(record, "machine_version");
   run.dipper = run.signals.walls.at("dipper");
   run.bulk_density_kg_m3 = run.number("rock.bulk_density_kg_m3");
   read_scales(folder, run.regions);

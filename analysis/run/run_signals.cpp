@@ -3,7 +3,6 @@
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/run/run_folder.hpp"
-#include "common/input_error.hpp"
 #include "common/record/columns.hpp"
 
 namespace dipper::analysis::run {
@@ -95,14 +94,7 @@ RunSignals signals_of(const record::Columns& c) {
 RunSignals read_drive_signals(const fs::path& record) { return drives_of(read_drives(record)); }
 
 RunSignals read_signals(const fs::path& record) {
-  RunSignals s;
-  try {
-    s = signals_of(read_columns(record));
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& e) {  // of HDF5, or times that do not rise
-    throw io::input_error(record, 0, e.what());
-  }
+  RunSignals s = signals_of(read_columns(record));
   if (s.pass.time_s.size() < 2)
     throw io::input_error(record, 0, "fewer than two rows: the run ended before it began");
   return s;

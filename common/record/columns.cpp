@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "common/input_error.hpp"
 #include "common/record/record.hpp"
 
 namespace dipper::record {
@@ -20,8 +20,8 @@ void Columns::read(const std::string& channel, std::size_t column) {
     const bool in_time =
         channel != "time_s" || (v >= 0 && v < 1.001 * kLongest_s && (i == 0 || v > values[i - 1]));
     if (std::isfinite(v) && in_time) continue;
-    throw std::runtime_error(record_.string() + ": " + channel + " is damaged: row " +
-                             std::to_string(i) + " holds " + std::to_string(v));
+    throw InputError({{record_, 0, channel,
+                       "is damaged: row " + std::to_string(i) + " holds " + std::to_string(v)}});
   }
   rows_ = std::min(rows_, values.size());
   values_[{channel, column}] = std::move(values);

@@ -17,9 +17,8 @@ class Columns {
  public:
   explicit Columns(std::filesystem::path record) : record_(std::move(record)) {}
 
-  /// Throws as read_channel does, and std::runtime_error naming file, channel and row for values
-  /// that no run writes: what is not finite, and times that do not rise, or end after a day and
-  /// more.
+  /// Throws as read_channel does, also for values that no run writes: what is not finite, and times
+  /// that do not rise, or end after a day and more.
   void read(const std::string& channel, std::size_t column = 0);
 
   /// One that was read.

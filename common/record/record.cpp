@@ -157,20 +157,20 @@ void Record::flush() {
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
                                  std::size_t column) {
   const auto refuse = [&](const std::string& why) {
-    return std::runtime_error("cannot read dataset '" + name + "' of " + file.string() + why);
+    return InputError({{file, 0, name, why}});
   };
   const auto opened = open_to_read(file);
   const auto dataset = dataset_of(H5Dopen2(opened.id(), name.c_str(), H5P_DEFAULT));
-  if (!dataset) throw refuse("");
+  if (!dataset) throw refuse("no such dataset");
   const auto space = space_of(H5Dget_space(dataset.id()));
   const int rank = H5Sget_simple_extent_ndims(space.id());
   hsize_t size[2] = {0, 1};
   if (rank < 1 || rank > 2 || H5Sget_simple_extent_dims(space.id(), size, nullptr) < 0)
-    throw refuse(": not a table of rows and columns");
+    throw refuse("not a table of rows and columns");
   if (column >= size[1])
-    throw refuse(": column " + std::to_string(column) + " of " + std::to_string(size[1]));
+    throw refuse("has no column " + std::to_string(column) + ", only " + std::to_string(size[1]));
   if (size[0] > std::filesystem::file_size(file))
-    throw refuse(": " + std::to_string(size[0]) + " rows are more than the file has bytes");
+    throw refuse(std::to_string(size[0]) + " rows are more than the file has bytes");
   std::vector<double> values(size[0]);
   if (values.empty()) return values;
   const hsize_t start[2] = {0, column};
@@ -179,7 +179,7 @@ std::vector<double> read_channel(const std::filesystem::path& file, const std::s
   if (H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
       H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT,
               values.data()) < 0)
-    throw refuse("");
+    throw refuse("cannot be read");
   return values;
 }
 
@@ -195,7 +195,7 @@ std::string read_attribute(const std::filesystem::path& file, const std::string&
                        H5Sget_simple_extent_npoints(space.id()) == 1;
   std::string text(is_text ? H5Tget_size(type.id()) : 0, '\0');
   if (!is_text || H5Aread(attribute.id(), type.id(), text.data()) < 0)
-    throw std::runtime_error("cannot read attribute '" + name + "' of " + file.string());
+    throw InputError({{file, 0, name, "cannot be read as a text"}});
   return text.substr(0, text.find('\0'));
 }
 

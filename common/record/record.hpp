@@ -60,9 +60,8 @@ class Record {
   std::size_t pending_ = 0;  // in memory
 };
 
-/// Reads one column of a dataset of a record. Throws InputError for a file that is missing or is
-/// none of HDF5's, std::runtime_error naming file and dataset for what is in it, also for a dataset
-/// that says it has more rows than the file has bytes.
+/// Reads one column of a dataset of a record. Throws InputError naming file and dataset for what is
+/// missing or damaged, also for a dataset that says it has more rows than the file has bytes.
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
                                  std::size_t column = 0);
 

@@ -48,6 +48,8 @@ TEST(MotionPlan, TheTeethGoWhereTheyAreSent) {
         X.X_WB * Vector3d(inside.x() + shovel.data.dipper.tooth_reach, 0, -inside.z() / 2);
     EXPECT_NEAR(teeth.x(), tip.x(), 1e-9);
     EXPECT_NEAR(teeth.z(), tip.y(), 1e-9);
+    const Vector3d heel = X.X_WB * Vector3d(0, 0, -inside.z() / 2);
+    EXPECT_LT((shovel.kinematics.heel(tip) - Vector2d(heel.x(), heel.z())).norm(), 1e-9);
     const Vector3d saddle = shovel.data.saddle.position;
     EXPECT_NEAR(shovel.kinematics.teeth_reach(d.crowd),
                 (tip - Vector2d(saddle.x(), saddle.z())).norm(), 1e-9);
