@@ -24,7 +24,8 @@ struct CaseParts {
 };
 
 /// Where things are: machine and truck against the bench at the start, the dipper's way against the
-/// truck, the truck against the dump, the way back against the next dig.
+/// truck, the truck against the dump, the way back against the next dig, the heel against the
+/// teeth's way.
 void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts);
 
 /// What the mesh holds against what its YAML and the machine say; of a mesh that has no other

@@ -12,11 +12,14 @@
 #include "coupler/deck/pile_shape.hpp"
 #include "machine/door.hpp"
 #include "machine/return_legs.hpp"
+#include "machine/teeth_path.hpp"
 
 namespace dipper::check {
 namespace {
 
 constexpr double kDeep_m = 0.1;                   ///< overlap that is no matter of a facet
+constexpr double kClosed_m = 0.05;                ///< heel under the teeth's way, at most
+constexpr double kNearGround_m = 1.0;             ///< higher there is rock to give way
 constexpr double kTurning_rad_s = 0.02;           ///< a swing that is not over
 constexpr std::int64_t kSample_ns = 100'000'000;  ///< the dipper goes some 0.3 m meanwhile
 
@@ -128,6 +131,30 @@ void doubt_the_return(const CaseParts& parts, std::vector<Finding>& doubts) {
   }
 }
 
+/// The heel against the way that the teeth have gone.
+void doubt_the_heel(const CaseParts& parts, std::vector<Finding>& doubts) {
+  double lowest = kClosed_m, at_s = 0, above_m = 0;
+  machine::TeethPath way;  // out, of this dig
+  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
+    const machine::Vector2d tip = parts.shovel.teeth(parts.motion.value(t));
+    if (!way.empty() && tip.x() < way.back().x()) way.clear();
+    way.push_back(tip);
+    const machine::Vector2d heel = parts.shovel.heel(tip);
+    const auto passed = std::find_if(way.begin(), way.end(),
+                                     [&](const machine::Vector2d& p) { return p.x() >= heel.x(); });
+    const double closed = passed->y() - heel.y();
+    if (heel.y() > kNearGround_m || closed <= lowest) continue;
+    lowest = closed, at_s = seconds(t), above_m = heel.y();
+  }
+  if (lowest <= kClosed_m) return;
+  doubts.push_back(cases::finding_at(
+      parts.c, "machine.motion",
+      fmt::format("the dipper closes on the ground: at {:.1f} s its heel is {:.2f} m above it, "
+                  "{:.2f} m lower than the teeth went there, and jams what has gone under the lip; "
+                  "let the teeth rise sooner (docs/motion.md)",
+                  at_s, above_m, lowest)));
+}
+
 }  // namespace
 
 void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts) {
@@ -135,6 +162,7 @@ void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts) {
   doubt_the_way(parts, doubts);
   doubt_the_dump(parts, doubts);
   doubt_the_return(parts, doubts);
+  doubt_the_heel(parts, doubts);
 }
 
 }  // namespace dipper::check

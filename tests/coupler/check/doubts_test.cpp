@@ -1,11 +1,14 @@
 #include "coupler/check/doubts.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/angles.hpp"
 #include "common/frames.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/check/check.hpp"
+#include "machine/kinematics.hpp"
 #include "tests/common/mesh/shapes.hpp"
 #include "tests/coupler/case/checkout.hpp"
 
@@ -122,6 +125,25 @@ TEST(Doubts, SwingThatIsNotOverWhereRockIsFeltAgain) {
   EXPECT_THAT(returns("20", "12"), testing::Contains(HasSubstr("the house still turns")));
   EXPECT_THAT(returns("0", "0"), testing::Not(testing::Contains(HasSubstr("still turns"))));
   EXPECT_THAT(doubts_of(checkout), testing::Not(testing::Contains(HasSubstr("still turns"))));
+}
+
+TEST(Doubts, HeelThatClosesOnTheGround) {
+  const Checkout checkout;
+  const machine::ShovelKinematics shovel(
+      machine::load_machine(checkout.root / "mbs/bucyrus495.yaml"), Pose{}, radians(61.8));
+  const auto out_at = [&](double rise) {
+    std::string rows = "time_s,hoist_m,crowd_m,swing_deg,door_deg\n";
+    for (int k = 0; k <= 12; ++k) {
+      const double x = 14.4 + 0.4 * k;
+      const machine::Drives d = shovel.teeth_at({x, 1.0 + rise * (x - 14.4)});
+      rows += fmt::format("{},{},{},0,0\n", k, d.hoist, d.crowd);
+    }
+    test::write_text(checkout.folder() / "motion.csv", rows);
+    return doubts_of(checkout);
+  };
+  EXPECT_THAT(out_at(0),
+              testing::Contains(HasSubstr("the dipper closes on the ground: at 12.0 s")));
+  EXPECT_THAT(out_at(0.3), testing::Not(testing::Contains(HasSubstr("closes on"))));
 }
 
 TEST(Doubts, MeshesThatLookWrong) {
