@@ -30,9 +30,9 @@ Vector2d at_share(const TeethPath& path, double share);
 struct Cut {
   Vector2d start = Vector2d::Zero();  ///< in front of the toe, m
   double depth_m = 0;                 ///< below the face's surface, square to it
-  double floor_rise = 0;              ///< dz/dx of the floor that teeth and heel keep to, from the start
-  double exit_z_m = 0;                ///< where they leave the face, at the latest
-  double smooth_m = 0;                ///< over which the surface is averaged
+  double floor_rise = 0;  ///< dz/dx of the floor that teeth and heel keep to, from the start
+  double exit_z_m = 0;    ///< where they leave the face, at the latest
+  double smooth_m = 0;    ///< over which the surface is averaged
 };
 
 /// The control polygon of a dig: from the start out along the floor to where the surface less the

@@ -156,9 +156,7 @@ void Record::flush() {
 
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
                                  std::size_t column) {
-  const auto refuse = [&](const std::string& why) {
-    return InputError({{file, 0, name, why}});
-  };
+  const auto refuse = [&](const std::string& why) { return InputError({{file, 0, name, why}}); };
   const auto opened = open_to_read(file);
   const auto dataset = dataset_of(H5Dopen2(opened.id(), name.c_str(), H5P_DEFAULT));
   if (!dataset) throw refuse("no such dataset");
