@@ -17,9 +17,9 @@ namespace {
 constexpr double kStays = 0.85;            // of what is poured; the rest is over the bench
 constexpr double kSettleRate = 4.5e6;      // sphere-steps a CPU-second, all rock computed
 constexpr double kDigRate = 5e6;           // likewise, part of it at rest
-constexpr double kHoldStep_s = 0.3e-3;     // with dem.hold_below_m_s, a step: what moves, walls,
-constexpr double kHoldSphere_s = 20e-9;    // and a sphere in it, most at rest
-constexpr double kWindow_s = 0.5e-3;       // machine side 0.2 ms, master with record 0.3 ms
+constexpr double kHoldStep_s = 0.15e-3;    // with dem.hold_below_m_s, a step: what moves, walls,
+constexpr double kHoldSphere_s = 15e-9;    // and a sphere in it, most at rest
+constexpr double kWindow_s = 0.3e-3;       // machine side 0.1 ms, master with record 0.2 ms
 constexpr double kMemory_B = 3000;         // a sphere
 constexpr double kRankMemory_B = 60e6;     // a process
 constexpr double kFrame_B = 115;           // a sphere
