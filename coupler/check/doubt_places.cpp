@@ -133,7 +133,7 @@ void doubt_the_return(const CaseParts& parts, std::vector<Finding>& doubts) {
 
 /// The heel against the way that the teeth have gone.
 void doubt_the_heel(const CaseParts& parts, std::vector<Finding>& doubts) {
-  double lowest = kClosed_m, at_s = 0, above_m = 0;
+  double most = kClosed_m, at_s = 0, above_m = 0;
   machine::TeethPath way;  // out, of this dig
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
     const machine::Vector2d tip = parts.shovel.teeth(parts.motion.value(t));
@@ -142,17 +142,18 @@ void doubt_the_heel(const CaseParts& parts, std::vector<Finding>& doubts) {
     const machine::Vector2d heel = parts.shovel.heel(tip);
     const auto passed = std::find_if(way.begin(), way.end(),
                                      [&](const machine::Vector2d& p) { return p.x() >= heel.x(); });
+    if (passed == way.end() || heel.y() > kNearGround_m) continue;
     const double closed = passed->y() - heel.y();
-    if (heel.y() > kNearGround_m || closed <= lowest) continue;
-    lowest = closed, at_s = seconds(t), above_m = heel.y();
+    if (closed <= most) continue;
+    most = closed, at_s = seconds(t), above_m = heel.y();
   }
-  if (lowest <= kClosed_m) return;
+  if (most <= kClosed_m) return;
   doubts.push_back(cases::finding_at(
       parts.c, "machine.motion",
       fmt::format("the dipper closes on the ground: at {:.1f} s its heel is {:.2f} m above it, "
                   "{:.2f} m lower than the teeth went there, and jams what has gone under the lip; "
                   "let the teeth rise sooner (docs/motion.md)",
-                  at_s, above_m, lowest)));
+                  at_s, above_m, most)));
 }
 
 }  // namespace
