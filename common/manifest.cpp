@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "common/draft_file.hpp"
 #include "common/input_error.hpp"
 #include "common/sha256.hpp"
 
@@ -48,16 +49,17 @@ void seal(const fs::path& folder, const std::vector<fs::path>& parts) {
     if (!fs::is_directory(folder / part)) continue;
     for (const auto& f : fs::recursive_directory_iterator(folder / part)) add(f.path());
   }
-  const fs::path manifest = folder / kManifest;
-  std::ofstream out(manifest, std::ios::binary);
+  const DraftFile manifest(folder / kManifest);  // killed here, it leaves none
+  std::ofstream out(manifest.path(), std::ios::binary);
   for (const fs::path& file : files) {
     sync(file);
     out << sha256_file(file) << "  " << file.lexically_relative(folder).generic_string() << '\n';
   }
   out << "# files: " << files.size() << '\n';
   out.close();
-  if (!out) throw std::runtime_error("cannot write " + manifest.string());
-  sync(manifest);
+  if (!out) throw std::runtime_error("cannot write " + (folder / kManifest).string());
+  sync(manifest.path());
+  manifest.keep();
   for (const fs::path& f : folders) sync(f);
 }
 

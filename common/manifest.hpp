@@ -13,7 +13,8 @@ inline constexpr const char* kManifest = "manifest.sha256";
 
 /// Writes a manifest of all files in a folder and those below, and sees to it that they and it are
 /// on the disk: after a rename of the folder it is there whole, or not at all, even when the power
-/// fails. Throws std::runtime_error or std::system_error when that cannot be done.
+/// fails. A process killed meanwhile leaves no manifest. Throws std::runtime_error or
+/// std::system_error when it cannot be written.
 void seal(const std::filesystem::path& folder);
 
 /// The same of some of them: files, and folders with all in them, relative to `folder`.

@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 
@@ -81,6 +83,17 @@ TEST_F(Manifest, EveryFlippedBitAndEveryCutOfTheManifestIsFound) {
   }
   fs::remove(file);
   EXPECT_THAT(damage_of(folder_), HasSubstr("manifest.sha256 is missing"));
+}
+
+TEST_F(Manifest, AProcessKilledWhileItSealsLeavesNoHalfOfOne) {
+  fs::remove(folder_ / kManifest);
+  const auto sealing_killed = [&] {
+    const rlimit bytes{100, 100};  // beyond which a write kills the process; a manifest has more
+    setrlimit(RLIMIT_FSIZE, &bytes);
+    seal(folder_);
+  };
+  EXPECT_EXIT(sealing_killed(), testing::KilledBySignal(SIGXFSZ), "");
+  EXPECT_NO_THROW(require_undamaged(folder_));
 }
 
 TEST_F(Manifest, WhatIsDamagedIsMovedOutOfTheWay) {
