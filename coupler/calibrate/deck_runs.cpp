@@ -14,6 +14,7 @@
 #include "common/cache_folder.hpp"
 #include "common/installation.hpp"
 #include "common/temporary_folder.hpp"
+#include "common/text_file.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/interrupt.hpp"
@@ -97,7 +98,7 @@ std::vector<std::string> command(const DeckRun& run) {
 DeckResult keep(const DeckRun& run, Active& active) {
   const fs::path entry = entry_of(active.hash), work = active.writer->part();
   fs::remove(work / "dem_in");
-  std::ofstream(work / "cpu_s") << active.liggghts->cpu_s() << '\n';
+  write_text(work / "cpu_s", fmt::format("{}\n", active.liggghts->cpu_s()));
   active.writer->keep();
   return {entry / run.dump, active.hash, false, cost_of(entry)};
 }
