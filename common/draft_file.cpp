@@ -7,13 +7,17 @@
 
 namespace dipper {
 
-DraftFile::DraftFile(std::filesystem::path file) : file_(std::move(file)), path_(file_) {
+namespace fs = std::filesystem;
+
+DraftFile::DraftFile(fs::path file) : file_(std::move(file)), path_(file_) {
+  const fs::file_status now = fs::symlink_status(file_);
+  if (fs::exists(now) && !fs::is_regular_file(now) && !fs::is_directory(now)) return;
   path_.replace_extension(".part" + std::to_string(getpid()) + file_.extension().string());
 }
 
 DraftFile::~DraftFile() {
   std::error_code ignored;
-  std::filesystem::remove(path_, ignored);
+  if (path_ != file_) fs::remove(path_, ignored);
 }
 
 }  // namespace dipper

@@ -2,13 +2,22 @@
 
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
+
+#include "common/draft_file.hpp"
 
 namespace dipper {
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
+  const DraftFile draft(file);
+  std::ofstream out(draft.path(), std::ios::binary);
   out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+  out.close();
+  std::error_code failed;
+  if (out) draft.keep(failed);
+  if (!out || failed)
+    throw std::runtime_error(file.string() +
+                             ": cannot be written; is the disk full, or the folder not yours?");
 }
 
 }  // namespace dipper

@@ -1,4 +1,4 @@
-// A small file that is written at once.
+// A file of text that is there whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace dipper {
 
-/// Writes the file as these bytes, in place of what it held. Throws std::runtime_error naming it
-/// when it cannot be written to the end.
+/// Writes the file as these bytes, in place of what it held, which stays when they cannot be
+/// written to the end: then std::runtime_error names the file.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace dipper

@@ -11,6 +11,7 @@
 #include "analysis/report/report_page.hpp"
 #include "common/input_error.hpp"
 #include "common/record/columns.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::analysis::report {
 namespace {
@@ -89,14 +90,13 @@ void write_dry_page(const fs::path& folder, const fs::path& file) {
     const run::RunData run = run::read_run_folder(folder);
     ReplayBlocks replay = at_work(run, record);
     const std::string title = fs::weakly_canonical(folder).filename().string();
-    write_page(page({{"kind", "dry"},
-                     {"title", title},
-                     {"summary", summary},
-                     {"curves", curves_json(input)},
-                     {"ways", ways(summary, record)},
-                     {"replay", std::move(replay.head)}},
-                    replay.blocks),
-               file);
+    write_text(file, page({{"kind", "dry"},
+                           {"title", title},
+                           {"summary", summary},
+                           {"curves", curves_json(input)},
+                           {"ways", ways(summary, record)},
+                           {"replay", std::move(replay.head)}},
+                          replay.blocks));
   } catch (const json::exception& e) {
     throw InputError({{folder / "summary.json", 0, "", e.what()}});
   }

@@ -2,13 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
 
 #include "analysis/report/packing.hpp"
 #include "analysis/report/web_bundle.hpp"
-#include "common/draft_file.hpp"
 
 namespace dipper::analysis::report {
 namespace {
@@ -78,19 +76,6 @@ std::string page(const json& data, const std::vector<std::vector<std::uint8_t>>&
   out += script;
   out += "</script>\n</body>\n</html>\n";
   return out;
-}
-
-void write_page(const std::string& text, const std::filesystem::path& file) {
-  const DraftFile draft(file);
-  std::ofstream out(draft.path(), std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code failed;
-  if (out) draft.keep(failed);
-  if (!out || failed)
-    throw std::runtime_error(file.string() +
-                             ": cannot be written; is the disk full, or the folder "
-                             "not yours?");
 }
 
 }  // namespace dipper::analysis::report

@@ -15,8 +15,4 @@ namespace dipper::analysis::report {
 std::string page(const nlohmann::json& data,
                  const std::vector<std::vector<std::uint8_t>>& frames = {});
 
-/// Writes the text under another name and moves it into place, so no half page is left. Throws
-/// std::runtime_error naming the file.
-void write_page(const std::string& text, const std::filesystem::path& file);
-
 }  // namespace dipper::analysis::report

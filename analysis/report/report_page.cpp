@@ -11,6 +11,7 @@
 #include "analysis/report/replay_json.hpp"
 #include "analysis/report/slice.hpp"
 #include "analysis/report/thin_curve.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::analysis::report {
 namespace {
@@ -106,7 +107,7 @@ std::string report_page(const std::string& title, const ReportInput& input,
 
 void write_report_page(const std::string& title, const ReportInput& input,
                        const std::filesystem::path& file) {
-  write_page(report_page(title, input), file);
+  write_text(file, report_page(title, input));
 }
 
 }  // namespace dipper::analysis::report

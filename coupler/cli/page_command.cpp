@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/report/page.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -21,7 +22,7 @@ int write_page(const std::string& file, Reporter& reporter) {
     reporter.error(std::string("page: ") + e.what());
     return 2;
   }
-  analysis::report::write_page(text, file);
+  write_text(file, text);
   return 0;
 }
 

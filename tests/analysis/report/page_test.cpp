@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "analysis/report/web_bundle.hpp"
 
 namespace dipper::analysis::report {
@@ -39,23 +37,6 @@ TEST(Page, RefusesWhatIsNoPage) {
   } catch (const std::invalid_argument& e) {
     EXPECT_THAT(e.what(), HasSubstr("gap, run"));
   }
-}
-
-TEST(Page, LeavesNothingHalfWritten) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "page_test";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directory(folder);
-  write_page("text", folder / "page.html");
-  std::ifstream in(folder / "page.html");
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "text");
-  std::filesystem::create_directory(folder / "taken.html");
-  EXPECT_THROW(write_page("text", folder / "taken.html"), std::runtime_error);
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
-    ++files;
-  }
-  EXPECT_EQ(files, 2u);
 }
 
 }  // namespace
