@@ -9,8 +9,10 @@ namespace dipper {
 
 namespace fs = std::filesystem;
 
-DraftFile::DraftFile(fs::path file) : file_(std::move(file)), path_(file_) {
-  const fs::file_status now = fs::symlink_status(file_);
+DraftFile::DraftFile(fs::path file) : file_(std::move(file)) {
+  if (fs::is_symlink(file_)) file_ = fs::weakly_canonical(file_);
+  path_ = file_;
+  const fs::file_status now = fs::status(file_);
   if (fs::exists(now) && !fs::is_regular_file(now) && !fs::is_directory(now)) return;
   path_.replace_extension(".part" + std::to_string(getpid()) + file_.extension().string());
 }

@@ -7,7 +7,7 @@
 namespace dipper {
 
 /// A name beside a file, NAME.partPID.EXTENSION, to write to: it takes the file's name by keep(),
-/// and is gone otherwise. A link or a device (/dev/stdout) stays one: it is written to itself.
+/// and is gone otherwise. Of a link it is beside what that leads to; a device is its own draft.
 class DraftFile {
  public:
   explicit DraftFile(std::filesystem::path file);

@@ -42,6 +42,26 @@ TEST(DraftFile, LeavesNothingWhenItIsNot) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
+TEST(DraftFile, OfALinkIsOneOfWhatItLeadsTo) {
+  const TemporaryFolder folder("dipper-draft"), other("dipper-draft");
+  const fs::path film = folder.path() / "dig.mp4", link = other.path() / "link.mp4";
+  write(film, "the one before");
+  fs::create_symlink(film, link);
+  {
+    const DraftFile draft(link);
+    write(draft.path(), "half");
+  }
+  EXPECT_EQ(fs::file_size(film), 14U);
+  {
+    const DraftFile draft(link);
+    write(draft.path(), "new");
+    draft.keep();
+  }
+  EXPECT_EQ(fs::file_size(film), 3U);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
 TEST(TemporaryFolder, IsGoneWithWhatIsInIt) {
   fs::path was;
   {
