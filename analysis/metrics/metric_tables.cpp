@@ -16,6 +16,13 @@ namespace {
 
 double tonnes(double kg) { return kg / 1e3; }
 
+/// None: the run is of an older program, or no run.
+std::optional<machine::MachineData> machine_of(const run::RunData& run) {
+  const auto file = run.folder / run::kMachineFile;
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  return machine::load_machine(file);
+}
+
 /// What the weight on the walls has that the rocks inside have not.
 std::string weight_note(const PassFacts& f) {
   const double difference = f.still->mass_kg - f.pass.payload_kg;
@@ -97,8 +104,8 @@ json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Surve
 json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes, double struck_m3) {
   json out = json::array();
   std::optional<signals::PayloadMonitor> monitor;
-  if (const auto file = run.folder / run::kMachineFile; std::filesystem::exists(file))
-    monitor.emplace(machine::load_machine(file), radians(run.number("machine.rake_angle_deg")));
+  if (const auto machine = machine_of(run))
+    monitor.emplace(*machine, radians(run.number("machine.rake_angle_deg")));
   for (const PassFacts& f : passes) {
     const signals::Pass& p = f.pass;
     json row = run::pass_row(p);
@@ -133,6 +140,9 @@ json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes,
 
 json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes) {
   json out = json::array();
+  std::optional<signals::MachineDemand> demand;
+  if (const auto machine = machine_of(run))
+    demand.emplace(*machine, radians(run.number("machine.rake_angle_deg")));
   for (const PassFacts& f : passes) {
     for (const signals::Phase& p : f.phases) {
       const Effort e = effort(run.signals, p.t_start_s, p.t_end_s);
@@ -145,6 +155,7 @@ json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes)
                   {"rock_work_J", e.rock_work_J},
                   {"mass_gain_kg", e.mass_gain_kg},
                   {"slack_share", signals::slack_share(run.signals.pass, p.t_start_s, p.t_end_s)}};
+      if (demand) run::put_demand(row, demand->over(run.signals.drive, p.t_start_s, p.t_end_s));
       run::put_work(row, e.drives);
       out.push_back(row);
     }

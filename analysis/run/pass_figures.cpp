@@ -47,4 +47,10 @@ void put_monitor(json& row, const RunSignals& s, const signals::PassPhases& pass
   row["monitor_at_rest"] = reading->at_rest;
 }
 
+void put_demand(json& row, const signals::Demand& demand) {
+  row["teeth_deviation_m"] = demand.teeth_deviation_m;
+  row["hoist_beyond_share"] = demand.hoist_beyond_share;
+  row["crowd_beyond_share"] = demand.crowd_beyond_share;
+}
+
 }  // namespace dipper::analysis::run

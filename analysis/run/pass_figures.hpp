@@ -6,6 +6,7 @@
 
 #include "analysis/run/run_folder.hpp"
 #include "analysis/signals/drive_work.hpp"
+#include "analysis/signals/machine_demand.hpp"
 #include "analysis/signals/payload_monitor.hpp"
 
 namespace dipper::analysis::run {
@@ -24,5 +25,8 @@ void put_dig_energy(nlohmann::ordered_json& row, const RunSignals& s,
 /// monitor_to_s, monitor_at_rest; of a pass the monitor does not weigh nothing.
 void put_monitor(nlohmann::ordered_json& row, const RunSignals& s, const signals::PassPhases& pass,
                  const signals::PayloadMonitor& monitor);
+
+/// teeth_deviation_m, hoist_beyond_share, crowd_beyond_share.
+void put_demand(nlohmann::ordered_json& row, const signals::Demand& demand);
 
 }  // namespace dipper::analysis::run

@@ -3,26 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/signals/time_mean.hpp"
+
 namespace dipper::analysis::signals {
 namespace {
 
 bool is_dig(const Phase& p) {
   return p.name == "penetrate" || p.name == "fill" || p.name == "breakout";
-}
-
-/// Time-weighted; a step counts with the part of it that is within the time. None: no step is.
-template <class Value>
-std::optional<double> mean(const PassSignals& s, double t_start_s, double t_end_s, Value value) {
-  double sum = 0, time_s = 0;
-  for (std::size_t i = 0; i + 1 < s.time_s.size(); ++i) {
-    const double from = std::max(s.time_s[i], t_start_s);
-    const double to = std::min(s.time_s[i + 1], t_end_s);
-    if (to <= from) continue;
-    sum += value(i) * (to - from);
-    time_s += to - from;
-  }
-  if (time_s <= 0) return std::nullopt;
-  return sum / time_s;
 }
 
 }  // namespace
@@ -41,8 +28,8 @@ std::optional<Phase> PassPhases::dig() const {
 }
 
 double slack_share(const PassSignals& s, double t_start_s, double t_end_s) {
-  return mean(s, t_start_s, t_end_s,
-              [&](std::size_t i) { return s.hoist_force_N[i] < kSlack_N ? 1.0 : 0.0; })
+  return time_mean(s.time_s, t_start_s, t_end_s,
+                   [&](std::size_t i) { return s.hoist_force_N[i] < kSlack_N ? 1.0 : 0.0; })
       .value_or(0);
 }
 
@@ -55,9 +42,9 @@ std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignal
     p.t_end_s = k + 1 < passes.size() ? passes[k].t_end_s : s.time_s.back();
     p.phases = find_phases(drive, p.pass.t_start_s, p.t_end_s);
     if (const auto dig = p.dig()) {
-      p.dig_phases_force_mean_N = mean(s, dig->t_start_s, dig->t_end_s, [&](std::size_t i) {
-        return std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]);
-      });
+      p.dig_phases_force_mean_N = time_mean(
+          s.time_s, dig->t_start_s, dig->t_end_s,
+          [&](std::size_t i) { return std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]); });
       if (p.dig_phases_force_mean_N)
         p.dig_slack_share = slack_share(s, dig->t_start_s, dig->t_end_s);
     }

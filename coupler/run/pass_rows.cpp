@@ -7,7 +7,6 @@
 #include "common/angles.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/run/rattle.hpp"
-#include "coupler/run/teeth_deviation.hpp"
 #include "coupler/sides/sides_setup.hpp"
 
 namespace dipper::run {
@@ -25,10 +24,11 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
                          sides::read_mesh_facts(c).dipper.struck_volume_m3;
   const analysis::run::RunSignals signals = analysis::run::read_drive_signals(record);
   json passes = json::array();
-  const TeethDeviation teeth(record, c);
   const Rattle rattle(record);
-  const analysis::signals::PayloadMonitor monitor(machine::load_machine(c.machine.model),
-                                                  radians(c.machine.rake_angle_deg));
+  const machine::MachineData machine = machine::load_machine(c.machine.model);
+  const double rake = radians(c.machine.rake_angle_deg);
+  const analysis::signals::PayloadMonitor monitor(machine, rake);
+  const analysis::signals::MachineDemand demand(machine, rake);
   for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
     const auto& p = found.pass;
     json row = analysis::run::pass_row(p);
@@ -40,15 +40,19 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
       row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
     if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
     if (const auto dig = found.dig()) {
-      row["teeth_deviation_m"] = teeth.most(*dig);
+      analysis::run::put_demand(row, demand.over(signals.drive, dig->t_start_s, dig->t_end_s));
       row["dig_rattle_share"] = rattle.share(*dig, kJump * p.dig_force_mean_N);
     }
     analysis::run::put_dig_energy(row, signals, found);
     analysis::run::put_monitor(row, signals, found, monitor);
     json& phases = row["phases"] = json::array();
     for (const auto& phase : found.phases) {
-      json one = {
-          {"phase", phase.name}, {"t_start_s", phase.t_start_s}, {"t_end_s", phase.t_end_s}};
+      json one = {{"phase", phase.name},
+                  {"t_start_s", phase.t_start_s},
+                  {"t_end_s", phase.t_end_s},
+                  {"slack_share",
+                   analysis::signals::slack_share(signals.pass, phase.t_start_s, phase.t_end_s)}};
+      analysis::run::put_demand(one, demand.over(signals.drive, phase.t_start_s, phase.t_end_s));
       analysis::run::put_work(
           one, analysis::signals::drives_work(signals.drive, phase.t_start_s, phase.t_end_s));
       phases.push_back(one);
@@ -60,10 +64,13 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
 
 void tell_passes(const json& passes, Reporter& reporter) {
   for (const auto& p : passes) {
+    const auto dig = p.find("dig_phases_force_mean_N");
     reporter.line(fmt::format(
-        "pass {}: {}payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN",
+        "pass {}: {}payload {:.1f} t, truck {:.1f} t, dig force mean {}{:.0f} kN to the dump, "
+        "peak {:.0f} kN",
         p.at("pass").get<int>(), p.at("dumped").get<bool>() ? "" : "unfinished; ",
         p.at("payload_kg").get<double>() * 1e-3, p.at("truck_kg").get<double>() * 1e-3,
+        dig == p.end() ? "" : fmt::format("{:.0f} kN, ", dig->get<double>() * 1e-3),
         p.at("dig_force_mean_N").get<double>() * 1e-3,
         p.at("dig_force_peak_N").get<double>() * 1e-3));
   }

@@ -20,6 +20,7 @@ constexpr double kMuchResidual = 0.01;  // of the work
 constexpr double kLostMass_kg = 1000;
 constexpr double kMuchRattle = 0.05;  // of a dig's windows; at true size up to 0.03
 constexpr double kHighPeak = 8;       // times the mean; whole digs have 3 to 5
+constexpr double kMuchBeyond = 0.25;  // of a dig: above, no drive of that machine digs so
 
 /// `whole`: the run came to its end; one that was cut short goes on by --resume.
 void warn_of_pass(const cases::Case& c, const json& p, bool whole,
@@ -37,6 +38,13 @@ void warn_of_pass(const cases::Case& c, const json& p, bool whole,
         "pass {}: the dig force peaks at {:.0f} MN, {:.0f} times its mean, at {:.2f} s: a rock is "
         "caught between the dipper and what does not give way",
         pass, peak * 1e-6, peak / mean, number("dig_force_peak_t_s")));
+  for (const auto& [drive, key] :
+       {std::pair{"hoist", "hoist_beyond_share"}, std::pair{"crowd", "crowd_beyond_share"}})
+    if (const double beyond = number(key); beyond > kMuchBeyond && c.machine.drives == "prescribed")
+      warnings.push_back(fmt::format(
+          "pass {}: the {} takes more force than the machine has in {:.0f} % of the dig; "
+          "machine.drives: limited stalls instead (docs/drives.md)",
+          pass, drive, 100 * beyond));
   if (const double rattle = number("dig_rattle_share"); rattle > kMuchRattle)
     warnings.push_back(fmt::format(
         "pass {}: in {:.0f} % of the dig the rock's force jumps from step to step: rocks pressed "

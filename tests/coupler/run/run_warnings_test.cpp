@@ -43,6 +43,8 @@ TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
               ElementsAre(HasSubstr("peaks at 343 MN, 114 times its mean, at 5.50 s")));
   EXPECT_THAT(warnings({{"dig_rattle_share", 0.12}}),
               ElementsAre(HasSubstr("in 12 % of the dig the rock's force jumps")));
+  EXPECT_THAT(warnings({{"crowd_beyond_share", 0.4}, {"hoist_beyond_share", 0.2}}),
+              ElementsAre(HasSubstr("the crowd takes more force than the machine has in 40 %")));
   EXPECT_THAT(warnings({{"truck_kg", -28e3}}),
               ElementsAre(HasSubstr("28.0 t more leave the truck")));
   EXPECT_THAT(warnings({{"dumped", false}}), ElementsAre(HasSubstr("pass 1: unfinished")));

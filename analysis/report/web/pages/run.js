@@ -7,6 +7,7 @@ import { readout } from '../replay/readout.js';
 import { replay } from '../replay/replay.js';
 import { caseSection } from '../sections/run/case.js';
 import { coupling } from '../sections/run/coupling.js';
+import { demand } from '../sections/run/demand.js';
 import { filling } from '../sections/run/filling.js';
 import { head, headline } from '../sections/run/headline.js';
 import { payload } from '../sections/run/payload.js';
@@ -28,6 +29,7 @@ showPage((data) => {
     filling(model, clock),
     signals(model, clock),
     work(model.passes.map((p) => ({ ...p, phases: (model.metrics.phases ?? []).filter((row) => row.pass === p.pass) }))),
+    demand(model.metrics.phases),
     payload(model),
     rock(model),
     coupling(model, clock),

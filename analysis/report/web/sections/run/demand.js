@@ -1,0 +1,26 @@
+// What each phase asks of the machine: slack ropes, teeth off their way, forces beyond its drives'.
+import { h, section } from '../../dom.js';
+import { fixed } from '../../format.js';
+import { table } from '../../parts/table.js';
+
+const percent = (share) => fixed(100 * share, 1);
+
+/// phases: [{pass, phase, slack_share, teeth_deviation_m, hoist_beyond_share, crowd_beyond_share}]
+export function demand(phases = []) {
+  const told = phases.filter((row) => Number.isFinite(row.teeth_deviation_m));
+  if (!told.length) return null;
+  const passes = [...new Set(told.map((row) => row.pass))];
+  return section('demand', 'Ropes, teeth and limits by phase',
+    'Slack ropes: the dipper rides on rock. Teeth: from where taut ropes would have them, at most. Beyond: more force than the machine’s drive has.',
+    passes.flatMap((pass) => [passes.length > 1 && h('h3', `Pass ${pass}`), byPhase(told.filter((row) => row.pass === pass))]));
+}
+
+function byPhase(phases) {
+  return table(null, [
+    { name: 'Phase', cell: (row) => row.phase },
+    { name: 'ropes slack', unit: '%', cell: (row) => percent(row.slack_share) },
+    { name: 'teeth off', unit: 'm', cell: (row) => fixed(row.teeth_deviation_m, 2) },
+    { name: 'hoist beyond', unit: '%', cell: (row) => percent(row.hoist_beyond_share) },
+    { name: 'crowd beyond', unit: '%', cell: (row) => percent(row.crowd_beyond_share) },
+  ], phases, { compact: true });
+}

@@ -1,0 +1,33 @@
+// What is asked of the machine over a time: teeth off their way, forces beyond its drives'.
+#pragma once
+
+#include "analysis/signals/drive_signals.hpp"
+#include "machine/kinematics.hpp"
+
+namespace dipper::analysis::signals {
+
+/// Over a time. Shares are of that time, 0 ... 1.
+struct Demand {
+  /// The tooth tips from where taut ropes that do not stretch, as long as they are, would have
+  /// them, at most [m]: some centimetres under load, more where the dipper rides on rock.
+  double teeth_deviation_m = 0;
+  double hoist_beyond_share = 0;  ///< the ropes pull with more than the machine's hoist_stall
+  double crowd_beyond_share = 0;  ///< the handle is held with more than the machine's crowd_stall
+};
+
+class MachineDemand {
+ public:
+  /// \param rake handle's centre line to dipper's floor, rad
+  MachineDemand(const machine::MachineData& machine, double rake);
+
+  /// \param s with forces and the saddle's angle
+  Demand over(const DriveSignals& s, double t_start_s, double t_end_s) const;
+
+ private:
+  double teeth_off_m(const DriveSignals& s, std::size_t i) const;
+
+  machine::MachineData::DriveLimits drives_;
+  machine::ShovelKinematics taut_;
+};
+
+}  // namespace dipper::analysis::signals
