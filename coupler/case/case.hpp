@@ -59,7 +59,7 @@ struct SieveCase {
 /// rock: the material of a single rock.
 struct RockCase {
   double density_kg_m3 = 0;
-  double bulk_density_kg_m3 = 0;  ///< of the settled pile; only the fill factor uses it
+  double bulk_density_kg_m3 = 0;  ///< of the settled pile: fill factor, voids, estimate
   double youngs_modulus_Pa = 0;
   double poisson_ratio = 0;
   double coarse_graining = 1;          ///< every size is multiplied by this

@@ -72,7 +72,7 @@ std::vector<KeySpec> make_schema() {
       {"rock.density_kg_m3", "kg/m3", between(100, 20000), {}, required,
        "of solid rock, not of the pile", SLOT(c.rock.density_kg_m3)},
       {"rock.bulk_density_kg_m3", "kg/m3", between(100, 20000), {}, required,
-       "of the settled pile; only the fill factor uses it", SLOT(c.rock.bulk_density_kg_m3)},
+       "of the settled pile: fill factor, voids, the estimate without rock", SLOT(c.rock.bulk_density_kg_m3)},
       {"rock.youngs_modulus_Pa", "Pa", between(1e5, 1e12), {}, required,
        "of solid rock, before contact.normal_scale", SLOT(c.rock.youngs_modulus_Pa)},
       {"rock.poisson_ratio", "", inside(0, 0.5), {}, required,
