@@ -10,6 +10,7 @@
 #include "analysis/run/figure.hpp"
 #include "analysis/run/pass_figures.hpp"
 #include "common/angles.hpp"
+#include "common/record/record.hpp"
 
 namespace dipper::analysis::metrics {
 namespace {
@@ -142,7 +143,8 @@ json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes)
   json out = json::array();
   std::optional<signals::MachineDemand> demand;
   if (const auto machine = machine_of(run))
-    demand.emplace(*machine, radians(run.number("machine.rake_angle_deg")));
+    demand.emplace(*machine, radians(run.number("machine.rake_angle_deg")),
+                   record::read_channel(run.folder / "record.h5", "machine/saddle_pitch"));
   for (const PassFacts& f : passes) {
     for (const signals::Phase& p : f.phases) {
       const Effort e = effort(run.signals, p.t_start_s, p.t_end_s);

@@ -18,7 +18,7 @@ record::Columns read_drives(const fs::path& record) {
   for (const char* channel :
        {"time_s", "machine/door", "machine/hoist", "machine/crowd", "machine/swing",
         "machine/hoist_force", "machine/crowd_force", "machine/hoist_power", "machine/crowd_power",
-        "machine/swing_power", "machine/saddle_pitch", "rock/mass_in_dipper", "rock/mass_in_truck"})
+        "machine/swing_power", "rock/mass_in_dipper", "rock/mass_in_truck"})
     c.read(channel);
   for (std::size_t k = 3; k < 6; ++k) c.read("bodies/dipper/wrench_mean", k);
   return c;
@@ -74,8 +74,7 @@ RunSignals drives_of(const record::Columns& c) {
              p.crowd_force_N,
              c.get("machine/hoist_power"),
              c.get("machine/crowd_power"),
-             c.get("machine/swing_power"),
-             c.get("machine/saddle_pitch")};
+             c.get("machine/swing_power")};
   return s;
 }
 

@@ -5,8 +5,8 @@
 
 namespace dipper::analysis::signals {
 
-/// One entry a sync step, all of the same length; a force, power or the saddle may be left empty
-/// where nobody reads it.
+/// One entry a sync step, all of the same length; a force or power may be left empty where nobody
+/// reads it.
 struct DriveSignals {
   std::vector<double> time_s;  ///< ends of the sync steps, rising
   std::vector<double> hoist_m;
@@ -14,7 +14,6 @@ struct DriveSignals {
   std::vector<double> swing_rad;  ///< either way
   std::vector<double> hoist_force_N, crowd_force_N;
   std::vector<double> hoist_power_W{}, crowd_power_W{}, swing_power_W{};  ///< into the machine
-  std::vector<double> saddle_rad{};  ///< the handle above the horizontal
 };
 
 }  // namespace dipper::analysis::signals

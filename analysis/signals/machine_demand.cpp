@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/signals/time_mean.hpp"
 
@@ -18,12 +19,13 @@ double share_beyond(const std::vector<double>& time_s, const std::vector<double>
 
 }  // namespace
 
-MachineDemand::MachineDemand(const machine::MachineData& machine, double rake)
-    : drives_(machine.drives), taut_(machine, Pose{}, rake) {}
+MachineDemand::MachineDemand(const machine::MachineData& machine, double rake,
+                             std::vector<double> saddle_rad)
+    : drives_(machine.drives), taut_(machine, Pose{}, rake), saddle_rad_(std::move(saddle_rad)) {}
 
 double MachineDemand::teeth_off_m(const DriveSignals& s, std::size_t i) const {
   try {
-    const double turn = s.saddle_rad[i] - taut_.saddle_angle(s.hoist_m[i], s.crowd_m[i]);
+    const double turn = saddle_rad_[i] - taut_.saddle_angle(s.hoist_m[i], s.crowd_m[i]);
     return std::abs(turn) * taut_.teeth_reach(s.crowd_m[i]);
   } catch (const std::domain_error&) {  // no taut rope is as long as that
     return 0;
@@ -36,7 +38,8 @@ Demand MachineDemand::over(const DriveSignals& s, double t_start_s, double t_end
       share_beyond(s.time_s, s.hoist_force_N, drives_.hoist.stall, t_start_s, t_end_s);
   d.crowd_beyond_share =
       share_beyond(s.time_s, s.crowd_force_N, drives_.crowd.stall, t_start_s, t_end_s);
-  for (std::size_t i = 0; i < s.time_s.size(); ++i)
+  // A record that is being written may have rows of the one more than of the other.
+  for (std::size_t i = 0; i < std::min(s.time_s.size(), saddle_rad_.size()); ++i)
     if (s.time_s[i] >= t_start_s && s.time_s[i] <= t_end_s)
       d.teeth_deviation_m = std::max(d.teeth_deviation_m, teeth_off_m(s, i));
   return d;

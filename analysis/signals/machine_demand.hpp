@@ -1,6 +1,8 @@
 // What is asked of the machine over a time: teeth off their way, forces beyond its drives'.
 #pragma once
 
+#include <vector>
+
 #include "analysis/signals/drive_signals.hpp"
 #include "machine/kinematics.hpp"
 
@@ -18,9 +20,10 @@ struct Demand {
 class MachineDemand {
  public:
   /// \param rake handle's centre line to dipper's floor, rad
-  MachineDemand(const machine::MachineData& machine, double rake);
+  /// \param saddle_rad the handle above the horizontal, an entry a sync step
+  MachineDemand(const machine::MachineData& machine, double rake, std::vector<double> saddle_rad);
 
-  /// \param s with forces and the saddle's angle
+  /// \param s with forces, of the same sync steps
   Demand over(const DriveSignals& s, double t_start_s, double t_end_s) const;
 
  private:
@@ -28,6 +31,7 @@ class MachineDemand {
 
   machine::MachineData::DriveLimits drives_;
   machine::ShovelKinematics taut_;
+  std::vector<double> saddle_rad_;
 };
 
 }  // namespace dipper::analysis::signals

@@ -5,6 +5,7 @@
 #include "analysis/run/pass_figures.hpp"
 #include "analysis/signals/pass_phases.hpp"
 #include "common/angles.hpp"
+#include "common/record/record.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/run/rattle.hpp"
 #include "coupler/sides/sides_setup.hpp"
@@ -28,7 +29,8 @@ json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
   const machine::MachineData machine = machine::load_machine(c.machine.model);
   const double rake = radians(c.machine.rake_angle_deg);
   const analysis::signals::PayloadMonitor monitor(machine, rake);
-  const analysis::signals::MachineDemand demand(machine, rake);
+  const analysis::signals::MachineDemand demand(
+      machine, rake, record::read_channel(record, "machine/saddle_pitch"));
   for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
     const auto& p = found.pass;
     json row = analysis::run::pass_row(p);

@@ -15,6 +15,7 @@ struct Stand {
   double rake = machine.dipper.base_rake;
   machine::ShovelKinematics shovel{machine, Pose{}, rake};
   DriveSignals s;
+  std::vector<double> saddle_rad;
 
   explicit Stand(double turned) {
     const double hoist = -6, crowd = 1;
@@ -24,7 +25,7 @@ struct Stand {
       s.time_s.push_back(t);
       s.hoist_m.push_back(hoist);
       s.crowd_m.push_back(crowd);
-      s.saddle_rad.push_back(shovel.saddle_angle(hoist, crowd) + (rides ? turned : 0));
+      saddle_rad.push_back(shovel.saddle_angle(hoist, crowd) + (rides ? turned : 0));
       s.hoist_force_N.push_back(t < 2.45 ? 1.01 * machine.drives.hoist.stall : 1e6);
       s.crowd_force_N.push_back(t < 4.95 ? -1.01 * machine.drives.crowd.stall : 1e6);
     }
@@ -33,7 +34,7 @@ struct Stand {
 
 TEST(MachineDemand, TellsHowFarTheTeethAreOffAndForHowLongDrivesGiveMoreThanTheyHave) {
   const Stand stand(0.05);
-  const MachineDemand demand(stand.machine, stand.rake);
+  const MachineDemand demand(stand.machine, stand.rake, stand.saddle_rad);
   const Demand all = demand.over(stand.s, 0, 10);
   EXPECT_NEAR(all.teeth_deviation_m, 0.05 * stand.shovel.teeth_reach(1), 1e-6);
   EXPECT_NEAR(all.hoist_beyond_share, 0.25, 1e-6);
@@ -47,7 +48,10 @@ TEST(MachineDemand, TellsHowFarTheTeethAreOffAndForHowLongDrivesGiveMoreThanThey
 TEST(MachineDemand, ARopeLongerThanAnyTautOneSaysNothingOfTheTeeth) {
   Stand stand(0.05);
   for (double& hoist : stand.s.hoist_m) hoist = -100;
-  EXPECT_EQ(MachineDemand(stand.machine, stand.rake).over(stand.s, 0, 10).teeth_deviation_m, 0);
+  EXPECT_EQ(MachineDemand(stand.machine, stand.rake, stand.saddle_rad)
+                .over(stand.s, 0, 10)
+                .teeth_deviation_m,
+            0);
 }
 
 }  // namespace
