@@ -68,13 +68,14 @@ void tell_passes(const json& passes, Reporter& reporter) {
   for (const auto& p : passes) {
     const auto dig = p.find("dig_phases_force_mean_N");
     reporter.line(fmt::format(
-        "pass {}: {}payload {:.1f} t, truck {:.1f} t, dig force mean {}{:.0f} kN to the dump, "
-        "peak {:.0f} kN",
+        "pass {}: {}payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN{}",
         p.at("pass").get<int>(), p.at("dumped").get<bool>() ? "" : "unfinished; ",
         p.at("payload_kg").get<double>() * 1e-3, p.at("truck_kg").get<double>() * 1e-3,
-        dig == p.end() ? "" : fmt::format("{:.0f} kN, ", dig->get<double>() * 1e-3),
         p.at("dig_force_mean_N").get<double>() * 1e-3,
-        p.at("dig_force_peak_N").get<double>() * 1e-3));
+        p.at("dig_force_peak_N").get<double>() * 1e-3,
+        dig == p.end()
+            ? ""
+            : fmt::format("; {:.0f} kN from penetrate to breakout", dig->get<double>() * 1e-3)));
   }
 }
 
