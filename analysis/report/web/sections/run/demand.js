@@ -5,14 +5,13 @@ import { table } from '../../parts/table.js';
 
 const percent = (share) => fixed(100 * share, 1);
 
-/// phases: [{pass, phase, slack_share, teeth_deviation_m, hoist_beyond_share, crowd_beyond_share}]
-export function demand(phases = []) {
-  const told = phases.filter((row) => Number.isFinite(row.teeth_deviation_m));
+/// passes: [{pass, phases: [{phase, slack_share, teeth_deviation_m, hoist_beyond_share, crowd_beyond_share}]}]
+export function demand(passes) {
+  const told = passes.filter((p) => p.phases.some((row) => Number.isFinite(row.teeth_deviation_m)));
   if (!told.length) return null;
-  const passes = [...new Set(told.map((row) => row.pass))];
   return section('demand', 'Ropes, teeth and limits by phase',
     'Slack ropes: the dipper rides on rock. Teeth: from where taut ropes would have them, at most. Beyond: more force than the machine’s drive has.',
-    passes.flatMap((pass) => [passes.length > 1 && h('h3', `Pass ${pass}`), byPhase(told.filter((row) => row.pass === pass))]));
+    told.flatMap((p) => [told.length > 1 && h('h3', `Pass ${p.pass}`), byPhase(p.phases)]));
 }
 
 function byPhase(phases) {
