@@ -82,7 +82,7 @@ void Session::tell_removed_rocks(const core::Window& first) {
 
 RunCost Session::cost() const {
   return cost_before_ +
-         RunCost{sides_.dem_cpu_s(), sides_.mbs_cpu_s(), stepper_.wall_s(), rock_.wait_s()};
+         RunCost{sides_.dem_cpu_s(), sides_.mbs_cpu_s(), stepper_.wall_s(), rock_.busy_s()};
 }
 
 RunFacts Session::close(bool orderly) {

@@ -41,7 +41,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
        {{"scheme", c.coupling.scheme},
         {"syncs", f.syncs},
         {"sync_step_mean_s", ratio(sim_s, static_cast<double>(f.syncs))},
-        {"overhead_fraction", ratio(f.cost.wall_s - f.cost.rock_wait_s, f.cost.wall_s)},
+        {"overhead_fraction", ratio(f.cost.wall_s - f.cost.rock_busy_s, f.cost.wall_s)},
         {"energy_residual_J", f.energy_residual_J},
         {"interface_work_J", f.interface_work_J},
         {"resends", f.resends},

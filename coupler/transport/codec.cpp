@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "dipper_msg/command_t.hpp"
+#include "dipper_msg/machine_state_t.hpp"
+#include "dipper_msg/machine_step_t.hpp"
+#include "dipper_msg/rock_place_t.hpp"
+#include "dipper_msg/rock_state_t.hpp"
+#include "dipper_msg/rock_step_t.hpp"
 #include "dipper_msg/status_t.hpp"
-#include "dipper_msg/target_motion_t.hpp"
-#include "dipper_msg/wall_wrench_t.hpp"
 
 namespace dipper::transport {
 namespace {
@@ -16,15 +19,60 @@ namespace {
 using namespace dipper_msg;
 
 void put(const Vector3d& v, double (&out)[3]) { std::copy_n(v.data(), 3, out); }
-void put(const Quaterniond& q, double (&out)[4]) {
-  out[0] = q.w();
-  out[1] = q.x();
-  out[2] = q.y();
-  out[3] = q.z();
+Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+pose_t pack(const Pose& X) {
+  pose_t t;
+  put(X.p, t.p_WBo_W);
+  t.R_WB[0] = X.R.w();
+  t.R_WB[1] = X.R.x();
+  t.R_WB[2] = X.R.y();
+  t.R_WB[3] = X.R.z();
+  return t;
+}
+Pose unpack(const pose_t& t) {
+  return {{t.R_WB[0], t.R_WB[1], t.R_WB[2], t.R_WB[3]}, vector(t.p_WBo_W)};
 }
 
-Vector3d vector(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
-Quaterniond rotation(const double (&v)[4]) { return {v[0], v[1], v[2], v[3]}; }
+wrench_t pack(const Wrench& F) {
+  wrench_t t;
+  put(F.torque, t.torque_Bo_W);
+  put(F.force, t.force_Bo_W);
+  return t;
+}
+Wrench unpack(const wrench_t& t) { return {vector(t.torque_Bo_W), vector(t.force_Bo_W)}; }
+
+body_motion_t pack(const BodyState& b) {
+  body_motion_t t;
+  t.X_WB = pack(b.X_WB);
+  put(b.V_WB_W.w, t.V_WB_W.w_WB_W);
+  put(b.V_WB_W.v, t.V_WB_W.v_WBo_W);
+  return t;
+}
+BodyState unpack(const body_motion_t& t) {
+  return {unpack(t.X_WB), {vector(t.V_WB_W.w_WB_W), vector(t.V_WB_W.v_WBo_W)}};
+}
+
+body_load_t pack(const core::BodyLoad& b) {
+  body_load_t t;
+  t.mean = pack(b.mean);
+  t.end = pack(b.end);
+  t.X_WB = pack(b.X_WB);
+  return t;
+}
+core::BodyLoad unpack(const body_load_t& t) {
+  return {unpack(t.mean), unpack(t.end), unpack(t.X_WB)};
+}
+
+template <class To, class From>
+std::int32_t pack(const std::vector<From>& from, std::vector<To>& to) {
+  for (const From& x : from) to.push_back(pack(x));
+  return static_cast<std::int32_t>(to.size());
+}
+template <class To, class From>
+void unpack(const std::vector<From>& from, std::vector<To>& to) {
+  for (const From& x : from) to.push_back(unpack(x));
+}
 
 header_t pack(const core::Envelope& e) {
   header_t h;
@@ -41,64 +89,70 @@ core::Envelope unpack(const header_t& h) {
   return {h.run_id, h.case_hash, h.step_index, h.sequence, h.t_ns};
 }
 
-target_motion_t pack(const core::TargetMotion& m) {
-  target_motion_t t;
-  t.n_steps = m.n_steps;
-  t.contact = m.contact;
-  t.n_bodies = static_cast<std::int32_t>(m.bodies.size());
-  for (const auto& b : m.bodies) {
-    body_motion_t& out = t.bodies.emplace_back();
-    put(b.X_WB.p, out.p_WBo_W);
-    put(b.X_WB.R, out.R_WB);
-    put(b.V_WB_W.w, out.w_WB_W);
-    put(b.V_WB_W.v, out.v_WBo_W);
-  }
-  t.n_channels = static_cast<std::int32_t>(m.channels.size());
-  t.channels = m.channels;
+machine_step_t pack(const core::MachineStep& m) {
+  machine_step_t t;
+  t.t_next_ns = m.t_next_ns;
+  t.n_bodies = pack(m.F_Bo_W, t.wrenches);
   return t;
 }
-
-core::TargetMotion unpack(const target_motion_t& t) {
-  core::TargetMotion m;
-  m.n_steps = t.n_steps;
-  m.contact = t.contact != 0;
-  for (const auto& b : t.bodies) {
-    m.bodies.push_back(
-        {{rotation(b.R_WB), vector(b.p_WBo_W)}, {vector(b.w_WB_W), vector(b.v_WBo_W)}});
-  }
-  m.channels = t.channels;
+core::MachineStep unpack(const machine_step_t& t) {
+  core::MachineStep m{t.header.t_ns, {}, t.t_next_ns, t.header.step_index};
+  unpack(t.wrenches, m.F_Bo_W);
   return m;
 }
 
-wall_wrench_t pack(const core::WallWrench& m) {
-  wall_wrench_t t;
-  t.dem_step = m.dem_step;
-  t.commit = m.commit;
-  t.n_bodies = static_cast<std::int32_t>(m.bodies.size());
-  for (const auto& b : m.bodies) {
-    body_wrench_t& out = t.bodies.emplace_back();
-    put(b.mean.torque, out.mean_torque_Bo_W);
-    put(b.mean.force, out.mean_force_Bo_W);
-    put(b.end.torque, out.end_torque_Bo_W);
-    put(b.end.force, out.end_force_Bo_W);
-    put(b.X_WB.p, out.p_WBo_W);
-    put(b.X_WB.R, out.R_WB);
-  }
+machine_state_t pack(const core::MachineState& m) {
+  machine_state_t t;
+  t.t_ns = m.t_ns;
+  t.contact = m.contact;
+  t.n_bodies = pack(m.bodies, t.bodies);
+  t.n_next = pack(m.X_WB_next, t.next);
   t.n_channels = static_cast<std::int32_t>(m.channels.size());
   t.channels = m.channels;
   return t;
 }
+core::MachineState unpack(const machine_state_t& t) {
+  core::MachineState m{t.t_ns, {}, t.channels, t.contact != 0, {}};
+  unpack(t.bodies, m.bodies);
+  unpack(t.next, m.X_WB_next);
+  return m;
+}
 
-core::WallWrench unpack(const wall_wrench_t& t) {
-  core::WallWrench m;
-  m.dem_step = t.dem_step;
-  m.commit = t.commit != 0;
-  for (const auto& b : t.bodies) {
-    m.bodies.push_back({{vector(b.mean_torque_Bo_W), vector(b.mean_force_Bo_W)},
-                        {vector(b.end_torque_Bo_W), vector(b.end_force_Bo_W)},
-                        {rotation(b.R_WB), vector(b.p_WBo_W)}});
-  }
-  m.channels = t.channels;
+rock_place_t pack(const core::RockPlace& m) {
+  rock_place_t t;
+  t.n_bodies = pack(m.X_WB, t.bodies);
+  return t;
+}
+core::RockPlace unpack(const rock_place_t& t) {
+  core::RockPlace m;
+  unpack(t.bodies, m.X_WB);
+  return m;
+}
+
+rock_step_t pack(const core::RockStep& m) {
+  rock_step_t t;
+  t.n_steps = m.n_steps;
+  t.contact = m.contact;
+  t.n_bodies = pack(m.X_WB_target, t.targets);
+  return t;
+}
+core::RockStep unpack(const rock_step_t& t) {
+  core::RockStep m{t.n_steps, {}, t.contact != 0, t.header.t_ns, t.header.step_index};
+  unpack(t.targets, m.X_WB_target);
+  return m;
+}
+
+rock_state_t pack(const core::RockState& m) {
+  rock_state_t t;
+  t.dem_step = m.step;
+  t.n_bodies = pack(m.bodies, t.bodies);
+  t.n_channels = static_cast<std::int32_t>(m.channels.size());
+  t.channels = m.channels;
+  return t;
+}
+core::RockState unpack(const rock_state_t& t) {
+  core::RockState m{t.dem_step, t.header.t_ns, {}, t.channels};
+  unpack(t.bodies, m.bodies);
   return m;
 }
 
@@ -175,11 +229,21 @@ class LengthCheck {
 };
 
 // As in coupler/lcm/dipper_msg.lcm.
-bool is_whole(const std::string& bytes, const target_motion_t*) {
-  return LengthCheck(bytes).skip(8 + 1).list(3 + 4 + 3 + 3).list(1).ends();
+constexpr std::size_t kPose = 7, kTwist = 6, kWrench = 6;  // doubles
+bool is_whole(const std::string& bytes, const machine_step_t*) {
+  return LengthCheck(bytes).skip(8).list(kWrench).ends();
 }
-bool is_whole(const std::string& bytes, const wall_wrench_t*) {
-  return LengthCheck(bytes).skip(8 + 1).list(4 * 3 + 3 + 4).list(1).ends();
+bool is_whole(const std::string& bytes, const machine_state_t*) {
+  return LengthCheck(bytes).skip(8 + 1).list(kPose + kTwist).list(kPose).list(1).ends();
+}
+bool is_whole(const std::string& bytes, const rock_place_t*) {
+  return LengthCheck(bytes).list(kPose).ends();
+}
+bool is_whole(const std::string& bytes, const rock_step_t*) {
+  return LengthCheck(bytes).skip(8 + 1).list(kPose).ends();
+}
+bool is_whole(const std::string& bytes, const rock_state_t*) {
+  return LengthCheck(bytes).skip(8).list(2 * kWrench + kPose).list(1).ends();
 }
 bool is_whole(const std::string& bytes, const command_t*) {
   return LengthCheck(bytes).skip(4).text().ends();
@@ -221,8 +285,10 @@ std::string encode(const core::Message& m) {
 core::Message decode(const std::string& bytes) {
   if (bytes.size() < 8) throw DecodeError("a message of less than 8 bytes");
   core::Message m;
-  if (decode_as<target_motion_t>(bytes, m) || decode_as<wall_wrench_t>(bytes, m) ||
-      decode_as<command_t>(bytes, m) || decode_as<status_t>(bytes, m)) {
+  if (decode_as<machine_step_t>(bytes, m) || decode_as<machine_state_t>(bytes, m) ||
+      decode_as<rock_place_t>(bytes, m) || decode_as<rock_step_t>(bytes, m) ||
+      decode_as<rock_state_t>(bytes, m) || decode_as<command_t>(bytes, m) ||
+      decode_as<status_t>(bytes, m)) {
     return m;
   }
   throw DecodeError("a message of a type this version does not know");

@@ -27,18 +27,27 @@ core::LinkCounts Link::counts() const {
 }
 
 core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
+  send(std::move(request), step_index, t_ns);
+  return receive();
+}
+
+void Link::send(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
   // Nothing that has come can be the answer yet; a queue that is full would lose it.
   const auto enough = Clock::now() + 10ms;
   while (const auto old = transport_.receive(0us)) {
     reply_in(*old);  // counts it
     if (Clock::now() > enough) break;
   }
-  const std::string bytes = encode({requester_.begin(step_index, t_ns), std::move(request)});
+  under_way_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
+  for (int k = 0; k < requester_.copies(); ++k) transport_.publish(to_, under_way_);
+  start_ = Clock::now();
+}
+
+core::Body Link::receive() {
+  const auto start = start_;
   const auto send = [&] {
-    for (int k = 0; k < requester_.copies(); ++k) transport_.publish(to_, bytes);
+    for (int k = 0; k < requester_.copies(); ++k) transport_.publish(to_, under_way_);
   };
-  send();
-  const auto start = Clock::now();
   const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
   // Until the other side has answered once it may still be starting: ask often, and count nothing.
   std::chrono::duration<double> patience{established_ ? patience_.s() : 0.1};

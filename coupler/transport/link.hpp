@@ -46,6 +46,10 @@ class Link {
   /// Throws PeerError when the other side says it failed or says nothing until the timeout.
   core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns);
 
+  /// The two halves of `ask`.
+  void send(core::Body request, std::int64_t step_index, std::int64_t t_ns);
+  core::Body receive();
+
   /// Sends the last request of all, without waiting: after "stop" the other side is gone. Again, as
   /// often as it is called.
   void tell(core::Body request, std::int64_t step_index, std::int64_t t_ns);
@@ -67,6 +71,8 @@ class Link {
   bool established_ = false;
   core::Patience patience_;
   std::string request_;
+  std::string under_way_;
+  std::chrono::steady_clock::time_point start_;
 };
 
 }  // namespace dipper::transport

@@ -109,7 +109,7 @@ TEST(LossyLink, DropsDuplicatesAndSwapsChangeNothing) {
     LossyPair pair({0.3, 0.2, 0.2, seed});
     EXPECT_EQ(pair.run(kWindows), reference(kWindows)) << "seed " << seed;
     EXPECT_EQ(pair.rock.windows, kWindows);
-    EXPECT_EQ(pair.machine.commits, kWindows);
+    EXPECT_EQ(pair.machine.steps, kWindows);
     EXPECT_GT(pair.dem_link->counts().resends, 0);
     EXPECT_GT(pair.dem_link->counts().repeated, 0);
   }
@@ -135,14 +135,14 @@ TEST(LossyLink, WhatIsHeardOnTheWireOpensNothingWhenPlayedAgain) {
   std::vector<Packet> heard;
   while (auto packet = tap->receive(0us)) heard.push_back(*packet);
   ASSERT_GT(heard.size(), 60u);
-  const int windows = pair.rock.windows, commits = pair.machine.commits;
+  const int windows = pair.rock.windows, commits = pair.machine.steps;
   for (const Packet& packet : heard) tap->publish(packet.channel, packet.bytes);
   for (const Packet& packet : heard)
     tap->publish(Channels::from_dem, packet.bytes);  // turned round
   RemoteRock rock(*pair.dem_link);
   EXPECT_EQ(rock.info().bodies, pair.rock.info().bodies);
   EXPECT_EQ(pair.rock.windows, windows);
-  EXPECT_EQ(pair.machine.commits, commits);
+  EXPECT_EQ(pair.machine.steps, commits);
   EXPECT_GT(pair.dem_link->counts().foreign, 0);
 }
 
@@ -196,7 +196,7 @@ TEST(LossyLink, ASideThatThrowsIsHeardWithItsOwnWords) {
   LossyPair pair({});
   RemoteRock rock(*pair.dem_link);
   try {
-    pair.dem_link->ask(core::WallWrench{}, 0, 0);  // a rock takes no wrenches
+    pair.dem_link->ask(core::MachineStep{}, 0, 0);  // a rock takes no wrenches
     FAIL();
   } catch (const PeerError& e) {
     EXPECT_EQ(e.side, "dem");

@@ -6,15 +6,9 @@
 
 #include "common/frames.hpp"
 #include "machine/machine_data.hpp"
+#include "mbs/shovel_joints.hpp"
 
 namespace dipper::mbs {
-
-/// The joints' coordinates, in the order of Simbody's model (shovel_model.hpp).
-enum Joint { kSwing, kSheaves, kSaddle, kCrowd, kDoor, kJoints };
-using Joints = Eigen::Matrix<double, kJoints, 1>;  ///< rad and m, or their rates, or N m and N
-
-constexpr std::size_t kBodies = 2;             ///< those that meet rock: dipper, door
-using Wrenches = std::array<Wrench, kBodies>;  ///< of the rock on them: F_Bo_W, F_Do_W
 
 /// Turns a vector up in the plane of the boom: x towards z.
 struct Elevation {
@@ -31,9 +25,8 @@ struct Elevation {
 
 /// Kane's equations of the chain house, sheaves, saddle block, handle with dipper, door: M u' = f.
 ///
-/// One realisation of these six bodies by Simbody takes 20 us, and an integrator wants eight of
-/// them a window. Knowing that all but the swing turns or slides in the plane of the boom, this
-/// takes half a microsecond. Simbody holds every committed window to it (shovel_model.hpp).
+/// All but the swing turns or slides in the plane of the boom. Written by hand, without Simbody, to
+/// hold Simbody's answers to it.
 ///
 /// Vectors are in H, which turns with the house: r from its origin, r' against it, so that in W the
 /// velocity is r' + psi' z x r.

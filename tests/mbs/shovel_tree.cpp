@@ -1,4 +1,4 @@
-#include "mbs/shovel_tree.hpp"
+#include "tests/mbs/shovel_tree.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,5 @@
-#include "mbs/shovel_dynamics.hpp"
+#include "mbs/shovel_loads.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -26,11 +25,8 @@ Vector2d in_plane(const Vector3d& p) { return {p.x(), p.z()}; }
 
 }  // namespace
 
-ShovelDynamics::ShovelDynamics(const machine::MachineData& m, machine::DriveMode mode,
-                               const Pose& X_W0, double rake)
+ShovelLoadLaws::ShovelLoadLaws(const machine::MachineData& m, machine::DriveMode mode)
     : machine_(m),
-      mode_(mode),
-      tree_(m, X_W0, rake, drum_inertia()),
       law_{m.rope.axial_stiffness, m.rope.elastic_fraction, m.rope.damping},
       friction_{m.losses},
       crowd_stop_(crowd_stop(m)) {
@@ -50,63 +46,55 @@ ShovelDynamics::ShovelDynamics(const machine::MachineData& m, machine::DriveMode
   segments_.emplace(spec);
 }
 
-FreeLength ShovelDynamics::free_length(const machine::DriveState& are) const {
+FreeLength ShovelLoadLaws::free_length(const machine::DriveState& are) const {
   return {machine_.rope.length_at_zero_hoist + are.position.hoist, are.rate.hoist};
 }
 
-Eigen::VectorXd ShovelDynamics::settled_rope(const Joints& q) const {
+Eigen::VectorXd ShovelLoadLaws::settled_rope(const ShovelPlace& place) const {
   if (!segments_) return {};
-  const ShovelTree::Placement at = tree_.place(q, Joints::Zero());
-  return segments_->settled(in_plane(at.bail.r - machine_.boom.point),
-                            free_length(where(q, Joints::Zero())).length, in_plane(at.gravity));
+  return segments_->settled(in_plane(place.bail - machine_.boom.point),
+                            free_length(drives(place.q, Joints::Zero())).length,
+                            in_plane(place.gravity));
 }
 
-double ShovelDynamics::longest_step() const {
+double ShovelLoadLaws::longest_step() const {
   return segments_ ? segments_->longest_step() : std::numeric_limits<double>::infinity();
 }
 
 // The upper rope is rigid, so the sheaves turn with the rope paid out, and drum and motors, which a
 // prescribed hoist does not feel, with them.
-double ShovelDynamics::drum_inertia() const {
-  if (mode_ == machine::DriveMode::prescribed) return 0;
+double ShovelLoadLaws::drum_inertia() const {
+  if (!limited()) return 0;
   return machine_.drives.hoist_inertia * machine_.boom.sheave_radius * machine_.boom.sheave_radius;
 }
 
-Joints ShovelDynamics::joints(const machine::Drives& d) const {
+Joints ShovelLoadLaws::joints(const machine::Drives& d) const {
   Joints j;
   j << d.swing, d.hoist / machine_.boom.sheave_radius, 0, d.crowd, d.door;
   return j;
 }
 
-machine::DriveState ShovelDynamics::where(const Joints& q, const Joints& u) const {
-  const auto drives = [&](const Joints& j) {
+machine::DriveState ShovelLoadLaws::drives(const Joints& q, const Joints& u) const {
+  const auto of = [&](const Joints& j) {
     return machine::Drives{machine_.boom.sheave_radius * j[kSheaves], j[kCrowd], j[kSwing],
                            j[kDoor]};
   };
-  return {drives(q), drives(u), {}};
+  return {of(q), of(u), {}};
 }
 
-void ShovelDynamics::prescribe(const machine::DriveState& sent, Joints& q, Joints& u) const {
-  const Joints to = joints(sent.position), rate = joints(sent.rate);
-  for (const Joint j : {kSwing, kSheaves, kCrowd, kDoor}) {
-    if (limited() && j != kDoor) continue;
-    q[j] = to[j];
-    u[j] = rate[j];
-  }
-}
-
-Instant ShovelDynamics::at(const Joints& q, const Joints& u, const Eigen::VectorXd& rope,
-                           const machine::DriveState& sent, const Wrenches& rock, bool held) const {
-  const machine::DriveState are = where(q, u);
+ShovelLoads ShovelLoadLaws::at(const ShovelPlace& place, const Eigen::VectorXd& rope,
+                               const machine::DriveState& to, bool held) const {
+  const Joints& u = place.u;
+  const machine::DriveState are = drives(place.q, u);
   const double R = machine_.boom.sheave_radius;
-  Instant now{tree_.place(q, u), {}, {}, Joints::Zero(), Joints::Zero(), {}, {}, 0, 0, 0, {}, {}};
+  ShovelLoads now{{}, {}, Joints::Zero(), 0, 0, {}, {}};
 
-  const Vector2d bail = in_plane(now.at.bail.r - machine_.boom.point),
-                 bail_rate = in_plane(now.at.bail.rate);
+  const Vector2d bail = in_plane(place.bail - machine_.boom.point),
+                 bail_rate = in_plane(place.bail_rate);
   Vector2d pull;
   if (segments_) {
     SegmentedRope::Now segments =
-        segments_->at(rope, bail, bail_rate, free_length(are), in_plane(now.at.gravity));
+        segments_->at(rope, bail, bail_rate, free_length(are), in_plane(place.gravity));
     now.rope = segments.state;
     now.kinetic = 2 * segments.kinetic;
     now.potential = 2 * segments.potential;
@@ -124,42 +112,20 @@ Instant ShovelDynamics::at(const Joints& q, const Joints& u, const Eigen::Vector
   now.applied[kSaddle] = -machine_.saddle.damping * u[kSaddle];
   now.applied[kCrowd] = friction_.crowd(are.rate.crowd);
   now.applied[kSheaves] = R * friction_.hoist(2 * now.rope.tension, are.rate.hoist);
-  const bool prescribed = !limited() || held;
-  if (motors_) now.motors = motors_->efforts(sent, are);
-  if (limited()) now.applied[kSheaves] += 2 * R * now.rope.winch_pull;
-  if (!prescribed) {
-    now.applied[kSheaves] += R * now.motors->hoist.force;
-    now.applied[kCrowd] +=
-        now.motors->crowd.force + crowd_stop_.force(are.position.crowd, are.rate.crowd);
-    now.potential += crowd_stop_.energy(are.position.crowd);
-    now.applied[kSwing] += now.motors->swing.force;
-  }
-
-  const ShovelTree::Equations e = tree_.equations(now.at, rock, now.pull);
-  now.rock_power = e.rock_power;
-  now.potential += e.potential;
-  now.kinetic += 0.5 * u.dot(e.mass * u);
-  const Joints force = now.force = e.force + now.applied;
-  Joints acceleration = held ? Joints(Joints::Zero()) : joints(sent.acceleration);
-  if (prescribed) {
-    acceleration[kSaddle] = 0;
-    acceleration[kSaddle] =
-        (force[kSaddle] - e.mass.row(kSaddle).dot(acceleration)) / e.mass(kSaddle, kSaddle);
-  } else {
-    static_assert(kDoor == kJoints - 1, "the joints before it are free");
-    constexpr int n = kJoints - 1;
-    acceleration.head<n>() = e.mass.topLeftCorner<n, n>().llt().solve(
-        force.head<n>() - acceleration[kDoor] * e.mass.col(kDoor).head<n>());
-  }
-  now.acceleration = acceleration;
-  now.reaction = e.mass * acceleration - force;
-  now.reaction[kSaddle] = 0;
-  if (!prescribed) now.reaction.head<kJoints - 1>().setZero();
+  if (!motors_) return now;
+  now.applied[kSheaves] += 2 * R * now.rope.winch_pull;
+  now.motors = motors_->efforts(to, are);
+  if (held) return now;
+  now.applied[kSheaves] += R * now.motors->hoist.force;
+  now.applied[kCrowd] +=
+      now.motors->crowd.force + crowd_stop_.force(are.position.crowd, are.rate.crowd);
+  now.potential += crowd_stop_.energy(are.position.crowd);
+  now.applied[kSwing] += now.motors->swing.force;
   return now;
 }
 
-DriveReport ShovelDynamics::report(const Instant& now, const Joints& reaction) const {
-  const Joints& u = now.at.u;
+DriveReport ShovelLoadLaws::report(const ShovelLoads& now, const Joints& q, const Joints& u,
+                                   const Joints& reaction) const {
   const double R = machine_.boom.sheave_radius, tension = 2 * now.rope.tension;
   DriveReport d{};
   // The sheaves' inertia sits between the rope and its winch.
@@ -181,14 +147,14 @@ DriveReport ShovelDynamics::report(const Instant& now, const Joints& reaction) c
                        machine_.saddle.damping * u[kSaddle] * u[kSaddle] -
                        friction_.crowd(u[kCrowd]) * u[kCrowd] -
                        friction_.hoist(tension, R * u[kSheaves]) * R * u[kSheaves];
-  if (now.motors) d.dissipated_power += crowd_stop_.dissipation(now.at.q[kCrowd], u[kCrowd]);
+  if (now.motors) d.dissipated_power += crowd_stop_.dissipation(q[kCrowd], u[kCrowd]);
   return d;
 }
 
-void ShovelDynamics::hold(const Instant& at_rest) {
+void ShovelLoadLaws::hold(const Joints& reaction) {
   if (!motors_) return;
-  const Joints& tau = at_rest.reaction;
-  motors_->set_trims({tau[kSheaves] / machine_.boom.sheave_radius, tau[kCrowd], tau[kSwing], 0});
+  motors_->set_trims({reaction[kSheaves] / machine_.boom.sheave_radius, reaction[kCrowd],
+                      reaction[kSwing], 0});
 }
 
 }  // namespace dipper::mbs
