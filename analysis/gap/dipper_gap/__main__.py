@@ -19,11 +19,11 @@ from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
 from .answer import write_answer
-from .effects import read_catalogue
-from .measured import read_measured
-from .model import NEED_PASSES
-from .motion import compare_motion, read_motion
-from .simulator import JOBS, DipperSimulator, RunFailed, check
+from .readings.measured import read_measured
+from .readings.motion import compare_motion, read_motion
+from .readings.passes import NEED_PASSES
+from .simulation.effects import read_catalogue
+from .simulation.simulator import JOBS, DipperSimulator, RunFailed, check
 from .workflow import analyse
 
 

@@ -4,11 +4,11 @@ from dataclasses import asdict
 from dipper_run.page_data import plain
 from dipper_run.program import tell
 
-from .features import FEATURES
-from .isolability import CONFUSABLE
-from .match import strength
-from .measured import KNOWN
-from .phases import PHASES
+from .readings.features import FEATURES
+from .readings.measured import KNOWN
+from .readings.phases import PHASES
+from .statistics.isolability import CONFUSABLE
+from .statistics.match import strength
 
 CELL_P = 0.05     # adjusted p up to which a cell of the heat map is framed
 

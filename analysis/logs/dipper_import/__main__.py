@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 from dipper_run.findings import BadInput, Findings
-from dipper_gap.measured import read_measured, write_measured
+from dipper_gap.readings.measured import read_measured, write_measured
 from dipper_run.program import ProgramFailed
 
 from .build import build, motion_text

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from dipper_gap.baseline import make_baseline
-from dipper_gap.closure import closure
-from dipper_gap.features import Cell
+from dipper_gap.statistics.baseline import make_baseline
+from dipper_gap.statistics.closure import closure
+from dipper_gap.readings.features import Cell
 
 CELLS = [Cell(2, phase, channel, f) for phase in ("fill", "swing", "dump", "return")
          for channel in ("hoist_force_kN", "crowd_force_kN") for f in ("mean", "slope", "peak", "work")]

@@ -3,9 +3,9 @@ import numpy as np
 import pytest
 
 import synthetic
-from dipper_gap.features import FeatureMap
-from dipper_gap.measured import Measured, Pass
-from dipper_gap.phases import PHASES, find_phases
+from dipper_gap.readings.features import FeatureMap
+from dipper_gap.readings.measured import Measured, Pass
+from dipper_gap.readings.phases import PHASES, find_phases
 
 
 def ramp_cycle(rate_hz=1.0):

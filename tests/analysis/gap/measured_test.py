@@ -6,7 +6,7 @@ import pytest
 
 import synthetic
 from dipper_run.findings import BadInput
-from dipper_gap.measured import read_measured, write_measured
+from dipper_gap.readings.measured import read_measured, write_measured
 
 
 @pytest.fixture

@@ -7,12 +7,12 @@ import pytest
 import yaml
 
 from dipper_gap.__main__ import usable
-from dipper_gap.closure import closure
-from dipper_gap.effects import read_catalogue
+from dipper_gap.statistics.closure import closure
+from dipper_gap.simulation.effects import read_catalogue
 from dipper_run.findings import BadInput
-from dipper_gap.next_experiment import propose
-from dipper_gap.patch import overlay, write_patched_case
-from dipper_gap.simulator import DipperSimulator, RunFailed, request
+from dipper_gap.decision.next_experiment import propose
+from dipper_gap.decision.patch import overlay, write_patched_case
+from dipper_gap.simulation.simulator import DipperSimulator, RunFailed, request
 
 # Writes an observed folder whose truck masses tell what was asked; fails for a seed of 13.
 PROGRAM = '''#!/usr/bin/python3
@@ -243,8 +243,8 @@ def test_experiments_split_a_class():
 def test_closure_of_a_known_gap():
     """A gap of known size, closed to a known part."""
     import numpy as np
-    from dipper_gap.baseline import Baseline
-    from dipper_gap.features import Cell
+    from dipper_gap.statistics.baseline import Baseline
+    from dipper_gap.readings.features import Cell
     rng = np.random.default_rng(1)
     n, runs = 40, 8
     cells = [Cell(1, "fill", "hoist_force_kN", str(k)) for k in range(n)]

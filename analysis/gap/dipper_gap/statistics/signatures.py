@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.stats import chi2
 
-from .phases import DIG
+from ..readings.phases import DIG
 from .shrink import shrink
 
 # Assumed: an effect in the mine differs from the catalogue's model of it by so much in a whole block (one

@@ -11,7 +11,7 @@ from dipper_run import run_cache
 from dipper_run.kept_runs import QUIET, Job, KeptRuns, RunFailed
 from dipper_run.program import ask
 
-from .measured import read_measured
+from ..readings.measured import read_measured
 
 JOBS = 2
 # What a replay of the machine against the recorded rock answers exactly where the dipper's motion is prescribed.
