@@ -85,9 +85,7 @@ def main(words=None):
         out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
         check_writable(out_folder)
     except BadInput as e:
-        for finding in e.findings:
-            print(finding, file=sys.stderr)
-        print(f"{len(e.findings)} error{'s' if len(e.findings) > 1 else ''}", file=sys.stderr)
+        print(e.counted(), file=sys.stderr)
         return 2
     for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
         signal.signal(number, signal.default_int_handler)

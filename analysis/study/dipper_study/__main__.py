@@ -108,8 +108,7 @@ def main(words=None):
             raise BadInput([f"{study.file}: --detach and --cancel are for executor: slurm"])
         check_writable(out)
     except BadInput as e:
-        print("\n".join(e.findings), file=sys.stderr)
-        print(f"{len(e.findings)} error{'s' * (len(e.findings) > 1)}", file=sys.stderr)
+        print(e.counted(), file=sys.stderr)
         return 2
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)
