@@ -14,7 +14,7 @@ import yaml
 
 from dipper_run import run_cache
 from dipper_run.findings import BadInput, Findings
-from dipper_run.out_folder import check_writable
+from dipper_run.out_folder import check_writable, out_folder
 from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
@@ -82,8 +82,8 @@ def main(words=None):
         measured = read_measured(args.measured, NEED_PASSES)
         for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
             say(f"gap: {question}")
-        out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
-        check_writable(out_folder)
+        folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
+        check_writable(folder)
     except BadInput as e:
         print(e.counted(), file=sys.stderr)
         return 2
@@ -103,7 +103,7 @@ def main(words=None):
     except ValueError as e:
         print(f"gap: {e}", file=sys.stderr)
         return 2
-    files = write_answer(out, catalogue, simulator, args.measured, out_folder)
+    files = write_answer(out, catalogue, simulator, args.measured, folder)
     say(f"gap: {', '.join(map(str, files))}")
     return 0
 

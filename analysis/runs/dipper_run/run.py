@@ -8,13 +8,14 @@
 """
 import csv
 import functools
-import hashlib
 import json
 import re
 from pathlib import Path
 
 import h5py
 import numpy as np
+
+from .file_hash import sha256_of
 
 MANIFEST = "manifest.sha256"
 FRAME = re.compile(r"rocks_(\d+)\.dump")
@@ -129,8 +130,8 @@ class Run:
         """Names in the manifest whose files are there and have other sums."""
         manifest = self.folder / MANIFEST
         rows = [line.split(None, 1) for line in manifest.read_text().splitlines()] if manifest.is_file() else []
-        return {name for told, name in rows if (self.folder / name).is_file()
-                and hashlib.sha256((self.folder / name).read_bytes()).hexdigest() != told}
+        return {name for told, name in rows
+                if (self.folder / name).is_file() and sha256_of(self.folder / name) != told}
 
 
 class Frame:

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from dipper_run.findings import BadInput
-from dipper_run.out_folder import check_writable
+from dipper_run.out_folder import check_writable, out_folder
 from dipper_run.page_data import plain
 from dipper_run.program import ProgramFailed, program
 from dipper_run.run_cache import cache_folder
@@ -97,7 +97,7 @@ def _link(link, to):
 
 def main(words=None):
     args = arguments(words)
-    out = args.out or Path("runs") / f"study-{args.study.stem}"
+    out = out_folder(args.out, f"study-{args.study.stem}")
     try:
         study = read_study(args.study)
         planner = Planner(study, program(), cache_folder("study"))
