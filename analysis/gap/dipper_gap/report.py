@@ -45,7 +45,7 @@ def page(out, answer, catalogue, case_name):
 
 
 def _phases(out):
-    """Columns of the heat map: in the order of a pass, and any that only the truck's scale has a cell of."""
+    """Columns of the heat map, in the order of a pass; the truck's mass may be in one of its own."""
     cells = (c.phase for c in out.look.training.baseline.cells)
     return list(dict.fromkeys([*in_order(c.phases for c in out.curves), *cells]))
 

@@ -142,8 +142,10 @@ class Frame:
 
     @functools.cached_property
     def rocks(self):
-        """{column: array}, in W and SI: id, type, x, y, z, vx, ..., radius. Raises NotARun for a dump that was cut
-        short: the run is writing it, or ended while it did."""
+        """{column: array}, in W and SI: id, type, x, y, z, vx, ..., radius.
+
+        Raises NotARun for a dump that was cut short: the run is writing it, or ended while it did.
+        """
         with open(self.file) as f:
             count = 0
             for line in f:

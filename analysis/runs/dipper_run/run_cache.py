@@ -25,8 +25,11 @@ def cache_folder(kind):
 
 
 def entry_of(cache, told, *what):
-    """The folder of an entry in `cache`: named by the case with all its files, by the program's sources (not its
-    commit), and by what else decides it. `told`: what `dipper check --json` tells of the case."""
+    """The folder of an entry in `cache`, named by all that decides what is in it.
+
+    `told` is what `dipper check --json` tells of the case: hashes of the case with all its files and
+    of the program's sources. `what` is the rest.
+    """
     text = "\n".join([told["case_hash"], told["source_hash"], *map(str, what)])
     return cache / hashlib.sha256(text.encode()).hexdigest()[:24]
 

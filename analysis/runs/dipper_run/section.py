@@ -1,4 +1,4 @@
-"""Maps of a YAML file, read key by key; what is wrong is found at its line, and unknown keys are errors."""
+"""Maps of a YAML file, read key by key; every fault has its line, and unknown keys are errors."""
 import yaml
 
 from .text_file import nearest, number, said

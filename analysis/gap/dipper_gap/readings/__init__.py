@@ -1,1 +1,1 @@
-"""What was measured, or would have been: its passes, phases and features, and how its instruments err."""
+"""What was measured, or would have been: passes, phases, features, and the instruments' errors."""

@@ -1,10 +1,13 @@
-"""The passes that an analysis compares: which are there, which it learns from, which it holds out."""
+"""The passes that an analysis compares: those that are there, to train on, and held out."""
 
 NEED_PASSES = 2  # one to train on and one to hold out
 
 
 def common_passes(measured, folders):
-    """Numbers of the passes that are both measured and in every run; raises ValueError when they are too few."""
+    """Numbers of the passes that are both measured and in every run.
+
+    Raises ValueError when they are too few.
+    """
     common = set(p.number for p in measured.passes)
     for m in folders:
         common &= set(p.number for p in m.passes)

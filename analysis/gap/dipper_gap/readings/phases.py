@@ -1,6 +1,6 @@
-"""Passes and their phases, as `dipper phases` finds them in the driven signals (docs/metrics.md has the rules).
+"""Passes and their phases, as `dipper phases` finds them in the driven signals.
 
-Which phases there are, and in what order, only `dipper phases` knows.
+docs/metrics.md has the rules. Only `dipper phases` knows which phases there are and in what order.
 """
 import functools
 from graphlib import TopologicalSorter
@@ -21,7 +21,7 @@ def find_phases(time_s, crowd_m, swing_rad, spans):
 
 
 def in_order(passes):
-    """The phases that occur in any of the `passes` (each names its own in order), in the order of a whole pass."""
+    """The phases of any of the `passes`, in the order of a whole pass; each pass names its own in order."""
     order = TopologicalSorter()
     for phases in map(list, passes):
         for phase in phases:

@@ -1,1 +1,1 @@
-"""Chance and explanation: the seeds' spread, the tests, the signatures of effects and their match."""
+"""Chance and explanation: the seeds' spread, tests, the signatures of effects and their match."""

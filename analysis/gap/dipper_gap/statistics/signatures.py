@@ -16,7 +16,7 @@ from .shrink import shrink
 # Assumed: an effect in the mine differs from the catalogue's model of it by so much in a whole block (one
 # phase and channel, all passes alike), and by so much in a single cell.
 BLOCK_ERROR, CELL_ERROR = 0.25, 0.05
-BEFORE_BREAKOUT = ("approach", "penetrate", "fill")  # while the rock moves about the dipper
+BEFORE_BREAKOUT = ("approach", "penetrate", "fill")  # while the dipper fills
 CHAOTIC = 0.01  # of the prediction's variance: cells whose seeds' share is smaller do not tell of chaos
 
 

@@ -1,4 +1,4 @@
-"""The case with the effects added: its own text, files that are found, and the effects that are its own."""
+"""The case with the effects added: its own text, files that are found, and its own effects."""
 import os
 
 import pytest
