@@ -5,9 +5,9 @@ from itertools import combinations
 import numpy as np
 from scipy.special import logsumexp
 
+from ..readings.balance import BALANCE, HOIST
+from ..readings.features import number
 from . import evidence
-from .balance import BALANCE, HOIST
-from .features import number
 
 # Prior shares: how often, before looking, one expects so many effects. Equal among sets of one size.
 PRIOR = {"none": 0.45, "unknown": 0.10, 1: 0.35, 2: 0.08, 3: 0.02}

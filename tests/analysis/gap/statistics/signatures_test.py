@@ -4,10 +4,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from dipper_gap import signatures
-from dipper_gap.baseline import make_baseline
-from dipper_gap.features import Cell
-from dipper_gap.shrink import shrink
+from dipper_gap.statistics import signatures
+from dipper_gap.statistics.baseline import make_baseline
+from dipper_gap.readings.features import Cell
+from dipper_gap.statistics.shrink import shrink
 
 PASSES, RUNS, EFFECTS = 3, 16, 40
 CELLS = [Cell(p, phase, channel, f) for p in range(1, PASSES + 1) for phase in ("penetrate", "fill", "swing")

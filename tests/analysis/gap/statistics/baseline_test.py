@@ -2,8 +2,8 @@
 import numpy as np
 import pytest
 
-from dipper_gap.baseline import make_baseline, scatter
-from dipper_gap.features import Cell
+from dipper_gap.statistics.baseline import make_baseline, scatter
+from dipper_gap.readings.features import Cell
 
 CELLS = [Cell(p, phase, "hoist_force_kN", f) for p in (1, 2, 3) for phase in ("fill", "swing")
          for f in ("mean", "slope", "peak")]

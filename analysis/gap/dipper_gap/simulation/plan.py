@@ -1,9 +1,10 @@
-"""Which runs an analysis needs, and which passes it learns from."""
+"""Which runs an analysis needs."""
 from dataclasses import dataclass
 
-from .baseline import seeds_for
 from .simulator import request
 
+LEAST_SEEDS, MOST_SEEDS = 8, 16
+SEEDS_A_TRUCK = 4  # so that the model's mean is known twice as well as the mine's, up to the most
 SIGNATURE_RUNS = ((0, 0), (1, 1), (1, 2))  # (which of the two strengths, which of the baseline's seeds)
 FRESH_SEEDS = 5
 FRESH_FROM = 1000  # seeds of the confirming runs start so far above the baseline's
@@ -32,6 +33,11 @@ class Plan:
         return [self.first_seed + FRESH_FROM + k for k in range(FRESH_SEEDS)]
 
 
+def seeds_for(trucks):
+    """How many seeds the model is run with for a mine of so many trucks."""
+    return min(MOST_SEEDS, max(LEAST_SEEDS, SEEDS_A_TRUCK * trucks))
+
+
 def make_plan(catalogue, trucks, first_seed):
     seeds = [first_seed + k for k in range(seeds_for(trucks))]
     signatures, shared = {}, {}
@@ -51,12 +57,3 @@ def statement(plan, simulator):
     if todo and each:
         return text + f"; about {todo * each / 2 / 60:.0f} min, two at a time"
     return text + "; how long is told after the first" if todo else text
-
-
-def split(numbers):
-    """Training and hold-out passes: the second of every three is held out; of two, the last.
-
-    The first and the last of three stay in training: some effects only show there.
-    """
-    held = [n for i, n in enumerate(numbers) if i % 3 == 1]
-    return tuple(n for n in numbers if n not in held), tuple(held)

@@ -3,8 +3,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .closure import best_fit, closure
-from .curves import curves, masses
+from ..readings.curves import curves, masses
+from ..statistics.closure import best_fit, closure
 
 FLAT_PRIOR = 1e6  # sd of a constant bias, in the channel's unit
 

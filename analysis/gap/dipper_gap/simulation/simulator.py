@@ -1,5 +1,4 @@
 """Runs of a case, as the workflow asks for them: by `dipper run`, two at a time, each kept and found again."""
-import hashlib
 import shutil
 import subprocess
 import time
@@ -10,8 +9,9 @@ from pathlib import Path
 from dipper_run import run_cache
 from dipper_run.kept_runs import QUIET, Job, KeptRuns, RunFailed
 from dipper_run.program import ask
+from dipper_run.quantities import minutes
 
-from .measured import read_measured
+from ..readings.measured import read_measured
 
 JOBS = 2
 # What a replay of the machine against the recorded rock answers exactly where the dipper's motion is prescribed.
@@ -88,10 +88,9 @@ class DipperSimulator(Simulator):
         return self._told["cost"]["settle_cpu_s"] + self._told["cost"]["dig_cpu_s"]
 
     def folder(self, r):
-        """Where a run is kept: by all that decides it. Of the program that is its sources, not its commit."""
-        text = f"{self.case_hash()}\n{self._told['source_hash']}\n{r}\n"
-        text += "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
-        return self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
+        """Where a run is kept: by all that decides it."""
+        overlays = "".join(str(self.catalogue[n].overlay) for n, _ in r.effects)
+        return run_cache.entry_of(self.cache, self._told, r, overlays)
 
     def _possible(self, r):
         """With limited drives another machine moves otherwise: a run answers what a replay cannot."""
@@ -117,7 +116,7 @@ class DipperSimulator(Simulator):
                 failures.append(str(error))
                 return
             left = (time.monotonic() - began) / len(ended) * (len(jobs) - len(ended))
-            say(f"  run {len(ended)} of {len(jobs)}: {job.label}; about {_minutes(left)} left")
+            say(f"  run {len(ended)} of {len(jobs)}: {job.label}; about {minutes(left)} left")
 
         self._runs.make(jobs, on_end)
         if failures:
@@ -138,7 +137,7 @@ class DipperSimulator(Simulator):
 
     def _again(self, r):
         """Words that look at the plain run once more, with other instruments or another machine."""
-        plain = str(self.folder(r.plain) / "run")
+        plain = str(self._job(r.plain).run)
         if r.how == "replay":
             # The run may be of a like case elsewhere that is gone.
             return [self.program, "replay", plain, "--side", "mbs", "--case", str(self.case)] + _settings(r.effects)
@@ -147,7 +146,7 @@ class DipperSimulator(Simulator):
 
     def _observed(self, r):
         if r.how == "run":
-            return read_measured(self.folder(r) / "run" / "observed", simulated=True)
+            return read_measured(self._job(r).run / "observed", simulated=True)
         folder = self.folder(r)
         with run_cache.locked(folder, self._runs.stopped):
             if not self._kept(r):
@@ -171,7 +170,3 @@ def _values(effect, strength):
 
 def _settings(effects):
     return [w for name, strength in effects for w in ("--set", f"effects.{name}={strength:.9g}")]
-
-
-def _minutes(seconds):
-    return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from dipper_gap.baseline import make_baseline, scatter
-from dipper_gap.features import Cell
-from dipper_gap.localise import localise, step_down
-from dipper_gap.null import Null, find_tails, left_out_inflation, simulate_null
+from dipper_gap.statistics.baseline import make_baseline, scatter
+from dipper_gap.readings.features import Cell
+from dipper_gap.statistics.localise import localise, step_down
+from dipper_gap.statistics.null import Null, find_tails, left_out_inflation, simulate_null
 
 RUNS, PASSES, DRAWS = 8, 3, 150
 WORLDS, MINES = 84, 12  # 1008 nulls

@@ -4,8 +4,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.stats import chi2
 
-LEAST_SEEDS, MOST_SEEDS = 8, 16
-SEEDS_A_TRUCK = 4  # so that the model's mean is known twice as well as the mine's, up to the most
 PRIOR_DOF = 14.0   # how many degrees of freedom the spread pooled over passes counts against a pass's own
 COLLINEAR = 0.98   # a feature that follows another this closely says nothing of its own
 PREFERRED = ("mass", "balance", "mean", "slope", "peak", "work")
@@ -68,11 +66,6 @@ class Baseline:
     @property
     def sd(self):
         return np.sqrt(np.diag(self.prediction))
-
-
-def seeds_for(trucks):
-    """How many seeds the model is run with for a mine of so many trucks."""
-    return min(MOST_SEEDS, max(LEAST_SEEDS, SEEDS_A_TRUCK * trucks))
 
 
 def to_grid(values, grid):

@@ -1,18 +1,13 @@
-"""Runs by a program that stands in for `dipper`: kept, found again, gone on with; patched cases; catalogues."""
-import os
+"""Runs by a program that stands in for `dipper`: kept, found again, gone on with."""
 import stat
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
-import yaml
 
 from dipper_gap.__main__ import usable
-from dipper_gap.closure import closure
-from dipper_gap.effects import read_catalogue
-from dipper_run.findings import BadInput
-from dipper_gap.next_experiment import propose
-from dipper_gap.patch import overlay, write_patched_case
-from dipper_gap.simulator import DipperSimulator, RunFailed, request
+from dipper_gap.simulation.effects import read_catalogue
+from dipper_gap.simulation.simulator import DipperSimulator, RunFailed, request
+from effect_files import FINES, FRICTION, GAIN
 
 # Writes an observed folder whose truck masses tell what was asked; fails for a seed of 13.
 PROGRAM = '''#!/usr/bin/python3
@@ -42,17 +37,6 @@ mass += float(sets.get("effects.crowd_friction", 0))
 (folder / "channels.yaml").write_text("truck_mass_t: {unit: t, role: response, sigma: 0, common_sigma: 0}\\n")
 (folder / "passes.csv").write_text(f"pass,t_start_s,t_end_s,truck_mass_t\\n1,0,10,{mass}\\n")
 '''
-
-FINES = """title: Fines
-kind: rock
-signature: mass up
-parameter: {name: fill, unit: "-", low: 0, high: 0.4, scale: 0.1, source: test}
-overlay:
-  rock.fines_fraction: {add: 1}
-"""
-GAIN = FINES.replace("rock\n", "observation\n").replace("rock.fines_fraction", "observation.scale_gain").replace(
-    "low: 0,", "low: -0.3,")
-FRICTION = FINES.replace("rock\n", "machine\n").replace("rock.fines_fraction", "machine.crowd_friction_N")
 
 
 @pytest.fixture
@@ -191,71 +175,3 @@ def test_a_failed_run_is_named_and_the_others_are_kept(world):
     with pytest.raises(RunFailed, match="seed 13.*status 3"):
         simulator().run(asked, str)
     assert simulator().plan(asked)[:2] == (1, 1)
-
-
-def test_the_patched_case_keeps_the_text_and_finds_its_files(world):
-    _, _, case, folder = world
-    out = write_patched_case(case, {"fines": 0.1234567}, folder / "out" / "case")
-    text = (out / "case.yaml").read_text()
-    assert "# a comment" in text and "# kept" in text
-    data = yaml.safe_load(text)
-    assert data["effects"] == {"fines": 0.123457}
-    assert os.path.samefile(out / data["rock"]["mesh"], folder / "cases" / "rock.stl")
-    assert overlay({"fines": 0.1234567}) == {"effects.fines": 0.123457}
-    assert not (out / "effects").exists()
-
-
-def test_the_patched_case_takes_the_cases_own_effect_along(world):
-    _, _, case, folder = world
-    (case / "effects").mkdir()
-    (case / "effects" / "mine.yaml").write_text(FINES)
-    (case / "effects" / "other.yaml").write_text(FINES)
-    out = write_patched_case(case, {"mine": 0.1, "fines": 0.2}, folder / "out" / "case")
-    assert [f.name for f in (out / "effects").iterdir()] == ["mine.yaml"]
-    assert read_catalogue(out)["mine"].title == "Fines"
-
-
-def test_a_bad_effect_file_is_told_whole(tmp_path):
-    (tmp_path / "effects").mkdir()
-    (tmp_path / "effects" / "x.yaml").write_text(FINES.replace("rock\n", "magic\n").replace("high: 0.4", "high: -1")
-                                                 .replace("title: Fines\n", ""))
-    with pytest.raises(BadInput) as e:
-        read_catalogue(tmp_path)
-    assert len(e.value.findings) == 3
-
-
-def test_every_effect_of_the_catalogue_is_read():
-    import synthetic
-    catalogue = read_catalogue(synthetic.ROOT / "cases/screening")
-    assert len(catalogue) >= 20
-    for e in catalogue.values():
-        for same_rock in (False, True):
-            low, high = sorted(e.strengths(same_rock))
-            assert e.low <= low < high <= e.high and 0 not in (low, high)
-
-
-def test_experiments_split_a_class():
-    best = propose({"liners": 0.5, "carry_back": 0.5})
-    assert best[0].name == "tare" and best[0].bits == pytest.approx(1.0)
-    assert propose({"liners": 1.0}) == []
-
-
-def test_closure_of_a_known_gap():
-    """A gap of known size, closed to a known part."""
-    import numpy as np
-    from dipper_gap.baseline import Baseline
-    from dipper_gap.features import Cell
-    rng = np.random.default_rng(1)
-    n, runs = 40, 8
-    cells = [Cell(1, "fill", "hoist_force_kN", str(k)) for k in range(n)]
-    values = 0.1 * rng.standard_normal((runs, n))
-    base = Baseline(cells, values.mean(axis=0), values, np.eye(n), np.zeros((0, n)), np.zeros((0, n)),
-                    0.01 * np.eye(n), np.arange(n)[None])
-    shift = np.full(n, 4.0)
-    y = shift + rng.standard_normal(n)
-    near = closure(y, base, 0.9 * shift + 0.1 * rng.standard_normal((5, n)), {"half": 0.5 * shift}, shift)
-    assert near.closure == pytest.approx(1 - 0.4**2 / 16, abs=0.05)
-    assert near.interval90[0] < near.closure < near.interval90[1]
-    assert near.p < 0.001 and near.objections() == []
-    wrong = closure(y, base, -0.5 * shift + 0.1 * rng.standard_normal((5, n)), {"half": 0.5 * shift}, shift)
-    assert wrong.closure < 0 and len(wrong.objections()) == 4

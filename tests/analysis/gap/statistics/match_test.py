@@ -7,12 +7,12 @@ import pytest
 from scipy.stats import binom, multivariate_normal, truncnorm
 
 import fake_mine
-from dipper_gap import evidence
-from dipper_gap.decide import decide, sure
-from dipper_gap.isolability import isolability
-from dipper_gap.localise import localise
-from dipper_gap.match import Match, gains, interval, match, stability
-from dipper_gap.signatures import Signature
+from dipper_gap.statistics import evidence
+from dipper_gap.decision.decide import decide, sure
+from dipper_gap.statistics.isolability import isolability
+from dipper_gap.statistics.localise import localise
+from dipper_gap.statistics.match import Match, gains, interval, match, stability
+from dipper_gap.statistics.signatures import Signature
 
 
 def test_evidence_of_one_effect_is_the_integral():

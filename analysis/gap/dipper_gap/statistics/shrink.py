@@ -8,7 +8,7 @@ itself; every one of these alike in all passes, and in each pass anew.
 """
 import numpy as np
 
-from .features import number
+from ..readings.features import number
 
 STEPS = 30
 START = 0.3    # of the variances, in the seeds' or the prediction's

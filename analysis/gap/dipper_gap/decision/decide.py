@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .isolability import isolability
-from .null import statistics
+from ..statistics.isolability import isolability
+from ..statistics.null import statistics
 
 OMNIBUS_P = 0.01       # there is a gap
 PROBABILITY = 0.90     # of the effect, or the class

@@ -3,9 +3,12 @@ import numpy as np
 import pytest
 
 import synthetic
-from dipper_gap.features import FeatureMap
-from dipper_gap.measured import Measured, Pass
-from dipper_gap.phases import PHASES, find_phases
+from dipper_gap.readings.features import FeatureMap
+from dipper_gap.readings.measured import Measured, Pass
+from dipper_gap.readings.phases import find_phases, in_order
+from dipper_gap.statistics.signatures import BEFORE_BREAKOUT
+
+PHASES = ["approach", "penetrate", "fill", "breakout", "swing", "dump", "return"]  # of the program
 
 
 def ramp_cycle(rate_hz=1.0):
@@ -20,9 +23,18 @@ def ramp_cycle(rate_hz=1.0):
 def test_phases_of_a_ramp(rate_hz):
     t, crowd, swing = ramp_cycle(rate_hz)
     ph = find_phases(t, crowd, swing, [(0, 50)])[0]
-    assert list(ph) == list(PHASES)
+    assert list(ph) == PHASES
     ends = [ph[p][1] for p in PHASES]
     assert ends == pytest.approx([2.0, 9.0, 19.4, 24.5, 33.7, 40.3, 50.0], abs=1e-9)
+
+
+def test_the_order_of_phases_is_known_from_passes_that_lack_some():
+    assert in_order([PHASES[:2], PHASES[4:], [PHASES[0], *PHASES[2:5]], PHASES[1:3]]) == PHASES
+    assert in_order([]) == []
+
+
+def test_names_of_phases_that_the_method_uses_are_the_programs():
+    assert tuple(PHASES[:PHASES.index("breakout")]) == BEFORE_BREAKOUT
 
 
 def test_phases_do_not_move_with_the_loggers_clock():

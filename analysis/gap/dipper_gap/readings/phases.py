@@ -1,13 +1,14 @@
-"""Passes and their phases, as `dipper phases` finds them in the driven signals (docs/metrics.md has the rules)."""
+"""Passes and their phases, as `dipper phases` finds them in the driven signals.
+
+docs/metrics.md has the rules. Only `dipper phases` knows which phases there are and in what order.
+"""
 import functools
+from graphlib import TopologicalSorter
+from itertools import pairwise
 
 import numpy as np
 
 from dipper_run.program import ask
-
-
-PHASES = ("approach", "penetrate", "fill", "breakout", "swing", "dump", "return")
-DIG = PHASES[:3]
 
 
 def find_phases(time_s, crowd_m, swing_rad, spans):
@@ -17,6 +18,17 @@ def find_phases(time_s, crowd_m, swing_rad, spans):
     """
     signals = (np.ascontiguousarray(x, float).tobytes() for x in (time_s, crowd_m, swing_rad))
     return [dict(found) for found in _asked(*signals, tuple((float(a), float(b)) for a, b in spans))]
+
+
+def in_order(passes):
+    """The phases of any of the `passes`, in the order of a whole pass; each pass names its own in order."""
+    order = TopologicalSorter()
+    for phases in map(list, passes):
+        for phase in phases:
+            order.add(phase)
+        for earlier, later in pairwise(phases):
+            order.add(later, earlier)
+    return list(order.static_order())
 
 
 def planned_passes(time_s, door_rad):

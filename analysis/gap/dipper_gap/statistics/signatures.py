@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.stats import chi2
 
-from .phases import DIG
 from .shrink import shrink
 
 # Assumed: an effect in the mine differs from the catalogue's model of it by so much in a whole block (one
 # phase and channel, all passes alike), and by so much in a single cell.
 BLOCK_ERROR, CELL_ERROR = 0.25, 0.05
+BEFORE_BREAKOUT = ("approach", "penetrate", "fill")  # while the dipper fills
 CHAOTIC = 0.01  # of the prediction's variance: cells whose seeds' share is smaller do not tell of chaos
 
 
@@ -90,7 +90,7 @@ def _memory(s, v, b, baseline):
     """Of each dig and what follows it: its cells, how much of the plain run's deviation b (J, n) is kept in v (J, n),
     and the variance of the rest about the line, in variances of a run."""
     moves, sd, off = _moves(baseline), np.sqrt(np.diag(baseline.seed)), _off_line(s)
-    spans = [(c.pass_number, c.phase in DIG) for c in baseline.cells]
+    spans = [(c.pass_number, c.phase in BEFORE_BREAKOUT) for c in baseline.cells]
     for span in dict.fromkeys(spans):
         at = np.array([other == span for other in spans])
         told = at & moves

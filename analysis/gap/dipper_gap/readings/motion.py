@@ -7,7 +7,7 @@ import numpy as np
 from dipper_run.findings import BadInput, Findings
 
 from .measured import MOTION, read_table
-from .model import NEED_PASSES
+from .passes import NEED_PASSES
 from .phases import planned_passes
 
 COLUMNS = ("time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg")

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from dipper_gap.baseline import make_baseline
-from dipper_gap.closure import closure
-from dipper_gap.features import Cell
+from dipper_gap.readings.features import Cell
+from dipper_gap.statistics.baseline import Baseline, make_baseline
+from dipper_gap.statistics.closure import closure
 
 CELLS = [Cell(2, phase, channel, f) for phase in ("fill", "swing", "dump", "return")
          for channel in ("hoist_force_kN", "crowd_force_kN") for f in ("mean", "slope", "peak", "work")]
@@ -51,3 +51,21 @@ def test_an_effect_with_which_the_gap_grows_is_refused():
 
 def test_a_wrong_effect_is_refused():
     assert all(confirm(4, k, true=False).objections() for k in range(20))
+
+
+def test_closure_of_a_known_gap():
+    """A gap of known size, closed to a known part."""
+    rng = np.random.default_rng(1)
+    n, runs = 40, 8
+    cells = [Cell(1, "fill", "hoist_force_kN", str(k)) for k in range(n)]
+    values = 0.1 * rng.standard_normal((runs, n))
+    base = Baseline(cells, values.mean(axis=0), values, np.eye(n), np.zeros((0, n)), np.zeros((0, n)),
+                    0.01 * np.eye(n), np.arange(n)[None])
+    shift = np.full(n, 4.0)
+    y = shift + rng.standard_normal(n)
+    near = closure(y, base, 0.9 * shift + 0.1 * rng.standard_normal((5, n)), {"half": 0.5 * shift}, shift)
+    assert near.closure == pytest.approx(1 - 0.4**2 / 16, abs=0.05)
+    assert near.interval90[0] < near.closure < near.interval90[1]
+    assert near.p < 0.001 and near.objections() == []
+    wrong = closure(y, base, -0.5 * shift + 0.1 * rng.standard_normal((5, n)), {"half": 0.5 * shift}, shift)
+    assert wrong.closure < 0 and len(wrong.objections()) == 4

@@ -11,14 +11,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-import yaml
 
 from dipper_run.csv_text import cells_of, decimal_number, find_decimal, find_delimiter, read_stamp, stamp_seconds
 from dipper_run.findings import Findings
-from dipper_run.text_file import number, read_text, read_yaml, said
+from dipper_run.section import Section
+from dipper_run.text_file import read_text, read_yaml
 
 DRIVEN = "driven"
 RESPONSE = "response"
+CHANNEL_KEYS = "{unit, role, sigma, common_sigma}"
 
 
 @dataclass(frozen=True)
@@ -127,49 +128,30 @@ def read_measured(folder, need_passes=1, simulated=False):
 def _channels(file, found):
     if not file.is_file():
         found.add(file, 0, "file", "not there",
-                  "list each channel as NAME: {unit, role, sigma, common_sigma}")
+                  f"list each channel as NAME: {CHANNEL_KEYS}")
         return {}
-    root = read_yaml(file, found, "a map of channels, NAME: {unit, role, sigma, common_sigma}")
-    out = {}
-    for key, node in root.value if root else []:
-        channel = _channel(file, key, node, found)
-        if channel and channel.name in out:
-            found.add(file, key.start_mark.line + 1, channel.name, "given twice", "keep one")
-        elif channel:
-            out[channel.name] = channel
-    return out
+    section = Section(read_yaml(file, found, f"a map of channels, NAME: {CHANNEL_KEYS}"), file, found)
+    channels = {name: _channel(section, name) for name in KNOWN if name in section}
+    for name in section.keys():
+        if name not in KNOWN:
+            section.wrong(name, "unknown channel", "one of " + ", ".join(KNOWN))
+    return {name: channels[name] for name in section.keys() if channels.get(name)}
 
 
-def _channel(file, key, node, found):
-    name, line = said(key), key.start_mark.line + 1
-    if name not in KNOWN:
-        found.add(file, line, name, "unknown channel", "one of " + ", ".join(KNOWN))
+def _channel(channels, name):
+    """The Channel of a name; None where it is no map."""
+    section, unit = channels.section(name, CHANNEL_KEYS), KNOWN[name].unit
+    if not section:
         return None
-    if not isinstance(node, yaml.MappingNode):
-        found.add(file, line, name, "not a map", "{unit, role, sigma, common_sigma}")
-        return None
-    values = {said(k): (said(v), k.start_mark.line + 1) for k, v in node.value}
-    if len(values) < len(node.value):
-        found.add(file, line, name, "a key given twice", "keep one")
-    for extra in sorted(set(values) - {"unit", "role", "sigma", "common_sigma"}):
-        found.add(file, values[extra][1], f"{name}.{extra}", "unknown key",
-                  "unit, role, sigma or common_sigma")
-    unit, unit_line = values.get("unit", (None, line))
-    if unit != KNOWN[name].unit:
-        found.add(file, unit_line, f"{name}.unit", f"is {unit}", f"{KNOWN[name].unit}, in the values too")
-    role, role_line = values.get("role", (None, line))
-    want = {DRIVEN, RESPONSE} if name in MOTION else {RESPONSE}
-    if role not in want:
-        found.add(file, role_line, f"{name}.role", f"is {role}", " or ".join(sorted(want)))
-    sizes = []
-    for field in ("sigma", "common_sigma"):
-        text, at = values.get(field, (None, line))
-        size = number(text)
-        if size is None or size < 0:
-            found.add(file, at, f"{name}.{field}", f"is {text}", f"a number in {KNOWN[name].unit}, 0 or more")
-            size = 0.0
-        sizes.append(size)
-    return Channel(name, KNOWN[name].unit, role, *sizes)
+    right = f"{unit}, in the values too"
+    if (told := section.text("unit", unit, right, needed=True)) != unit:
+        section.wrong("unit", f"is {told}", right)
+    role = section.one_of("role", (DRIVEN, RESPONSE) if name in MOTION else (RESPONSE,), needed=True)
+    sizes = (section.number(key, 0.0, f"a number in {unit}, 0 or more", needed=True, allowed=lambda x: x >= 0)
+             for key in ("sigma", "common_sigma"))
+    channel = Channel(name, unit, role, *sizes)
+    section.end()
+    return channel
 
 
 def _rows(file, found):

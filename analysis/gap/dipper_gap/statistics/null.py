@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.linalg import solve_triangular
 
+from ..readings.features import number
 from .baseline import scatter, seed_covariance, to_grid
-from .features import number
 
 DRAWS = 1000
 # Degrees of freedom of Student's t that runs, or a phase of a pass, may have instead of a Gaussian: a rock
