@@ -38,7 +38,7 @@ LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup
   for (auto& w : words) args.push_back(w.data());
   register_moist();
   lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(args.size()), args.data(), comm);
-  speed_up(*lmp_);
+  if (setup.fast_loop) speed_up(*lmp_);
   // LIGGGHTS opens the screen on rank 0 alone, yet every rank prints to it what is wrong with its
   // part of a mesh, and would crash. Not stderr: Error::all closes any screen but stdout.
   if (lmp_->comm->me != 0) lmp_->screen = stdout;

@@ -144,8 +144,13 @@ struct TruckCase {
   double heading_deg = 0;                                ///< about z
 };
 
+/// Who goes through the rock's time steps: this program's faster loop (dem/fast), or LIGGGHTS's
+/// own.
+enum class RockLoop { fast, liggghts };
+
 /// dem
 struct DemCase {
+  RockLoop loop = RockLoop::fast;
   double timestep_s = 0;
   int ranks = 1;
   double hold_below_m_s = 0;  ///< rock slower than this may be held (dem/hold.hpp); 0: none

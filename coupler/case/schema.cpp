@@ -18,6 +18,7 @@ struct TypeName {
   std::string operator()(std::filesystem::path*) const { return "a path"; }
   std::string operator()(Eigen::Vector3d*) const { return "three numbers [x, y, z]"; }
   std::string operator()(std::vector<std::string>*) const { return "a list of names"; }
+  std::string operator()(const Choice&) const { return "text"; }
 };
 
 std::string type_name(const KeySpec& spec) {
@@ -88,6 +89,12 @@ std::string concrete_key(const KeySpec& spec, const Place& place) {
   const auto star = key.find('*');
   if (star != std::string::npos) key.replace(star, 1, place.name);
   return key;
+}
+
+std::string word_of(const Case& c, const std::string& key) {
+  const KeySpec* spec = find_spec(key);
+  Case copy = c;  // a slot is a way to write
+  return spec->allowed.at(std::get<Choice>(spec->slot(copy, {})).get());
 }
 
 std::string unit_suffix(const std::string& unit) {

@@ -2,6 +2,8 @@
 // docs/case.md lists.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,16 +19,36 @@ struct Place {
   std::string name;
 };
 
+/// A member of a Case that is one of a few words in a case file: a bool or an enum.
+class Choice {
+ public:
+  /// \param values  what the words of KeySpec::allowed stand for, in their order
+  template <class T>
+  Choice(T& member, std::vector<T> values)
+      : get_([&member, values] {
+          return static_cast<std::size_t>(std::find(values.begin(), values.end(), member) -
+                                          values.begin());
+        }),
+        set_([&member, values](std::size_t word) { member = values.at(word); }) {}
+
+  std::size_t get() const { return get_(); }  ///< which of the words it is
+  void set(std::size_t word) const { set_(word); }
+
+ private:
+  std::function<std::size_t()> get_;
+  std::function<void(std::size_t)> set_;
+};
+
 /// Where a key's value lives in a Case. Its type is the key's type.
 using Slot = std::variant<double*, int*, std::int64_t*, std::string*, std::filesystem::path*,
-                          Eigen::Vector3d*, std::vector<std::string>*>;
+                          Eigen::Vector3d*, std::vector<std::string>*, Choice>;
 
 /// One key.
 struct KeySpec {
   std::string key;   ///< dotted; `#` stands for a list index, `*` for a name
   std::string unit;  ///< "kg/m3", "%"; "" for a pure number or no number
   Range range;
-  /// Of a text; empty: any. Of a number: words in its place, for which it is kept as 0.
+  /// Of a text or a choice; empty: any. Of a number: words in its place, for which it is kept as 0.
   std::vector<std::string> allowed;
   bool required = true;
   std::string doc;
@@ -54,6 +76,9 @@ std::vector<Place> places_of(const Case& c, const KeySpec& spec);
 
 /// The dotted key at a place: "rock.classes.0.size_m".
 std::string concrete_key(const KeySpec& spec, const Place& place);
+
+/// The word that a case has for a key which is a choice: "corrected" of "coupling.scheme".
+std::string word_of(const Case& c, const std::string& key);
 
 /// "_kg_m3" for "kg/m3", "_percent" for "%", "" for "".
 std::string unit_suffix(const std::string& unit);

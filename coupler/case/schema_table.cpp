@@ -25,6 +25,9 @@ SizeClass& class_at(Case& c, const Place& p) {
 
 // The member `expr` of the case `c`, at the place `p` where the key has a # or *.
 #define SLOT(expr) [](Case& c, [[maybe_unused]] const Place& p) -> Slot { return &(expr); }
+// The same of a member that is a bool or an enum, with what the allowed words stand for, in order.
+#define CHOICE(expr, ...) \
+  [](Case& c, const Place&) -> Slot { return Choice(expr, std::vector{__VA_ARGS__}); }
 
 // Two lines a key read as a table.
 // clang-format off
@@ -231,6 +234,9 @@ std::vector<KeySpec> make_schema() {
        SLOT(c.dem.timestep_s)},
       {"dem.ranks", "", between(1, 4096), {}, optional,
        "MPI processes; 1", SLOT(c.dem.ranks)},
+      {"dem.loop", "", any, {"fast", "liggghts"}, optional,
+       "time steps of the rock by this program's faster loop, or by LIGGGHTS's own (docs/coupling.md); fast",
+       CHOICE(c.dem.loop, RockLoop::fast, RockLoop::liggghts)},
       {"dem.hold_below_m_s", "m/s", between(0, 1), {}, optional,
        "rock slower than this, far from the machine, is held until something comes; 0, the default, is off",
        SLOT(c.dem.hold_below_m_s)},
@@ -273,6 +279,7 @@ std::vector<KeySpec> make_schema() {
 }
 // clang-format on
 
+#undef CHOICE
 #undef SLOT
 
 }  // namespace

@@ -42,6 +42,7 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
                             const fs::path& dumps, const fs::path& logs, const fs::path& restart,
                             const std::optional<std::vector<dem::WallMemory>>& resumed) {
   dem::RockSetup setup;
+  setup.fast_loop = c.dem.loop == cases::RockLoop::fast;
   setup.deck = (data_folder() / "dem_in" / "dig.in").string();
   setup.log = (logs / "dem.liggghts").string();
   setup.screen = (logs / "dem.screen").string();

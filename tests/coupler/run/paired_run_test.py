@@ -66,6 +66,18 @@ class PairedRun(RunTest):
             for f in frames:
                 self.assertTrue((run / "dumps" / f["name"]).stat().st_size > 0)
 
+    def test_liggghts_own_loop_digs_as_the_fast_one_but_for_the_order_of_sums(self):
+        fast, own = self.shared(*ONE_RANK, *NO_CHECKPOINTS), self.folder / "own"
+        self.run_case(own, *ONE_RANK, *NO_CHECKPOINTS, "--set", "dem.loop=liggghts")
+        self.assertEqual(self.summary(own)["status"], "complete")
+        forces = []
+        for run, is_fast in ((fast, True), (own, False)):
+            self.assertEqual(json.loads((run / "logs/dem.json").read_text())["settings"]["fast_loop"], is_fast)
+            with h5py.File(run / "record.h5", "r") as f:
+                forces.append(np.linalg.norm(f["bodies/dipper/wrench_mean"][:, 3:], axis=1).mean())
+        self.assertNotEqual(self.summary(own)["state_hash"], self.summary(fast)["state_hash"])
+        self.assertLess(abs(forces[1] / forces[0] - 1), 0.1)
+
     @two_cores
     def test_each_side_replays_to_the_bit(self):
         run = self.shared(*TWO_RANKS)
