@@ -17,7 +17,7 @@ struct ProtocolError : std::runtime_error {
 
 /// What happened on a link that a healthy one does not show.
 struct LinkCounts {
-  std::int64_t resends = 0;   ///< requests sent again because no reply came in time
+  std::int64_t resends = 0;   ///< packets lost: requests sent again that got no reply of their own
   std::int64_t repeated = 0;  ///< requests or replies that had been dealt with already
   std::int64_t foreign = 0;   ///< packets that are no message of this run; the transport's count
 };
@@ -25,27 +25,6 @@ struct LinkCounts {
 /// Strangers do not come this far: the transport passes on what carries the run's seal only. Throws
 /// ProtocolError when the seal is ours but the run or the case is not: a mix-up.
 void require_ours(const Envelope& ours, const Envelope& theirs);
-
-/// On a network that is seen to lose packets every message goes out this often at once: of three, a
-/// network that loses a third lets one through 97 times in a hundred.
-inline constexpr int kCopies = 3;
-
-/// How long to wait for an answer before the request goes out again [s]: the smoothed time of
-/// answers and four times its mean deviation (Jacobson 1988; RFC 6298), twice that after each wait
-/// that was in vain. At least 10 ms, in which a scheduler comes round; at most 1 s.
-class Patience {
- public:
-  double s() const;
-
-  /// An answer came after that time. Of which of several requests it is the answer nobody knows:
-  /// then the time does not count (Karn's rule), and the wait stays as long as it got.
-  void answered(double after_s, bool asked_again);
-  void in_vain() { factor_ *= 2; }
-
- private:
-  double mean_s_ = 0.02, deviation_s_ = 0.01;
-  double factor_ = 1;
-};
 
 /// The asking side's end of a link.
 class Requester {
@@ -58,23 +37,16 @@ class Requester {
   /// The reply awaited? False for replies already taken.
   bool accept(const Envelope& reply);
 
-  /// How often to send the request under way at once.
-  int copies() const { return now_.copies; }
-
-  void count_resend();
+  /// The request under way went out again.
+  void count_resend() { ++unanswered_; }
   const LinkCounts& counts() const { return counts_; }
 
  private:
-  /// A request that went out more than once has as many replies, if nothing is lost.
-  struct Tally {
-    int copies = 1, replies = 0;
-    bool again = false;
-    bool shows_loss() const { return replies < (copies > 1 ? copies : again ? 2 : 0); }
-  };
   Envelope identity_;
   bool waiting_ = false;
-  Tally now_, before_;
-  int in_copies_ = 0;  ///< how many more requests go out in copies
+  // Resends that got no reply yet, of this request and the one before. A slow answer brings one
+  // reply for each time the request went out, and all of them before that to the next request.
+  std::int64_t unanswered_ = 0, unanswered_before_ = 0;
   LinkCounts counts_;
 };
 
@@ -94,17 +66,11 @@ class Responder {
   void remember(std::string reply) { reply_ = std::move(reply); }
   const std::string& reply() const { return reply_; }
 
-  /// The request came more than once: so do the next replies go out.
-  void heard_copies() { in_copies_ = kRepliesInCopies; }
-  /// How often to send a new reply at once.
-  int copies() const { return in_copies_ > 0 ? kCopies : 1; }
   const LinkCounts& counts() const { return counts_; }
 
  private:
-  static constexpr int kRepliesInCopies = 8;
   Envelope identity_;
   std::int64_t last_ = 0;
-  int in_copies_ = 0;
   std::string reply_;
   LinkCounts counts_;
 };

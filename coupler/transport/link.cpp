@@ -11,6 +11,8 @@ namespace dipper::transport {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
+constexpr Clock::duration kFirstWait = 25ms;
+
 Link::Link(std::string side, Transport& transport, std::string to, std::string from,
            core::Envelope identity, LinkOptions options)
     : side_(std::move(side)),
@@ -38,36 +40,28 @@ void Link::send(core::Body request, std::int64_t step_index, std::int64_t t_ns) 
     reply_in(*old);  // counts it
     if (Clock::now() > enough) break;
   }
-  under_way_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
-  for (int k = 0; k < requester_.copies(); ++k) transport_.publish(to_, under_way_);
-  start_ = Clock::now();
+  request_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
+  transport_.publish(to_, request_);
+  sent_ = Clock::now();
 }
 
 core::Body Link::receive() {
-  const auto start = start_;
-  const auto send = [&] {
-    for (int k = 0; k < requester_.copies(); ++k) transport_.publish(to_, under_way_);
-  };
+  const auto start = sent_;
   const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
-  // Until the other side has answered once it may still be starting: ask often, and count nothing.
-  std::chrono::duration<double> patience{established_ ? patience_.s() : 0.1};
+  // Until the other side has answered once it may still be starting: that counts as no loss.
+  Clock::duration wait = established_ ? kFirstWait : 100ms;
   std::chrono::milliseconds deadline = limit;
   std::optional<std::chrono::duration<double>> starved_before;
-  bool resent = false;
-  for (auto sent = start;;) {
+  while (true) {
     options_.watch();
-    const std::chrono::duration<double> left = patience - (Clock::now() - sent);
-    const auto packet =
-        transport_.receive(std::clamp(std::chrono::duration_cast<std::chrono::microseconds>(left),
-                                      0us, std::chrono::microseconds(50ms)));
+    const auto left = std::chrono::duration_cast<std::chrono::microseconds>(sent_ + wait - Clock::now());
+    const auto packet = transport_.receive(std::clamp(left, 0us, std::chrono::microseconds(50ms)));
     auto reply = packet ? reply_in(*packet) : std::nullopt;
-    const auto now = Clock::now();
     if (reply) {
-      if (established_)
-        patience_.answered(std::chrono::duration<double>(now - start).count(), resent);
       established_ = true;
       return std::move(*reply);
     }
+    const auto now = Clock::now();
     if (!starved_before && now - start > deadline - 1s) starved_before = options_.starved();
     if (now - start > deadline) {
       const auto starved = options_.starved();
@@ -79,14 +73,12 @@ core::Body Link::receive() {
       throw PeerError(side_,
                       fmt::format("no answer for {} s", static_cast<double>(limit.count()) * 1e-3));
     }
-    if (now - sent < patience) continue;
-    send();
-    sent = now;
+    if (now - sent_ < wait) continue;
+    transport_.publish(to_, request_);
+    sent_ = now;
     if (!established_) continue;
-    resent = true;
     requester_.count_resend();
-    patience_.in_vain();
-    patience = std::chrono::duration<double>(patience_.s());
+    wait = std::min<Clock::duration>(2 * wait, 1s);
   }
 }
 
@@ -106,7 +98,8 @@ std::optional<core::Body> Link::reply_in(const Packet& packet) {
 }
 
 void Link::tell(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
-  if (request_.empty()) request_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
+  if (!told_) request_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
+  told_ = true;
   transport_.publish(to_, request_);
 }
 

@@ -34,9 +34,8 @@ struct LinkOptions {
   std::function<void()> watch = [] {};
 };
 
-/// The asking end: sends a request until its reply comes. It sends again when the reply takes
-/// longer than replies do (core::Patience), and in copies once packets are seen to be lost
-/// (core::Requester): a lost packet costs little time, a slow answer few packets.
+/// The asking end: sends a request until its reply comes, again after 25 ms, then after twice as
+/// long each time, up to 1 s.
 class Link {
  public:
   /// `transport` hears nothing but `from`: what is left over on it is counted here.
@@ -46,7 +45,7 @@ class Link {
   /// Throws PeerError when the other side says it failed or says nothing until the timeout.
   core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns);
 
-  /// The two halves of `ask`.
+  /// The two halves of `ask`: the other side works between them.
   void send(core::Body request, std::int64_t step_index, std::int64_t t_ns);
   core::Body receive();
 
@@ -68,11 +67,10 @@ class Link {
   std::string to_, from_;
   core::Requester requester_;
   LinkOptions options_;
-  bool established_ = false;
-  core::Patience patience_;
-  std::string request_;
-  std::string under_way_;
-  std::chrono::steady_clock::time_point start_;
+  bool established_ = false;  ///< the other side has answered once
+  bool told_ = false;
+  std::string request_;  ///< the last one
+  std::chrono::steady_clock::time_point sent_;
 };
 
 }  // namespace dipper::transport

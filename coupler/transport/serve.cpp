@@ -63,18 +63,6 @@ void require_in_checkpoints(const core::Message& request, const std::filesystem:
                             root.string());
 }
 
-/// Drops what has gathered; whether that was anything. The other side has one request under way, so
-/// all of it is copies of what has been dealt with; and a queue that is full loses what comes next.
-bool drop_waiting(Transport& transport) {
-  const auto enough = std::chrono::steady_clock::now() + std::chrono::milliseconds(10);
-  bool any = false;
-  while (transport.receive(std::chrono::microseconds(0))) {
-    any = true;
-    if (std::chrono::steady_clock::now() > enough) break;
-  }
-  return any;
-}
-
 }  // namespace
 
 void serve(Transport& transport, const std::string& in, const std::string& out,
@@ -107,8 +95,7 @@ void serve(Transport& transport, const std::string& in, const std::string& out,
       transport.publish(out, encode({request.envelope, core::Status{false, e.what()}}));
       throw;
     }
-    if (drop_waiting(transport)) responder.heard_copies();
-    for (int k = 0; k < responder.copies(); ++k) transport.publish(out, responder.reply());
+    transport.publish(out, responder.reply());
     const auto* c = std::get_if<core::Command>(&request.body);
     if (c != nullptr && c->action == core::Action::stop) return;
   }

@@ -157,6 +157,9 @@ TEST(Coupling, SerialInjectsEnergyAndCorrectedTakesALittleOut) {
   EXPECT_NEAR(growth_per_radian(Scheme::corrected, 0.1), -0.00025, 0.0002);
   EXPECT_NEAR(growth_per_radian(Scheme::corrected, 0.2), -0.0019, 0.0006);
   EXPECT_NEAR(growth_per_radian(Scheme::corrected, 0.5), -0.026, 0.006);
+  EXPECT_NEAR(growth_per_radian(Scheme::serial, 0.5), 0.204, 0.02);
+  EXPECT_NEAR(growth_per_radian(Scheme::corrected, 1.0), -0.35, 0.05);
+  EXPECT_NEAR(growth_per_radian(Scheme::corrected, 1.5), 0.23, 0.05) << "unstable";
 }
 
 TEST(Coupling, ResidualIsTheEnergyTheSchemeMade) {

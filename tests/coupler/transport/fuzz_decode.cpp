@@ -11,7 +11,7 @@
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/info_json.hpp"
 #include "coupler/transport/lcm_packet.hpp"
-#include "coupler/transport/memory_transport.hpp"
+#include "tests/coupler/transport/memory_transport.hpp"
 #include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::transport {

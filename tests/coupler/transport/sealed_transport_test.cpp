@@ -4,7 +4,7 @@
 
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/lcm_packet.hpp"
-#include "coupler/transport/memory_transport.hpp"
+#include "tests/coupler/transport/memory_transport.hpp"
 
 namespace dipper::transport {
 namespace {

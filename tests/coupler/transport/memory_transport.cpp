@@ -1,4 +1,4 @@
-#include "coupler/transport/memory_transport.hpp"
+#include "tests/coupler/transport/memory_transport.hpp"
 
 namespace dipper::transport {
 
