@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "common/nearest_word.hpp"
 #include "common/yaml_tree.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/case_text.hpp"
@@ -168,7 +169,7 @@ class Loader {
                                      const KeySpec& spec) {
     const auto word = std::find(spec.allowed.begin(), spec.allowed.end(), node.scalar);
     if (word != spec.allowed.end()) return word - spec.allowed.begin();
-    const std::string near = closest(node.scalar, spec.allowed);
+    const std::string near = nearest_word(node.scalar, spec.allowed);
     add(node, key,
         fmt::format("is {}; write {}{}", shown(node), spec.expected(),
                     near.empty() ? "" : fmt::format("; did you mean {}?", near)));

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "coupler/case/schema.hpp"
-#include "coupler/case/suggest.hpp"
 #include "tests/coupler/case/checkout.hpp"
 
 namespace dipper::cases {
@@ -34,21 +33,6 @@ TEST(Schema, Ranges) {
   EXPECT_FALSE((Range{0, 1, true, true}.holds(0)));
   EXPECT_FALSE((Range{0, 1, true, true}.holds(1)));
   EXPECT_TRUE((Range{0, 1, false, false}.holds(0)));
-}
-
-TEST(Suggest, EditDistance) {
-  EXPECT_EQ(edit_distance("size", "size"), 0);
-  EXPECT_EQ(edit_distance("Size", "size"), 0);
-  EXPECT_EQ(edit_distance("sise", "size"), 1);
-  EXPECT_EQ(edit_distance("szie", "size"), 1);
-  EXPECT_EQ(edit_distance("siz", "size"), 1);
-  EXPECT_EQ(edit_distance("", "size"), 4);
-  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
-}
-
-TEST(Suggest, OnlyWhatIsNear) {
-  EXPECT_EQ(closest("rnaks", {"timestep_s", "ranks"}), "ranks");
-  EXPECT_EQ(closest("gpu", {"timestep_s", "ranks"}), "");
 }
 
 }  // namespace

@@ -1,12 +1,21 @@
-#include "coupler/cli/nearest_word.hpp"
+#include "common/nearest_word.hpp"
 
 #include <algorithm>
-#include <cstddef>
+#include <cctype>
 
-namespace dipper::cli {
+namespace dipper {
 namespace {
 
-std::size_t letters_apart(const std::string& a, const std::string& b) {
+std::string lower(std::string s) {
+  std::transform(s.begin(), s.end(), s.begin(),
+                 [](unsigned char ch) { return static_cast<char>(std::tolower(ch)); });
+  return s;
+}
+
+}  // namespace
+
+std::size_t edit_distance(const std::string& a_in, const std::string& b_in) {
+  const std::string a = lower(a_in), b = lower(b_in);
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -23,13 +32,11 @@ std::size_t letters_apart(const std::string& a, const std::string& b) {
   return last.back();
 }
 
-}  // namespace
-
 std::string nearest_word(const std::string& word, const std::vector<std::string>& known) {
   std::string nearest;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& candidate : known) {
-    const std::size_t apart = letters_apart(word, candidate);
+    const std::size_t apart = edit_distance(word, candidate);
     if (apart >= least) continue;
     least = apart;
     nearest = candidate;
@@ -37,4 +44,4 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
   return nearest;
 }
 
-}  // namespace dipper::cli
+}  // namespace dipper
