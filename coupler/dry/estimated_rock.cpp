@@ -43,8 +43,7 @@ EstimatedRock::EstimatedRock(CutBench bench, const DiggingEstimate& estimate, do
 
 core::ServerInfo EstimatedRock::info() const {
   core::ServerInfo info;
-  info.version =
-      estimate_.there_is_rock ? "estimated rock (fundamental equation of earthmoving)" : "no rock";
+  info.version = estimate_.there_is_rock ? "estimated rock (Dombrovskij's formula)" : "no rock";
   info.bodies = {"dipper", "door"};
   info.timestep_s = timestep_s_;
   info.channels = {{"mass_in_dipper", "kg", "-"}, {"mass_in_truck", "kg", "-"},

@@ -17,7 +17,7 @@ KEEPER = Path(__file__).with_name("keeper.py")
 HEAVY = ("checkpoints", "dumps", "events.lcmlog")
 # A run that is to be kept without dumps need not write them.
 QUIET = ("--set", "output.dump_every_s=0", "--set", "output.checkpoint_every_s=0")
-INTERRUPTED = 4  # exit status of design.md
+INTERRUPTED = 4  # exit status of a run that can be gone on with
 
 
 class RunFailed(RuntimeError):
