@@ -43,6 +43,15 @@ class Choice {
 using Slot = std::variant<double*, int*, std::int64_t*, std::string*, std::filesystem::path*,
                           Eigen::Vector3d*, std::vector<std::string>*, Choice>;
 
+/// What has to be made again when a key changes: the first of these, and what stands below it.
+enum class Affects {
+  settling,     ///< the pile, which is kept in the cache
+  dig,          ///< the run
+  machine,      ///< forces of its drives; its motion too where they have limits, and then the dig
+  instruments,  ///< what a mine's instruments show of the run
+  output        ///< nothing that is computed: what is written, how long is waited, where it ends
+};
+
 /// One key.
 struct KeySpec {
   std::string key;   ///< dotted; `#` stands for a list index, `*` for a name
@@ -51,6 +60,7 @@ struct KeySpec {
   /// Of a text or a choice; empty: any. Of a number: words in its place, for which it is kept as 0.
   std::vector<std::string> allowed;
   bool required = true;
+  Affects affects;
   std::string doc;
   Slot (*slot)(Case&, const Place&);
 
@@ -64,6 +74,16 @@ const std::vector<KeySpec>& schema();
 
 /// The key `key` of the schema (a pattern with # and *), or nullptr.
 const KeySpec* find_spec(const std::string& key);
+
+/// The key of the schema that one of a case's text stands at: "rock.classes.#.name" for
+/// "rock.classes.0.name"; an element of a vector, "domain.min_m.0", is its key's. Or nullptr.
+const KeySpec* spec_of(const std::string& key);
+
+/// True when a key's value is a path: what counts is the file there, not its name.
+bool is_path(const KeySpec& spec);
+
+/// "settling", "dig", "machine", "instruments" or "output".
+std::string to_string(Affects affects);
 
 /// The keys and sections directly below a section ("" is the whole file), in order.
 std::vector<std::string> children_of(const std::string& section);

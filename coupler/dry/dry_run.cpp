@@ -58,7 +58,7 @@ void write_scene(const cases::Case& c, const run::RunFolder& folder) {
 /// Steps to the end of the motion, or until interrupted. Whether the end is reached.
 bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& lone,
                   const run::RunFolder& folder, Reporter& reporter) {
-  core::Coupling coupling(lone.machine(), rock, core::scheme_from(c.coupling.scheme));
+  core::Coupling coupling(lone.machine(), rock, c.coupling.scheme);
   const run::RunEnd end = run::run_end(c);
   run::RunRecord record(folder.record(), lone.machine().info(), rock.info(),
                         run::record_attributes(c, lone.machine().info(), rock.info()),

@@ -92,7 +92,7 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
     put(time_s.at(0), lone.machine().state(0));
     // The corrected scheme repeats a window with its own mean wrench, the serial one holds the
     // last.
-    const std::size_t late = changed.coupling.scheme == "serial" ? 1 : 0;
+    const std::size_t late = changed.coupling.scheme == core::Scheme::serial ? 1 : 0;
     for (std::size_t i = 1; i < time_s.size(); ++i) {
       core::MachineStep step{std::llround(time_s[i] * 1e9), {dipper.at(i - late), door.at(i - late)}};
       step.step_index = static_cast<std::int64_t>(i) - 1;

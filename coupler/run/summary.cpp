@@ -8,6 +8,7 @@
 #include "common/record/record.hpp"
 #include "common/text_file.hpp"
 #include "common/version.hpp"
+#include "coupler/case/schema.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
 #include "coupler/run/drive_limits_met.hpp"
@@ -38,7 +39,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
       {"effects", c.effects},
       {"passes", pass_rows(c, record)},
       {"coupling",
-       {{"scheme", c.coupling.scheme},
+       {{"scheme", cases::word_of(c, "coupling.scheme")},
         {"syncs", f.syncs},
         {"sync_step_mean_s", ratio(sim_s, static_cast<double>(f.syncs))},
         {"overhead_fraction", ratio(f.cost.wall_s - f.cost.rock_busy_s, f.cost.wall_s)},
@@ -89,7 +90,7 @@ json describe(const AchievedProfile& p) {
 void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts& facts,
                    Reporter& reporter) {
   json summary = summarise(c, facts, folder.record());
-  if (c.pile.clear_machine == "on" && facts.syncs > 0) {
+  if (c.pile.clear_machine && facts.syncs > 0) {
     const auto first = [&](const char* name) {
       return record::read_channel(folder.record(), name).at(0);
     };

@@ -20,7 +20,8 @@ SEEDS = 8
 def effect(name, unit, high, scale, kind="rock", sign="+", nuisance=False):
     low = -high if sign == "both" else 0.0
     return Effect(name, name.replace("_", " ").capitalize(), kind, "synthetic", "strength", unit, low, high,
-                  scale, "synthetic", ((f"effects.{name}", "set", 1.0),), nuisance)
+                  scale, "synthetic", ((f"effects.{name}", "set", 1.0),), nuisance,
+                  "instruments" if kind == "observation" else "dig")
 
 
 CATALOGUE = {e.name: e for e in (

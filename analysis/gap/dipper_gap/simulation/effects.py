@@ -28,6 +28,7 @@ class Effect:
     source: str
     overlay: tuple = ()   # (key, add|scale|set, factor); effects with the same overlay share their runs
     nuisance: bool = False
+    affects: str = "settling"  # what its keys have to be made again from: the schema's word
 
     @property
     def prior_mean(self):
@@ -63,4 +64,4 @@ def _effect(told):
     p = told["parameter"]
     overlay = tuple(sorted((o["key"], o["how"], o["factor"]) for o in told["overlay"]))
     return Effect(told["name"], told["title"], told["kind"], told["signature"], p["name"], p["unit"], p["low"],
-                  p["high"], p["scale"], p["source"], overlay, told["nuisance"])
+                  p["high"], p["scale"], p["source"], overlay, told["nuisance"], told["affects"])

@@ -14,8 +14,6 @@ from dipper_run.quantities import minutes
 from ..readings.measured import read_measured
 
 JOBS = 2
-# What a replay of the machine against the recorded rock answers exactly where the dipper's motion is prescribed.
-REPLAYED = {"machine.crowd_friction_N", "machine.hoist_loss"}
 
 
 @dataclass(frozen=True)
@@ -42,11 +40,11 @@ class Request:
 
 def request(effects, seed, catalogue):
     pairs = tuple(sorted((n, float(s)) for n, s in effects.items() if s))
-    acting = [n for n, _ in pairs if catalogue[n].kind != "observation"]
+    affected = {catalogue[n].affects for n, _ in pairs}
     how = "run"
-    if pairs and not acting:
+    if affected == {"instruments"}:
         how = "observe"
-    elif pairs and all(key in REPLAYED for n in acting for key, _, _ in catalogue[n].overlay):
+    elif pairs and affected <= {"instruments", "machine"}:  # the machine against the recorded rock
         how = "replay"
     return Request(pairs, int(seed), how)
 
