@@ -20,7 +20,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::path& record) {
+json summarise(const cases::Case& c, const RunFacts& f, const RunFolder& folder) {
+  const std::filesystem::path record = folder.record();
   const auto time_s = record::read_channel(record, "time_s");
   const double sim_s = time_s.empty() ? 0.0 : time_s.back();
   const double cpu_s = f.cost.dem_cpu_s + f.cost.mbs_cpu_s;
@@ -37,7 +38,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
       {"version", version()},
       {"status", f.status},
       {"effects", c.effects},
-      {"passes", pass_rows(c, record)},
+      {"passes", pass_rows(c, folder)},
       {"coupling",
        {{"scheme", cases::word_of(c, "coupling.scheme")},
         {"syncs", f.syncs},
@@ -89,7 +90,7 @@ json describe(const AchievedProfile& p) {
 
 void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts& facts,
                    Reporter& reporter) {
-  json summary = summarise(c, facts, folder.record());
+  json summary = summarise(c, facts, folder);
   if (c.pile.clear_machine && facts.syncs > 0) {
     const auto first = [&](const char* name) {
       return record::read_channel(folder.record(), name).at(0);

@@ -1,9 +1,9 @@
-#include "coupler/run/rattle.hpp"
+#include "analysis/metrics/rattle.hpp"
 
 #include <array>
 #include <cmath>
 
-namespace dipper::run {
+namespace dipper::analysis::metrics {
 namespace {
 
 constexpr const char* kMean = "bodies/dipper/wrench_mean";
@@ -18,7 +18,7 @@ Rattle::Rattle(const std::filesystem::path& record) : columns_(record) {
     for (const char* channel : {kMean, kEnd}) columns_.read(channel, k);
 }
 
-double Rattle::share(const analysis::signals::Phase& phase, double jump_N) const {
+double Rattle::share(const signals::TimeSpan& time, double jump_N) const {
   const auto time_s = columns_.get("time_s");
   std::vector<double> square(time_s.size());
   for (const std::size_t k : kForce) {
@@ -27,11 +27,11 @@ double Rattle::share(const analysis::signals::Phase& phase, double jump_N) const
   }
   std::size_t windows = 0, jumps = 0;
   for (std::size_t i = 0; i < square.size(); ++i) {
-    if (time_s[i] < phase.t_start_s || time_s[i] > phase.t_end_s) continue;
+    if (time_s[i] < time.t_start_s || time_s[i] > time.t_end_s) continue;
     ++windows;
     if (square[i] > jump_N * jump_N) ++jumps;
   }
   return windows == 0 ? 0 : static_cast<double>(jumps) / static_cast<double>(windows);
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::analysis::metrics

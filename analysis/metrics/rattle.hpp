@@ -6,7 +6,7 @@
 #include "analysis/signals/phases.hpp"
 #include "common/record/columns.hpp"
 
-namespace dipper::run {
+namespace dipper::analysis::metrics {
 
 /// A record's force on the dipper, at the end of each window beside the window's mean. A rock that
 /// is pressed between walls by many of its spheres throws itself from one to the other in turn when
@@ -17,12 +17,12 @@ class Rattle {
   /// Throws std::runtime_error naming file and dataset.
   explicit Rattle(const std::filesystem::path& record);
 
-  /// The part of a phase's windows whose force [N] at the end is off their mean by more than
+  /// The part of a time's windows whose force [N] at the end is off their mean by more than
   /// `jump_N`; 0 where there is no window.
-  double share(const analysis::signals::Phase& phase, double jump_N) const;
+  double share(const signals::TimeSpan& time, double jump_N) const;
 
  private:
   record::Columns columns_;
 };
 
-}  // namespace dipper::run
+}  // namespace dipper::analysis::metrics
