@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "coupler/transport/info_json.hpp"
+#include "coupler/transport/codec.hpp"
 
 namespace dipper::transport {
 namespace {
