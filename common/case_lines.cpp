@@ -55,9 +55,4 @@ std::string CaseLines::text(std::string_view key) const {
   return out;
 }
 
-bool is_within(std::string_view key, std::string_view section) {
-  return key.substr(0, section.size()) == section &&
-         (key.size() == section.size() || key[section.size()] == '.');
-}
-
 }  // namespace dipper

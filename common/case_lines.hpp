@@ -40,7 +40,4 @@ class CaseLines {
   std::vector<CaseLine> lines_;
 };
 
-/// Whether a key is this one or in this section: "rock" has "rock.classes.0.name".
-bool is_within(std::string_view key, std::string_view section);
-
 }  // namespace dipper

@@ -38,7 +38,7 @@ LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup
   for (auto& w : words) args.push_back(w.data());
   register_moist();
   lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(args.size()), args.data(), comm);
-  speed_up(*lmp_);
+  if (setup.fast_loop) speed_up(*lmp_);
   // LIGGGHTS opens the screen on rank 0 alone, yet every rank prints to it what is wrong with its
   // part of a mesh, and would crash. Not stderr: Error::all closes any screen but stdout.
   if (lmp_->comm->me != 0) lmp_->screen = stdout;
@@ -87,14 +87,10 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
   return state();
 }
 
-void LiggghtsRock::set_contact(bool on) {
-  if (!on && !setup_.pauses)
+core::RockState LiggghtsRock::step(const core::RockStep& step) {
+  if (!step.contact && !setup_.pauses)
     throw std::runtime_error("the bodies' contact is to pause, which the set-up has not asked for");
-  contact_ = on;
-}
-
-core::RockState LiggghtsRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
-  Window window{lmp_->update->ntimestep, n_steps, X_WB_, X_WB_target, contact_};
+  Window window{lmp_->update->ntimestep, step.n_steps, X_WB_, step.X_WB_target, step.contact};
   window.all_rock_in = std::any_of(features_.begin(), features_.end(), [&](const auto& feature) {
     return feature->needs_all_rock(window);
   });
@@ -102,9 +98,9 @@ core::RockState LiggghtsRock::step(std::int64_t n_steps, const std::vector<Pose>
     for (const auto& feature : features_) feature->release();
   for (const auto& feature : features_) feature->before_window(window);
   for (std::size_t b = 0; b < walls_.size(); ++b) {
-    walls_[b]->begin_window(X_WB_target[b], static_cast<long>(n_steps));
+    walls_[b]->begin_window(step.X_WB_target[b], static_cast<long>(step.n_steps));
   }
-  run_steps(*lmp_, n_steps);
+  run_steps(*lmp_, step.n_steps);
   for (const auto& feature : features_) feature->after_window(window);
   return state();
 }

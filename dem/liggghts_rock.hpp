@@ -26,7 +26,7 @@ class WallMotion;
 /// A window is: features before it, walls told where to go, steps, features after it, walls' loads
 /// and the features' channels. Every method is collective: each rank of the communicator makes the
 /// same call.
-class LiggghtsRock final : public core::Rock {
+class LiggghtsRock final : public core::LocalRock {
  public:
   /// Opens LIGGGHTS and runs the deck. A LIGGGHTS error ends the process, as LIGGGHTS does.
   LiggghtsRock(const RockSetup& setup, MPI_Comm comm);
@@ -34,9 +34,8 @@ class LiggghtsRock final : public core::Rock {
 
   core::ServerInfo info() const override;
   core::RockState place(const std::vector<Pose>& X_WB) override;
-  /// Throws std::runtime_error for a pause that the set-up has not asked for.
-  void set_contact(bool on) override;
-  core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
+  /// Throws std::runtime_error for a pause of contact that the set-up has not asked for.
+  core::RockState step(const core::RockStep& step) override;
   /// Writes a restart file of LIGGGHTS, and beside it its image (image_of), which a resumed run
   /// needs as well. Changes nothing: a run that saves goes on as one that does not, to the bit.
   void save(const std::filesystem::path& file) override;
@@ -53,7 +52,6 @@ class LiggghtsRock final : public core::Rock {
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::vector<WallMotion*> walls_;  // owned by LIGGGHTS
   std::vector<Pose> X_WB_;
-  bool contact_ = true;
   std::vector<std::unique_ptr<RockFeature>> features_;
   Holding* holding_ = nullptr;  // one of them, or none
 };

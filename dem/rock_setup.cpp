@@ -39,7 +39,8 @@ json to_json(const RockSetup& setup) {
     fall = {{"deck", f->deck}, {"at_step", f->at_step}, {"mass_kg", f->mass_kg}};
   json floor;  // null: not cleared
   if (const auto& f = setup.floor) floor = {f->to_x_m, f->half_width_m, f->height_m};
-  return {{"deck", setup.deck},
+  return {{"fast_loop", setup.fast_loop},
+          {"deck", setup.deck},
           {"variables", setup.variables},
           {"log", setup.log},
           {"screen", setup.screen},
@@ -74,6 +75,7 @@ RockSetup rock_setup_from(const json& j) {
     setup.crust = CrustZone{crust.at(0), crust.at(1)};
   }
   // Recordings made before these were there have no such entries.
+  setup.fast_loop = j.value("fast_loop", true);
   setup.image = j.value("image", std::string{});
   setup.cleared = j.value("cleared", std::vector<std::string>{});
   if (const auto fall = j.find("fall"); fall != j.end() && !fall->is_null()) {

@@ -58,7 +58,8 @@ struct FloorStrip {
 
 /// What dipper-dem is started with (written by the launcher as JSON).
 struct RockSetup {
-  std::string deck;                                            ///< LIGGGHTS input script
+  bool fast_loop = true;  ///< the loop of dem/fast; false: LIGGGHTS's own
+  std::string deck;       ///< LIGGGHTS input script
   std::vector<std::pair<std::string, std::string>> variables;  ///< -var NAME VALUE
   std::string log;                                             ///< LIGGGHTS log file
   std::string screen;                                          ///< LIGGGHTS screen output

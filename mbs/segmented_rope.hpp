@@ -48,7 +48,7 @@ class SegmentedRope {
   Numbers settled(const Eigen::Vector2d& end, double free_length,
                   const Eigen::Vector2d& gravity) const;
 
-  /// The longest step at which Runge-Kutta 4 is stable, with something in hand; s.
+  /// The longest step at which Runge-Kutta 3 is stable, with something in hand; s.
   double longest_step() const;
   int size() const { return 4 * (spec_.elements - 1); }
   double node_mass() const { return node_mass_; }

@@ -12,7 +12,7 @@
 
 namespace dipper::mbs {
 
-constexpr std::int64_t kLongestSubstep_ns = 2'000'000;
+constexpr std::int64_t kLongestSubstep_ns = 1'200'000;
 
 /// Bodies "dipper" (frame B) and "door" (frame D); the pose of each is X_WB, X_WD.
 ///
@@ -42,9 +42,8 @@ class Shovel : public core::Machine {
   ~Shovel() override;
 
   core::ServerInfo info() const override;
-  core::MachineState state() override;
-  core::MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
-                          bool commit) override;
+  core::MachineState state(std::int64_t t_next_ns) override;
+  core::MachineState step(const core::MachineStep& step) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
 

@@ -16,7 +16,7 @@ constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
 constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
 
 const char* magic_of(const Snapshot& s) {
-  if (s.rope.size() > 0) return s.path.empty() ? kSegmented : kLimitedSegmented;
+  if (s.numbers.rope.size() > 0) return s.path.empty() ? kSegmented : kLimitedSegmented;
   return s.path.empty() ? kPrescribed : kLimited;
 }
 
@@ -32,11 +32,12 @@ void get(std::istream& in, T& value) {
 /// Calls f with every number of the snapshot, in the file's order.
 template <typename S, typename F>
 void each_number(S& s, F f) {
-  for (int i = 0; i < kJoints; ++i) f(s.q[i]);
-  for (int i = 0; i < kJoints; ++i) f(s.u[i]);
-  for (int i = 0; i < 3; ++i) f(s.works[i]);
+  auto& n = s.numbers;
+  for (int i = 0; i < kJoints; ++i) f(n.q[i]);
+  for (int i = 0; i < kJoints; ++i) f(n.u[i]);
+  for (int i = 0; i < n.works.size(); ++i) f(n.works[i]);
   for (auto& x : s.path) f(x);
-  for (int i = 0; i < s.rope.size(); ++i) f(s.rope[i]);
+  for (int i = 0; i < n.rope.size(); ++i) f(n.rope[i]);
   for (auto& F_Bo_W : s.F_Bo_W) {
     for (int i = 0; i < 3; ++i) f(F_Bo_W.torque[i]);
     for (int i = 0; i < 3; ++i) f(F_Bo_W.force[i]);
@@ -44,7 +45,7 @@ void each_number(S& s, F f) {
 }
 
 std::array<std::int64_t, 3> sizes(const Snapshot& s) {
-  return {s.q.size(), s.u.size(), s.works.size()};
+  return {s.numbers.q.size(), s.numbers.u.size(), s.numbers.works.size()};
 }
 
 }  // namespace
@@ -75,7 +76,7 @@ Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like) 
   get(in, n);
   if (!in || n != sizes(like)) {
     fail(fmt::format("holds {} coordinates, {} speeds and {} works; this shovel has {}, {} and {}",
-                     n[0], n[1], n[2], like.q.size(), like.u.size(), like.works.size()));
+                     n[0], n[1], n[2], sizes(like)[0], sizes(like)[1], sizes(like)[2]));
   }
   Snapshot s = like;
   bool finite = true;

@@ -4,29 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <optional>
 
-#include "analysis/run/figure.hpp"
-#include "analysis/run/pass_figures.hpp"
-#include "common/angles.hpp"
-#include "common/record/record.hpp"
+#include "analysis/metrics/pass_rows.hpp"
 
 namespace dipper::analysis::metrics {
 namespace {
 
 double tonnes(double kg) { return kg / 1e3; }
 
-/// None: the run is of an older program, or no run.
-std::optional<machine::MachineData> machine_of(const run::RunData& run) {
-  const auto file = run.folder / run::kMachineFile;
-  if (!std::filesystem::exists(file)) return std::nullopt;
-  return machine::load_machine(file);
-}
-
 /// What the weight on the walls has that the rocks inside have not.
 std::string weight_note(const PassFacts& f) {
-  const double difference = f.still->mass_kg - f.pass.payload_kg;
+  const double difference = f.still->mass_kg - f.found.pass.payload_kg;
   std::string note =
       fmt::format("The weight on dipper and door differs from the rocks inside by {:+.2f} t",
                   tonnes(difference));
@@ -47,7 +35,7 @@ std::string weight_note(const PassFacts& f) {
 /// Why the three payloads differ, in figures.
 json payload_notes(const PassFacts& f) {
   json notes = json::array();
-  json out = {{"inside_kg", f.pass.payload_kg}};
+  json out = {{"inside_kg", f.found.pass.payload_kg}};
   if (f.still) {
     out["wrench_kg"] = f.still->mass_kg;
     out["still_from_s"] = f.still->from_s;
@@ -60,7 +48,7 @@ json payload_notes(const PassFacts& f) {
   } else {
     notes.push_back("The dipper rose or sank in the last second before the door opened.");
   }
-  out["truck_kg"] = f.pass.truck_kg;
+  out["truck_kg"] = f.found.pass.truck_kg;
   if (f.fate) {
     notes.push_back(fmt::format(
         "Of {:.2f} t in the dipper before the swing, {:.2f} t came into the truck, {:.2f} t stayed "
@@ -102,26 +90,10 @@ json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Surve
   return out;
 }
 
-json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes, double struck_m3) {
+json passes_table(const std::vector<PassFacts>& passes) {
   json out = json::array();
-  std::optional<signals::PayloadMonitor> monitor;
-  if (const auto machine = machine_of(run))
-    monitor.emplace(*machine, radians(run.number("machine.rake_angle_deg")));
   for (const PassFacts& f : passes) {
-    const signals::Pass& p = f.pass;
-    json row = run::pass_row(p);
-    // As dense as the load is found to be; the case's figure is of its pile at rest.
-    const bool measured = f.load_volume_m3 > 0 && f.load_in_volume_kg > 0;
-    const double bulk_density_kg_m3 =
-        measured ? f.load_in_volume_kg / f.load_volume_m3 : run.bulk_density_kg_m3;
-    if (struck_m3 > 0 && bulk_density_kg_m3 > 0)
-      row["fill_factor"] = p.payload_kg / (struck_m3 * bulk_density_kg_m3);
-    row["dig_force_mean_N"] = p.dig_force_mean_N;
-    if (f.dig_phases_force_mean_N) row["dig_phases_force_mean_N"] = *f.dig_phases_force_mean_N;
-    if (f.dig_slack_share) row["dig_slack_share"] = *f.dig_slack_share;
-    row["dig_force_peak_N"] = p.dig_force_peak_N;
-    run::put_dig_energy(row, run.signals, f);
-    if (monitor) run::put_monitor(row, run.signals, f, *monitor);
+    json row = pass_row(f);
     if (f.fate) {
       row["lifted_kg"] = f.fate->lifted_kg;
       row["carry_back_kg"] = f.fate->carry_back_kg;
@@ -129,38 +101,12 @@ json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes,
       row["spillage_kg"] = f.fate->spillage_kg;
       row["truck_from_elsewhere_kg"] = f.fate->truck_from_elsewhere_kg;
     }
-    if (f.load_volume_m3 > 0) {
-      row["load_volume_m3"] = f.load_volume_m3;
-      row["load_bulk_density_kg_m3"] = f.load_in_volume_kg / f.load_volume_m3;
+    if (f.load) {
+      row["load_volume_m3"] = f.load->volume_m3;
+      row["load_bulk_density_kg_m3"] = f.load->bulk_density_kg_m3();
     }
     row["payload_ways"] = payload_notes(f);
     out.push_back(row);
-  }
-  return out;
-}
-
-json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes) {
-  json out = json::array();
-  std::optional<signals::MachineDemand> demand;
-  if (const auto machine = machine_of(run))
-    demand.emplace(*machine, radians(run.number("machine.rake_angle_deg")),
-                   record::read_channel(run.folder / "record.h5", "machine/saddle_pitch"));
-  for (const PassFacts& f : passes) {
-    for (const signals::Phase& p : f.phases) {
-      const Effort e = effort(run.signals, p.t_start_s, p.t_end_s);
-      json row = {{"pass", f.pass.pass},
-                  {"phase", p.name},
-                  {"t_start_s", p.t_start_s},
-                  {"t_end_s", p.t_end_s},
-                  {"dig_force_mean_N", e.dig_force_mean_N},
-                  {"dig_force_peak_N", e.dig_force_peak_N},
-                  {"rock_work_J", e.rock_work_J},
-                  {"mass_gain_kg", e.mass_gain_kg},
-                  {"slack_share", signals::slack_share(run.signals.pass, p.t_start_s, p.t_end_s)}};
-      if (demand) run::put_demand(row, demand->over(run.signals.drive, p.t_start_s, p.t_end_s));
-      run::put_work(row, e.drives);
-      out.push_back(row);
-    }
   }
   return out;
 }
@@ -171,7 +117,7 @@ json stages_table(const io::DumpFolder& dumps, const Survey& survey,
   for (const PassFacts& f : passes) {
     for (const rock::Stage& s : f.stages) {
       const rock::FrameSums& sums = survey.frames[s.frame];
-      out.push_back({{"pass", f.pass.pass},
+      out.push_back({{"pass", f.found.pass.pass},
                      {"stage", s.stage},
                      {"name", rock::stage_name(s.stage)},
                      {"t_s", dumps.time_s[s.frame]},

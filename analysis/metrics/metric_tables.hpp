@@ -3,30 +3,26 @@
 
 #include "analysis/metrics/frame_survey.hpp"
 #include "analysis/metrics/metrics.hpp"
+#include "analysis/metrics/pass_figures.hpp"
 #include "analysis/metrics/pass_signals.hpp"
 #include "analysis/metrics/pile_surface.hpp"
 #include "analysis/metrics/suspended_load.hpp"
-#include "analysis/rock/struck_volume.hpp"
-#include "analysis/signals/pass_phases.hpp"
 
 namespace dipper::analysis::metrics {
 
 using json = nlohmann::ordered_json;
 
 /// One pass as the signals and the dumps have it.
-struct PassFacts : signals::PassPhases {
-  LoadToFollow load;
+struct PassFacts : PassFigures {
+  LoadToFollow followed;
   std::optional<LoadFate> fate;  ///< none: no frame of the dig, or none after the dump
-  double load_volume_m3 = 0;     ///< 0: not known
-  double load_in_volume_kg = 0;
   std::vector<rock::Stage> stages;
   std::optional<StaticWeight> still;
   std::optional<SuspendedLoad> suspended;
 };
 
 json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Survey& survey);
-json passes_table(const run::RunData& run, const std::vector<PassFacts>& passes, double struck_m3);
-json phases_table(const run::RunData& run, const std::vector<PassFacts>& passes);
+json passes_table(const std::vector<PassFacts>& passes);
 json stages_table(const io::DumpFolder& dumps, const Survey& survey,
                   const std::vector<PassFacts>& passes);
 json frames_table(const io::DumpFolder& dumps, const Survey& survey,

@@ -3,55 +3,55 @@
 #include <algorithm>
 
 #include "analysis/metrics/metric_tables.hpp"
-#include "analysis/rock/load.hpp"
+#include "analysis/metrics/pass_rows.hpp"
+#include "analysis/rock/struck_volume.hpp"
+#include "analysis/run/figure.hpp"
+#include "common/angles.hpp"
 
 namespace dipper::analysis::metrics {
 namespace {
 
 constexpr double kLoadCell_m = 0.05;
 
-/// The last frame at or before a time.
-std::size_t frame_before(const io::DumpFolder& dumps, double t) {
-  const auto after = std::upper_bound(dumps.time_s.begin(), dumps.time_s.end(), t + 1e-9);
-  return after == dumps.time_s.begin() ? 0
-                                       : static_cast<std::size_t>(after - dumps.time_s.begin()) - 1;
+/// Of the run and its case what the figures of its passes need.
+PassFigureMaker::Known known_of(const run::RunData& run, const rock::StruckVolume& struck) {
+  PassFigureMaker::Known known;
+  if (const auto file = run.folder / run::kMachineFile; std::filesystem::exists(file)) {
+    known.machine = machine::load_machine(file);
+    known.rake_rad = radians(run.number("machine.rake_angle_deg"));
+  }
+  known.struck_volume_m3 = run.struck_given_m3 > 0 ? run.struck_given_m3 : struck.volume_m3;
+  known.bulk_density_kg_m3 = run.bulk_density_kg_m3;
+  return known;
 }
 
-std::vector<PassFacts> find_facts(const run::RunData& run, const io::DumpFolder& dumps) {
+std::vector<PassFacts> find_facts(const run::RunData& run, const io::DumpFolder& dumps,
+                                  const rock::StruckVolume& struck) {
   std::vector<PassFacts> facts;
   if (!run.is_run) return facts;
+  const PassFigureMaker maker(run.signals, run.folder / "record.h5", known_of(run, struck));
   for (const signals::PassPhases& p :
        signals::find_pass_phases(run.signals.pass, run.signals.drive)) {
     PassFacts f;
-    static_cast<signals::PassPhases&>(f) = p;
-    const signals::Phase* swing = f.phase("swing");
-    f.load.start_frame = frame_before(dumps, f.pass.t_start_s);
-    f.load.lift_frame = frame_before(dumps, swing != nullptr ? swing->t_start_s : f.pass.t_dump_s);
-    f.load.end_frame = std::max(frame_before(dumps, f.t_end_s), f.load.lift_frame);
-    facts.push_back(f);
+    static_cast<PassFigures&>(f) =
+        maker.figures(p, load_in_dipper(dumps, run.clumps, run.regions, run.dipper, p));
+    f.followed.start_frame = frame_before(dumps, p.pass.t_start_s);
+    f.followed.lift_frame = lift_frame(dumps, p);
+    f.followed.end_frame = std::max(frame_before(dumps, p.t_end_s), f.followed.lift_frame);
+    facts.push_back(std::move(f));
   }
   return facts;
 }
 
-void add_load(PassFacts& f, const run::RunData& run, const io::DumpFolder& dumps,
-              const Survey& survey) {
-  const std::size_t k = frame_before(dumps, f.pass.t_dump_s);
-  const Pose X_WB = run.dipper.at(dumps.time_s[k]).X_WB;
-  const auto balls = balls_in(dumps.frames[k], *run.regions.dipper, X_WB);
-  const Vector3d up_B = X_WB.R.conjugate() * Vector3d::UnitZ();
-  f.load_volume_m3 = rock::load_volume(balls, up_B, *run.regions.dipper, kLoadCell_m);
-  f.load_in_volume_kg = survey.frames[k].in_dipper_kg;
-}
-
 void add_stages(PassFacts& f, const run::RunData& run, const io::DumpFolder& dumps,
                 const Survey& survey) {
-  const signals::Phase* breakout = f.phase("breakout");
-  const double leave_s = breakout != nullptr ? breakout->t_start_s : f.pass.t_dump_s;
+  const signals::Phase* breakout = f.found.phase(signals::PhaseName::breakout);
+  const double leave_s = breakout != nullptr ? breakout->t_start_s : f.found.pass.t_dump_s;
   const auto leave = static_cast<std::size_t>(
       std::lower_bound(dumps.time_s.begin(), dumps.time_s.end(), leave_s) - dumps.time_s.begin());
   const double depth = run.regions.lip_x_m - run.regions.dipper->min_m.x();
-  f.stages =
-      rock::find_stages(survey.frames, f.load.start_frame, f.load.lift_frame + 1, leave, depth);
+  f.stages = rock::find_stages(survey.frames, f.followed.start_frame, f.followed.lift_frame + 1,
+                               leave, depth);
 }
 
 json dipper_table(const run::RunData& run, const rock::StruckVolume& struck) {
@@ -76,22 +76,21 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
       run.regions.lip_x_m = struck.water.max_m.x();
     }
   }
-  std::vector<PassFacts> passes = find_facts(run, dumps);
+  std::vector<PassFacts> passes = find_facts(run, dumps, struck);
   std::vector<LoadToFollow> loads;
-  for (const PassFacts& f : passes) loads.push_back(f.load);
+  for (const PassFacts& f : passes) loads.push_back(f.followed);
   const Survey survey = survey_frames(dumps, run.clumps, run.regions, run.dipper, loads);
   for (std::size_t k = 0; k < passes.size(); ++k) {
-    const LoadToFollow& load = passes[k].load;
-    const bool lifted = dumps.time_s[load.lift_frame] >= passes[k].pass.t_dig_s;
-    if (lifted &&
-        (!passes[k].pass.dumped || dumps.time_s[load.end_frame] > passes[k].pass.t_dump_s))
+    const LoadToFollow& load = passes[k].followed;
+    const bool lifted = dumps.time_s[load.lift_frame] >= passes[k].found.pass.t_dig_s;
+    if (lifted && (!passes[k].found.pass.dumped ||
+                   dumps.time_s[load.end_frame] > passes[k].found.pass.t_dump_s))
       passes[k].fate = survey.fates[k];
-    passes[k].still = static_weight(run.signals, passes[k].pass);
+    passes[k].still = static_weight(run.signals, passes[k].found.pass);
     if (!run.regions.dipper) continue;
     if (passes[k].still)
       passes[k].suspended = suspended_load(dumps, run.clumps, run.regions, run.dipper,
                                            passes[k].still->from_s, passes[k].still->to_s);
-    if (lifted) add_load(passes[k], run, dumps, survey);
     add_stages(passes[k], run, dumps, survey);
   }
   const auto surface = [&](std::size_t k) {
@@ -113,8 +112,8 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
     if (run.summary.is_object() && run.summary.contains(key)) v[key] = run.summary[key];
   if (run.regions.dipper && struck.volume_m3 > 0) v["dipper"] = dipper_table(run, struck);
   if (run.is_run) {
-    v["passes"] = passes_table(run, passes, struck.volume_m3);
-    v["phases"] = phases_table(run, passes);
+    v["passes"] = passes_table(passes);
+    v["phases"] = phase_table({passes.begin(), passes.end()});
     v["stages"] = stages_table(dumps, survey, passes);
   }
   v["frames"] = frames_table(dumps, survey, run.regions);

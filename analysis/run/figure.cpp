@@ -23,8 +23,7 @@ std::shared_ptr<const Tracks> read_tracks(const RunData& run) {
   const auto record = run.folder / "record.h5";
   auto t = std::make_shared<Tracks>();
   t->machine = machine::load_machine(run.folder / kMachineFile);
-  if (const CaseLine* base = run.case_lines.find("machine.base_position_m"))
-    t->X_W0.p = vector_from(nlohmann::json::parse(base->value));
+  t->X_W0.p = run.vector("machine.base_position_m");
   t->dipper = run.dipper;
   const std::vector<double> pitch = record::read_channel(record, "machine/saddle_pitch");
   const signals::DriveSignals& drive = run.signals.drive;

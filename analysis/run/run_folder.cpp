@@ -10,6 +10,7 @@
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
 #include "common/csv_table.hpp"
+#include "common/fines.hpp"
 #include "common/json_values.hpp"
 #include "common/manifest.hpp"
 #include "common/mesh/mesh_check.hpp"
@@ -145,8 +146,17 @@ void read_beside(RunData& run, fs::path file) {
 
 }  // namespace
 
-double RunData::number(const std::string& key, double otherwise) const {
-  return case_lines.number(key).value_or(otherwise);
+double RunData::number(const std::string& key) const {
+  if (const auto value = case_lines.number(key)) return *value;
+  throw io::input_error(folder / "case.txt", 0, "has no number " + key);
+}
+
+Vector3d RunData::vector(const std::string& key) const {
+  const CaseLine* line = case_lines.find(key);
+  const json value = line == nullptr ? json() : json::parse(line->value, nullptr, false);
+  if (!value.is_array() || value.size() != 3)
+    throw io::input_error(folder / "case.txt", 0, "has no vector " + key);
+  return vector_from(value);
 }
 
 std::string RunData::text(const std::string& key) const { return case_lines.text(key); }
@@ -166,7 +176,10 @@ RunData read_run_folder(const fs::path& folder) {
   run.rock_version = record::read_attribute(record, "rock_version");
   run.machine_version = record::read_attribute(record, "machine_version");
   run.dipper = run.signals.walls.at("dipper");
-  run.bulk_density_kg_m3 = run.number("rock.bulk_density_kg_m3");
+  const double pile = run.number("rock.bulk_density_kg_m3"),
+               rock = run.number("rock.density_kg_m3");
+  run.bulk_density_kg_m3 =
+      with_fines(pile, run.number("rock.fines_fraction"), std::max(0.0, 1 - pile / rock));
   read_scales(folder, run.regions);
   run.clumps = rock::read_clump_masses(folder / "deck" / "rocks.in");
   read_meshes(run, folder / "deck" / "case.in");

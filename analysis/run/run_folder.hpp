@@ -39,10 +39,12 @@ struct RunData {
   std::map<std::string, std::filesystem::path> mesh_files;
   mesh::TriangleMesh vessel;      ///< dipper with its door shut, in B
   double struck_given_m3 = 0;     ///< by the file beside the mesh; 0: none
-  double bulk_density_kg_m3 = 0;  ///< of the pile, from the case; 0: not known
+  double bulk_density_kg_m3 = 0;  ///< of the settled pile, from the case; 0: not known
 
-  /// A number of the case, or a text without its quotes.
-  double number(const std::string& key, double otherwise = 0) const;
+  /// A number of the case: throws InputError naming a key that it lacks. Or a text without its
+  /// quotes, "" for a key that it lacks.
+  double number(const std::string& key) const;
+  Vector3d vector(const std::string& key) const;
   std::string text(const std::string& key) const;
 };
 

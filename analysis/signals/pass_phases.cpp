@@ -9,22 +9,22 @@ namespace dipper::analysis::signals {
 namespace {
 
 bool is_dig(const Phase& p) {
-  return p.name == "penetrate" || p.name == "fill" || p.name == "breakout";
+  return p.name >= PhaseName::penetrate && p.name <= PhaseName::breakout;
 }
 
 }  // namespace
 
-const Phase* PassPhases::phase(const std::string& name) const {
+const Phase* PassPhases::phase(PhaseName name) const {
   const auto at =
       std::find_if(phases.begin(), phases.end(), [&](const Phase& p) { return p.name == name; });
   return at == phases.end() ? nullptr : &*at;
 }
 
-std::optional<Phase> PassPhases::dig() const {
+std::optional<TimeSpan> PassPhases::dig() const {
   const auto first = std::find_if(phases.begin(), phases.end(), is_dig);
   const auto last = std::find_if(phases.rbegin(), phases.rend(), is_dig);
   if (first == phases.end()) return std::nullopt;
-  return Phase{"dig", first->t_start_s, last->t_end_s};
+  return TimeSpan{first->t_start_s, last->t_end_s};
 }
 
 double slack_share(const PassSignals& s, double t_start_s, double t_end_s) {

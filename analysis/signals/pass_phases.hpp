@@ -20,10 +20,10 @@ struct PassPhases {
   std::optional<double> dig_slack_share;
 
   /// Null when the pass has no such phase.
-  const Phase* phase(const std::string& name) const;
+  const Phase* phase(PhaseName name) const;
 
   /// From the start of penetrate to the end of breakout; no such phase: none.
-  std::optional<Phase> dig() const;
+  std::optional<TimeSpan> dig() const;
 };
 
 /// Ropes that pull less than this are slack; the empty dipper on them pulls a hundred times as

@@ -73,7 +73,7 @@ Balances balances(const machine::MachineData& m, const machine::ShovelKinematics
 std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
                                                     const std::vector<double>& door_rad,
                                                     const PassPhases& pass) const {
-  const Phase* swing = pass.phase("swing");
+  const Phase* swing = pass.phase(PhaseName::swing);
   if (swing == nullptr || !pass.pass.dumped) return std::nullopt;
   const auto& t = s.time_s;
   std::vector<std::size_t> all, still;

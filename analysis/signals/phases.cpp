@@ -78,14 +78,12 @@ std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t
                                        leave_dig,
                                        arrive,
                                        depart};
-  constexpr std::array<const char*, 7> names = {"approach", "penetrate", "fill",  "breakout",
-                                                "swing",    "dump",      "return"};
   std::vector<Phase> phases;
   double from = t.front();
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  for (std::size_t k = 0; k < kPhaseWords.size(); ++k) {
     double end = k < marks.size() && marks[k] != kNever ? marks[k] : t.back();
     end = std::max(end, from);
-    if (end - from > 1e-9) phases.push_back({names[k], from, end});
+    if (end - from > 1e-9) phases.emplace_back(static_cast<PhaseName>(k), from, end);
     from = end;
   }
   return phases;

@@ -1,16 +1,31 @@
 // The phases of a pass, from the driven signals: what a logger has, at its rate.
 #pragma once
 
-#include <string>
+#include <array>
 #include <vector>
 
 #include "analysis/signals/drive_signals.hpp"
 
 namespace dipper::analysis::signals {
 
-struct Phase {
-  std::string name;  ///< approach, penetrate, fill, breakout, swing, dump or return
+/// In the order of a pass.
+enum class PhaseName { approach, penetrate, fill, breakout, swing, dump, back };
+
+/// What files and pages call them, in that order: the one list of these words.
+inline constexpr std::array<const char*, 7> kPhaseWords = {
+    "approach", "penetrate", "fill", "breakout", "swing", "dump", "return"};
+
+inline const char* word(PhaseName name) { return kPhaseWords.at(static_cast<std::size_t>(name)); }
+
+/// A part of a run.
+struct TimeSpan {
   double t_start_s = 0, t_end_s = 0;
+};
+
+struct Phase : TimeSpan {
+  Phase(PhaseName phase_name, double from_s, double to_s)
+      : TimeSpan{from_s, to_s}, name(phase_name) {}
+  PhaseName name;
 };
 
 /// Where one phase becomes the next: shares of the crowd's stroke before the swing, and of the

@@ -15,6 +15,7 @@
 #include "common/installation.hpp"
 #include "common/temporary_folder.hpp"
 #include "common/text_file.hpp"
+#include "coupler/case/schema.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/interrupt.hpp"
@@ -53,8 +54,8 @@ class WrittenDeck {
 
 /// Of case.in only what the calibration decks read: the rest is the bench and the machine.
 std::string run_hash(const DeckRun& run, const fs::path& deck) {
-  std::string all = fmt::format("{}\nseed {}\ntimestep {:.17g}\n", deck::kSettler, run.c.seed,
-                                run.c.dem.timestep_s);
+  std::string all = fmt::format("{}\nseed {}\ntimestep {:.17g}\n", deck::settler(run.c.dem.loop),
+                                run.c.seed, run.c.dem.timestep_s);
   for (const auto& [name, value] : run.variables) all += name + ' ' + value + '\n';
   return deck_hash(all, scripts(run), deck);
 }
@@ -78,6 +79,8 @@ struct Active {
 
 std::vector<std::string> command(const DeckRun& run) {
   std::vector<std::string> words = {installed_program("dipper-liggghts"),
+                                    "--loop",
+                                    cases::word_of(run.c, "dem.loop"),
                                     "-in",
                                     "dem_in/" + run.deck + ".in",
                                     "-log",

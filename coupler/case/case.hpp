@@ -13,6 +13,8 @@
 #include "common/box.hpp"
 #include "common/finding.hpp"
 #include "common/input_error.hpp"
+#include "coupler/core/coupling.hpp"
+#include "machine/machine_data.hpp"
 
 namespace dipper::cases {
 
@@ -24,10 +26,10 @@ struct MachineCase {
   std::filesystem::path motion;  ///< drive curves (time_s, hoist_m, crowd_m, swing_deg, door_deg)
   Eigen::Vector3d base_position_m = Eigen::Vector3d::Zero();  ///< swing axis at ground level, in W
   double rake_angle_deg = 0;  ///< dipper against handle (paper, Fig. 4b)
-  /// "prescribed": exactly as the motion says; "limited": as far as they can (docs/drives.md).
-  std::string drives = "prescribed";
-  /// "off": the dipper meets no rock from the truck back to the next dig (machine/return_legs.hpp).
-  std::string contact_on_return = "on";
+  /// Exactly as the motion says, or as far as they can (docs/drives.md).
+  machine::DriveMode drives = machine::DriveMode::prescribed;
+  /// false: the dipper meets no rock from the truck back to the next dig (machine/return_legs.hpp).
+  bool contact_on_return = true;
 
   // How this machine differs from its data sheet; by default it does not.
   double crowd_friction_N = 0;   ///< Coulomb friction of the crowd's slide
@@ -131,8 +133,7 @@ struct PileCase {
   std::shared_ptr<const BenchSurface> surface;
   /// rock this near to ground, rear and side walls is held fixed; 0: none
   double held_layer_m = 0;
-  /// Rock that overlaps dipper, door or truck at the start is removed: "on" or "off".
-  std::string clear_machine = "off";
+  bool clear_machine = false;  ///< rock that overlaps dipper, door or truck at the start is removed
   /// Rock on the floor in front of this x is taken away when the dipper is back; 0: it stays.
   double clean_floor_to_x_m = 0;
 };
@@ -144,8 +145,13 @@ struct TruckCase {
   double heading_deg = 0;                                ///< about z
 };
 
+/// Who goes through the rock's time steps: this program's faster loop (dem/fast), or LIGGGHTS's
+/// own.
+enum class RockLoop { fast, liggghts };
+
 /// dem
 struct DemCase {
+  RockLoop loop = RockLoop::fast;
   double timestep_s = 0;
   int ranks = 1;
   double hold_below_m_s = 0;  ///< rock slower than this may be held (dem/hold.hpp); 0: none
@@ -153,7 +159,7 @@ struct DemCase {
 
 /// coupling
 struct CouplingCase {
-  std::string scheme;    ///< "corrected" or "serial"
+  core::Scheme scheme = core::Scheme::corrected;
   int sync_steps = 0;    ///< DEM steps a window
   double timeout_s = 0;  ///< a side that gives no sign for this long has failed
 };
@@ -161,9 +167,9 @@ struct CouplingCase {
 /// output
 struct OutputCase {
   double dump_every_s = 0;
-  double checkpoint_every_s = 0;    ///< simulated time; 0: only when interrupted
-  std::string wall_stress = "off";  ///< pressure on the bodies' triangles
-  double wear_m3_J = 0;             ///< Finnie's coefficient; 0: no wear
+  double checkpoint_every_s = 0;  ///< simulated time; 0: only when interrupted
+  bool wall_stress = false;       ///< pressure on the bodies' triangles
+  double wear_m3_J = 0;           ///< Finnie's coefficient; 0: no wear
 };
 
 /// observation: how the mine's instruments see a run (analysis/signals/observe.hpp).

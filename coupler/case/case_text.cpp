@@ -18,6 +18,7 @@ std::string number(double x) { return fmt::format("{:.17g}", x + 0.0); }
 
 struct ValueText {
   const PathText& path_text;
+  const KeySpec& spec;
 
   std::string operator()(double* x) const { return number(*x); }
   std::string operator()(int* n) const { return fmt::format("{}", *n); }
@@ -32,6 +33,9 @@ struct ValueText {
     for (const std::string& name : *names) text += (text.empty() ? "" : ", ") + in_quotes(name);
     return "[" + text + "]";
   }
+  std::string operator()(const Choice& choice) const {
+    return in_quotes(spec.allowed.at(choice.get()));
+  }
 };
 
 }  // namespace
@@ -40,7 +44,7 @@ std::string case_text(const Case& c, const PathText& path_text) {
   const PathText relative = [&](const fs::path& path) {
     return path.lexically_relative(c.folder).generic_string();
   };
-  const ValueText value_text{path_text ? path_text : relative};
+  const PathText& text_of_path = path_text ? path_text : relative;
   Case copy = c;  // a slot is a way to write; reading through one needs a case that may change
   std::map<std::string, std::string> lines;
   for (const KeySpec& spec : schema()) {
@@ -50,7 +54,8 @@ std::string case_text(const Case& c, const PathText& path_text) {
     if (spec.key == "pile.profile" && c.pile.profile.empty()) continue;
     if (is_replaced_by_profile(c, spec.key)) continue;
     for (const Place& place : places_of(c, spec)) {
-      lines[concrete_key(spec, place)] = std::visit(value_text, spec.slot(copy, place));
+      lines[concrete_key(spec, place)] =
+          std::visit(ValueText{text_of_path, spec}, spec.slot(copy, place));
     }
   }
   std::string text;

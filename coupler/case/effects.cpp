@@ -7,10 +7,10 @@
 #include <set>
 
 #include "common/installation.hpp"
+#include "common/nearest_word.hpp"
 #include "common/yaml_section.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
-#include "coupler/case/suggest.hpp"
 
 namespace dipper::cases {
 namespace fs = std::filesystem;
@@ -117,7 +117,7 @@ void apply_effects(Case& c, std::vector<Finding>& findings) {
     const fs::path file = effect_file(c.folder, name);
     if (!fs::exists(file)) {
       const auto known = effect_names(c.folder);
-      const std::string near = closest(name, known);
+      const std::string near = nearest_word(name, known);
       findings.push_back(
           finding_at(c, key,
                      fmt::format("there is no such effect{}; known are {}",

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "common/nearest_word.hpp"
 #include "common/yaml_tree.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/case_text.hpp"
@@ -92,7 +93,7 @@ class Loader {
             const Place& place) {
     case_.origins[key] = node.origin;
     if (const KeySpec* spec = find_spec(pattern)) {
-      std::visit([&](auto* slot) { read_value(node, key, *spec, *slot); },
+      std::visit([&](const auto& slot) { read_value(node, key, *spec, slot); },
                  spec->slot(case_, place));
     } else if (children_of(pattern) == std::vector<std::string>{"#"}) {
       read_list(node, pattern + ".#", key);
@@ -126,55 +127,68 @@ class Loader {
                     spec.unit.empty() ? "" : " " + spec.unit));
   }
 
-  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, double& out) {
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, double* out) {
     const bool word =
         std::find(spec.allowed.begin(), spec.allowed.end(), node.scalar) != spec.allowed.end();
     const auto value = word ? std::optional<double>(0) : number_in<double>(node);
     if (!value) return wrong_type(node, key, spec);
-    out = *value;
-    if (!word) check_range(node, key, spec, out);
+    *out = *value;
+    if (!word) check_range(node, key, spec, *out);
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
-                  std::int64_t& out) {
+                  std::int64_t* out) {
     const auto value = number_in<std::int64_t>(node);
     if (!value) return wrong_type(node, key, spec);
-    out = *value;
-    check_range(node, key, spec, static_cast<double>(out));
+    *out = *value;
+    check_range(node, key, spec, static_cast<double>(*out));
   }
 
-  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, int& out) {
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec, int* out) {
     const auto value = number_in<std::int64_t>(node);
     if (!value) return wrong_type(node, key, spec);
     check_range(node, key, spec, static_cast<double>(*value));
-    out = static_cast<int>(*value);
+    *out = static_cast<int>(*value);
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
-                  std::string& out) {
+                  std::string* out) {
     if (node.kind != YamlTree::Kind::scalar) return wrong_type(node, key, spec);
-    out = node.scalar;
-    if (spec.allowed.empty()) return;
-    if (std::find(spec.allowed.begin(), spec.allowed.end(), out) != spec.allowed.end()) return;
-    const std::string near = closest(out, spec.allowed);
+    *out = node.scalar;
+    if (!spec.allowed.empty()) word_at(node, key, spec);
+  }
+
+  void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
+                  const Choice& out) {
+    if (node.kind != YamlTree::Kind::scalar) return wrong_type(node, key, spec);
+    if (const auto word = word_at(node, key, spec)) out.set(*word);
+  }
+
+  /// Which of the allowed words it is; another one is a finding.
+  std::optional<std::size_t> word_at(const YamlTree& node, const std::string& key,
+                                     const KeySpec& spec) {
+    const auto word = std::find(spec.allowed.begin(), spec.allowed.end(), node.scalar);
+    if (word != spec.allowed.end()) return word - spec.allowed.begin();
+    const std::string near = nearest_word(node.scalar, spec.allowed);
     add(node, key,
         fmt::format("is {}; write {}{}", shown(node), spec.expected(),
                     near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+    return std::nullopt;
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
-                  fs::path& out) {
+                  fs::path* out) {
     if (node.kind != YamlTree::Kind::scalar || node.scalar.empty()) {
       return wrong_type(node, key, spec);
     }
     // Relative to the file that says it; what --set says, to the case.
     const bool by_hand = node.origin.line == 0;
     const fs::path from = by_hand ? case_.folder : fs::absolute(node.origin.file).parent_path();
-    out = (from / node.scalar).lexically_normal();
+    *out = (from / node.scalar).lexically_normal();
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
-                  Eigen::Vector3d& out) {
+                  Eigen::Vector3d* out) {
     if (node.kind != YamlTree::Kind::list || node.children.size() != 3) {
       return wrong_type(node, key, spec);
     }
@@ -183,8 +197,8 @@ class Loader {
       const auto value = number_in<double>(element);
       const std::string element_key = join_key(key, std::to_string(i));
       if (value) {
-        out[i] = *value;
-        check_range(element, element_key, spec, out[i]);
+        (*out)[i] = *value;
+        check_range(element, element_key, spec, (*out)[i]);
       } else {
         add(element, element_key,
             fmt::format("is {}; write {}", shown(element),
@@ -194,7 +208,7 @@ class Loader {
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
-                  std::vector<std::string>& out) {
+                  std::vector<std::string>* out) {
     if (node.kind != YamlTree::Kind::list || node.children.empty()) {
       return wrong_type(node, key, spec);
     }
@@ -203,7 +217,7 @@ class Loader {
       if (element.kind != YamlTree::Kind::scalar) {
         add(element, join_key(key, index), fmt::format("is {}; write a name", shown(element)));
       } else {
-        out.push_back(element.scalar);
+        out->push_back(element.scalar);
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace dipper::cases {
@@ -18,6 +19,7 @@ struct TypeName {
   std::string operator()(std::filesystem::path*) const { return "a path"; }
   std::string operator()(Eigen::Vector3d*) const { return "three numbers [x, y, z]"; }
   std::string operator()(std::vector<std::string>*) const { return "a list of names"; }
+  std::string operator()(const Choice&) const { return "text"; }
 };
 
 std::string type_name(const KeySpec& spec) {
@@ -44,6 +46,47 @@ const KeySpec* find_spec(const std::string& key) {
   const auto it = std::find_if(schema().begin(), schema().end(),
                                [&](const KeySpec& spec) { return spec.key == key; });
   return it == schema().end() ? nullptr : &*it;
+}
+
+const KeySpec* spec_of(const std::string& key) {
+  const auto is_at = [&](const std::string& pattern) {
+    std::size_t at = 0;
+    for (const char c : pattern) {
+      if (c != '#' && c != '*') {
+        if (at >= key.size() || key[at++] != c) return false;
+        continue;
+      }
+      const std::size_t begin = at;
+      while (at < key.size() && (c == '#' ? std::isdigit(key[at]) != 0 : key[at] != '.')) ++at;
+      if (at == begin) return false;
+    }
+    const std::string rest = key.substr(at);
+    return rest.empty() || (rest.size() == 2 && rest[0] == '.' && std::isdigit(rest[1]) != 0);
+  };
+  const auto it = std::find_if(schema().begin(), schema().end(), [&](const KeySpec& spec) {
+    return spec.key == key || is_at(spec.key);
+  });
+  return it == schema().end() ? nullptr : &*it;
+}
+
+bool is_path(const KeySpec& spec) {
+  Case scratch;
+  return std::holds_alternative<std::filesystem::path*>(spec.slot(scratch, {}));
+}
+
+std::string to_string(Affects affects) {
+  switch (affects) {
+    case Affects::settling:
+      return "settling";
+    case Affects::dig:
+      return "dig";
+    case Affects::machine:
+      return "machine";
+    case Affects::instruments:
+      return "instruments";
+    default:
+      return "output";
+  }
 }
 
 std::vector<std::string> children_of(const std::string& section) {
@@ -90,6 +133,12 @@ std::string concrete_key(const KeySpec& spec, const Place& place) {
   return key;
 }
 
+std::string word_of(const Case& c, const std::string& key) {
+  const KeySpec* spec = find_spec(key);
+  Case copy = c;  // a slot is a way to write
+  return spec->allowed.at(std::get<Choice>(spec->slot(copy, {})).get());
+}
+
 std::string unit_suffix(const std::string& unit) {
   if (unit.empty()) return "";
   if (unit == "%") return "_percent";
@@ -99,10 +148,12 @@ std::string unit_suffix(const std::string& unit) {
 }
 
 std::string schema_markdown() {
-  std::string table = "| key | value | range | required | meaning |\n|---|---|---|---|---|\n";
+  std::string table =
+      "| key | value | range | required | affects | meaning |\n|---|---|---|---|---|---|\n";
   for (const KeySpec& spec : schema()) {
-    table += fmt::format("| `{}` | {} | {} | {} | {} |\n", spec.key, spec.expected(),
-                         spec.range.text(), spec.required ? "yes" : "no", spec.doc);
+    table += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", spec.key, spec.expected(),
+                         spec.range.text(), spec.required ? "yes" : "no", to_string(spec.affects),
+                         spec.doc);
   }
   return table;
 }

@@ -2,6 +2,8 @@
 // docs/case.md lists.
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,18 +19,48 @@ struct Place {
   std::string name;
 };
 
+/// A member of a Case that is one of a few words in a case file: a bool or an enum.
+class Choice {
+ public:
+  /// \param values  what the words of KeySpec::allowed stand for, in their order
+  template <class T>
+  Choice(T& member, std::vector<T> values)
+      : get_([&member, values] {
+          return static_cast<std::size_t>(std::find(values.begin(), values.end(), member) -
+                                          values.begin());
+        }),
+        set_([&member, values](std::size_t word) { member = values.at(word); }) {}
+
+  std::size_t get() const { return get_(); }  ///< which of the words it is
+  void set(std::size_t word) const { set_(word); }
+
+ private:
+  std::function<std::size_t()> get_;
+  std::function<void(std::size_t)> set_;
+};
+
 /// Where a key's value lives in a Case. Its type is the key's type.
 using Slot = std::variant<double*, int*, std::int64_t*, std::string*, std::filesystem::path*,
-                          Eigen::Vector3d*, std::vector<std::string>*>;
+                          Eigen::Vector3d*, std::vector<std::string>*, Choice>;
+
+/// What has to be made again when a key changes: the first of these, and what stands below it.
+enum class Affects {
+  settling,     ///< the pile, which is kept in the cache
+  dig,          ///< the run
+  machine,      ///< forces of its drives; its motion too where they have limits, and then the dig
+  instruments,  ///< what a mine's instruments show of the run
+  output        ///< nothing that is computed: what is written, how long is waited, where it ends
+};
 
 /// One key.
 struct KeySpec {
   std::string key;   ///< dotted; `#` stands for a list index, `*` for a name
   std::string unit;  ///< "kg/m3", "%"; "" for a pure number or no number
   Range range;
-  /// Of a text; empty: any. Of a number: words in its place, for which it is kept as 0.
+  /// Of a text or a choice; empty: any. Of a number: words in its place, for which it is kept as 0.
   std::vector<std::string> allowed;
   bool required = true;
+  Affects affects;
   std::string doc;
   Slot (*slot)(Case&, const Place&);
 
@@ -43,6 +75,16 @@ const std::vector<KeySpec>& schema();
 /// The key `key` of the schema (a pattern with # and *), or nullptr.
 const KeySpec* find_spec(const std::string& key);
 
+/// The key of the schema that one of a case's text stands at: "rock.classes.#.name" for
+/// "rock.classes.0.name"; an element of a vector, "domain.min_m.0", is its key's. Or nullptr.
+const KeySpec* spec_of(const std::string& key);
+
+/// True when a key's value is a path: what counts is the file there, not its name.
+bool is_path(const KeySpec& spec);
+
+/// "settling", "dig", "machine", "instruments" or "output".
+std::string to_string(Affects affects);
+
 /// The keys and sections directly below a section ("" is the whole file), in order.
 std::vector<std::string> children_of(const std::string& section);
 
@@ -54,6 +96,9 @@ std::vector<Place> places_of(const Case& c, const KeySpec& spec);
 
 /// The dotted key at a place: "rock.classes.0.size_m".
 std::string concrete_key(const KeySpec& spec, const Place& place);
+
+/// The word that a case has for a key which is a choice: "corrected" of "coupling.scheme".
+std::string word_of(const Case& c, const std::string& key);
 
 /// "_kg_m3" for "kg/m3", "_percent" for "%", "" for "".
 std::string unit_suffix(const std::string& unit);

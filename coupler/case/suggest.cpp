@@ -8,6 +8,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "common/nearest_word.hpp"
 #include "coupler/case/schema.hpp"
 
 namespace dipper::cases {
@@ -40,40 +41,6 @@ std::string plain(const std::string& key) {  // "rock.classes.#" as people say i
 
 }  // namespace
 
-int edit_distance(const std::string& a_in, const std::string& b_in) {
-  const std::string a = lower(a_in);
-  const std::string b = lower(b_in);
-  // Optimal string alignment: three rows of the usual table.
-  std::vector<int> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = static_cast<int>(j);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = static_cast<int>(i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const int change = a[i - 1] == b[j - 1] ? 0 : 1;
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + change});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        row[j] = std::min(row[j], before[j - 2] + 1);
-      }
-    }
-    before.swap(last);
-    last.swap(row);
-  }
-  return last[b.size()];
-}
-
-std::string closest(const std::string& word, const std::vector<std::string>& known) {
-  std::string best;
-  int best_distance = std::max(1, static_cast<int>(word.size()) / 3) + 1;
-  for (const std::string& candidate : known) {
-    const int distance = edit_distance(word, candidate);
-    if (distance < best_distance) {
-      best_distance = distance;
-      best = candidate;
-    }
-  }
-  return best;
-}
-
 UnknownKey explain_unknown_key(const std::string& section, const std::string& key) {
   const std::string prefix = section.empty() ? "" : section + ".";
   const std::vector<std::string> siblings = children_of(section);
@@ -88,7 +55,7 @@ UnknownKey explain_unknown_key(const std::string& section, const std::string& ke
       return {fmt::format("unknown key; the unit here is {}: {}", spec->unit, sibling), sibling};
     }
   }
-  const std::string near = closest(key, siblings);
+  const std::string near = nearest_word(key, siblings);
   if (!near.empty()) return {fmt::format("unknown key; did you mean {}?", near), near};
   for (const KeySpec& spec : schema()) {
     if (spec.leaf() != key) continue;

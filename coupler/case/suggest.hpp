@@ -1,16 +1,9 @@
-// What someone may have meant by a word that is not on the list.
+// What someone may have meant by a key that a section does not have.
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace dipper::cases {
-
-/// Edits (insert, delete, replace, swap neighbours) from one word to the other, blind to case.
-int edit_distance(const std::string& a, const std::string& b);
-
-/// The closest of `known`, or "" when none is close enough to be a slip.
-std::string closest(const std::string& word, const std::vector<std::string>& known);
 
 /// What to say of a key that a section does not have, and which of the section's keys it seems to
 /// stand for ("" when none does).

@@ -106,7 +106,7 @@ void check_bodies_in_domain(const cases::Case& c, const machine::ShovelKinematic
 
 // What happens at the motion's times has none where limited drives come later.
 void check_times_of_motion(const cases::Case& c, Findings& findings) {
-  if (c.machine.drives != "limited") return;
+  if (c.machine.drives != machine::DriveMode::limited) return;
   if (c.collapse.height_m > 0 && c.collapse.at_s == 0) {
     findings.push_back(cases::finding_at(
         c, "collapse.at_s", "when the door opens is not known with limited drives; write a time"));
@@ -115,7 +115,7 @@ void check_times_of_motion(const cases::Case& c, Findings& findings) {
 
 // The floor is cleaned as a way back without rock ends, and at no other time.
 void check_clean_floor(const cases::Case& c, Findings& findings) {
-  if (c.pile.clean_floor_to_x_m == 0 || c.machine.contact_on_return == "off") return;
+  if (c.pile.clean_floor_to_x_m == 0 || !c.machine.contact_on_return) return;
   findings.push_back(
       cases::finding_at(c, "pile.clean_floor_to_x_m",
                         "needs a way back without rock: machine.contact_on_return: off"));

@@ -51,7 +51,7 @@ double deepest_in(const Bench& bench, const mesh::TriangleMesh& mesh, const Pose
 /// A body goes down into rock that is there already, and shoots it out.
 void doubt_the_start(const CaseParts& parts, std::vector<Finding>& doubts) {
   const cases::Case& c = parts.c;
-  if (c.pile.clear_machine == "on") return;  // the rock there is removed, and told
+  if (c.pile.clear_machine) return;  // the rock there is removed, and told
   const Bench bench(c);
   const machine::ShovelPose at_start = parts.shovel.pose(parts.motion.value(0));
   const double dipper = std::max(deepest_in(bench, parts.dipper, at_start.X_WB),
@@ -117,7 +117,7 @@ void doubt_the_dump(const CaseParts& parts, std::vector<Finding>& doubts) {
 
 /// Where rock is felt again on the way back.
 void doubt_the_return(const CaseParts& parts, std::vector<Finding>& doubts) {
-  if (parts.c.machine.contact_on_return != "off") return;
+  if (parts.c.machine.contact_on_return) return;
   for (const machine::ReturnLeg& leg : machine::return_legs(parts.motion)) {
     const double turns_rad_s = std::abs(parts.motion.rate(leg.end_ns).swing);
     if (turns_rad_s <= kTurning_rad_s) continue;

@@ -1,10 +1,12 @@
 #include "coupler/cli/effects_command.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "coupler/case/effects.hpp"
+#include "coupler/case/schema.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -22,6 +24,15 @@ const char* word(cases::KeyChange::How how) {
   }
 }
 
+/// Of all its keys what has to be made again first.
+std::string affects(const cases::Effect& e) {
+  cases::Affects first = cases::Affects::output;
+  for (const cases::KeyChange& change : e.changes)
+    if (const cases::KeySpec* spec = cases::spec_of(change.key))
+      first = std::min(first, spec->affects);
+  return cases::to_string(first);
+}
+
 json to_json(const cases::Effect& e) {
   json overlay = json::array();
   for (const cases::KeyChange& change : e.changes)
@@ -30,7 +41,7 @@ json to_json(const cases::Effect& e) {
                     {"high", e.high},      {"scale", e.scale}, {"source", e.source}};
   return {{"name", e.name},           {"title", e.title},       {"kind", e.kind},
           {"signature", e.signature}, {"nuisance", e.nuisance}, {"parameter", parameter},
-          {"overlay", overlay}};
+          {"overlay", overlay},       {"affects", affects(e)}};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/input_error.hpp"
+#include "common/nearest_word.hpp"
 #include "common/version.hpp"
 #include "coupler/cli/calibrate_command.hpp"
 #include "coupler/cli/check_command.hpp"
@@ -15,7 +16,6 @@
 #include "coupler/cli/environment.hpp"
 #include "coupler/cli/face_command.hpp"
 #include "coupler/cli/motion_command.hpp"
-#include "coupler/cli/nearest_word.hpp"
 #include "coupler/cli/observe_command.hpp"
 #include "coupler/cli/page_command.hpp"
 #include "coupler/cli/phases_command.hpp"

@@ -20,7 +20,7 @@ using json = nlohmann::ordered_json;
 json list(const std::vector<signals::Phase>& phases) {
   json out = json::array();
   for (const signals::Phase& p : phases)
-    out.push_back({{"phase", p.name}, {"t_start_s", p.t_start_s}, {"t_end_s", p.t_end_s}});
+    out.push_back({{"phase", word(p.name)}, {"t_start_s", p.t_start_s}, {"t_end_s", p.t_end_s}});
   return out;
 }
 

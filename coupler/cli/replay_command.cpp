@@ -4,8 +4,10 @@
 
 #include <memory>
 
+#include "common/case_lines.hpp"
 #include "common/manifest.hpp"
 #include "common/writable_folder.hpp"
+#include "coupler/case/schema.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
@@ -21,6 +23,25 @@ struct ReplayOptions {
   std::vector<std::string> set;
 };
 
+/// A change that the recorded rock has no answer to is a finding; of one that it would have met
+/// otherwise the answer is of first order, which is said.
+std::vector<Finding> weigh_changes(const std::string& folder, const cases::Case& changed,
+                                   Reporter& reporter) {
+  std::vector<Finding> findings;
+  const CaseLines before = CaseLines::read(std::filesystem::path(folder) / "case.txt");
+  for (const CaseLine& line : CaseLines(changed.text)) {
+    const CaseLine* was = before.find(line.key);
+    if (was == nullptr || was->value == line.value) continue;
+    const cases::Affects affects = cases::spec_of(line.key)->affects;
+    if (affects == cases::Affects::settling)
+      findings.push_back({folder, 0, line.key, "makes another pile, which takes a run"});
+    else if (affects == cases::Affects::dig)
+      reporter.line(fmt::format("{} changes what the rock meets as well: an answer of first order",
+                                line.key));
+  }
+  return findings;
+}
+
 int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
   if (o.side != "mbs" || o.out.empty()) {
     throw CLI::ValidationError("--set", "replays another machine: it needs --side mbs and --out");
@@ -29,11 +50,12 @@ int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
   const cases::Case changed = run::case_of_run(
       o.folder, o.case_folder, overrides_of(o.set, "effects.crowd_friction=100"), findings);
   if (findings.empty()) findings = check::check_case(changed);
-  if (findings.empty() && changed.machine.drives == "limited") {
+  if (findings.empty() && changed.machine.drives == machine::DriveMode::limited) {
     findings.push_back({o.folder, 0, "machine.drives",
                         "is limited: another machine moves otherwise, and the recorded rock is not "
                         "what it would meet; run the case"});
   }
+  if (findings.empty()) findings = weigh_changes(o.folder, changed, reporter);
   for (const Finding& f : findings) reporter.error(to_string(f));
   if (!findings.empty()) return 2;
   make_writable(o.out);

@@ -31,7 +31,7 @@ Coupling::Coupling(Machine& machine, Rock& rock, Scheme scheme)
 }
 
 Window Coupling::start() {
-  machine_state_ = machine_.state();
+  machine_state_ = machine_.state(0);
   Window w;
   w.rock = rock_.place(poses(machine_state_));
   w.machine = machine_state_;
@@ -44,33 +44,41 @@ Window Coupling::start() {
   return w;
 }
 
-void Coupling::tell_time() {
-  const SyncTime now{state_.step_index, t_ns()};
-  machine_.set_sync_time(now);
-  rock_.set_sync_time(now);
-}
-
 void Coupling::resume(CouplingState state) {
   state_ = std::move(state);
-  tell_time();
-  machine_state_ = machine_.state();
+  next_ns_ = t_ns();
+  machine_state_ = machine_.state(next_ns_);
 }
 
-Window Coupling::advance(std::int64_t n_steps) {
+void Coupling::begin(std::int64_t n_steps) {
   const std::int64_t t_end_ns = (state_.dem_step + n_steps) * dt_ns_;
-  const double H = static_cast<double>(n_steps * dt_ns_) * 1e-9;
-  const std::vector<Wrench>& held = state_.held;
-  const std::size_t n = held.size();
+  under_way_ = n_steps;
+  RockStep step{n_steps, {}, machine_state_.contact, t_end_ns, state_.step_index};
+  if (scheme_ == Scheme::serial) {
+    stepped_ = machine_.step({t_end_ns, state_.held, t_end_ns, state_.step_index});
+    step.X_WB_target = poses(stepped_);
+  } else {
+    if (next_ns_ != t_end_ns) machine_state_ = machine_.state(t_end_ns);
+    step.X_WB_target = machine_state_.X_WB_next;
+  }
+  rock_.start(step);
+}
+
+Window Coupling::finish(std::int64_t n_next) {
+  const std::int64_t t_end_ns = (state_.dem_step + under_way_) * dt_ns_;
+  const double H = static_cast<double>(under_way_ * dt_ns_) * 1e-9;
+  const std::size_t n = state_.walls.size();
 
   Window w;
   w.step_index = state_.step_index + 1;
-  const MachineState first = machine_.step(t_end_ns, held, scheme_ == Scheme::serial);
-  rock_.set_contact(machine_state_.contact);
-  w.rock = rock_.step(n_steps, poses(first));
+  w.rock = rock_.finish();
   std::vector<Wrench> felt(n);
   for (std::size_t b = 0; b < n; ++b) felt[b] = w.rock.bodies[b].mean;
-  const std::vector<Wrench>& applied = scheme_ == Scheme::serial ? held : felt;
-  w.machine = scheme_ == Scheme::serial ? first : machine_.step(t_end_ns, felt, true);
+  const std::vector<Wrench>& applied = scheme_ == Scheme::serial ? state_.held : felt;
+  next_ns_ = t_end_ns + n_next * dt_ns_;
+  w.machine = scheme_ == Scheme::serial
+                  ? std::move(stepped_)
+                  : machine_.step({t_end_ns, felt, next_ns_, state_.step_index});
 
   for (std::size_t b = 0; b < n; ++b) {
     // The wall's twist is constant over the window, so mean wrench times twist times H is the
@@ -85,9 +93,8 @@ Window Coupling::advance(std::int64_t n_steps) {
   }
   state_.held = std::move(felt);
   state_.step_index = w.step_index;
-  state_.dem_step += n_steps;
+  state_.dem_step += under_way_;
   machine_state_ = w.machine;
-  tell_time();
   return w;
 }
 

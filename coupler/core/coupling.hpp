@@ -11,7 +11,8 @@ namespace dipper::core {
 
 enum class Scheme {
   serial,    ///< the machine takes the window with the last wrench; the rock follows
-  corrected  ///< the machine predicts, the rock follows, the machine repeats with the new wrench
+  corrected  ///< the rock follows where the machine is heading; the machine takes the window with
+             ///< the rock's answer
 };
 /// Throws std::invalid_argument for another word.
 Scheme scheme_from(const std::string& word);
@@ -41,7 +42,7 @@ struct CouplingState {
   std::vector<WallState> walls;
 };
 
-/// Steps a machine and a rock through windows, and counts them: others are told, or ask here. The
+/// Steps a machine and a rock through windows, and counts them. Both only go forward. The
 /// difference of the two works of a window is energy the coupling made (positive: the machine got
 /// more than the rock gave).
 class Coupling {
@@ -55,22 +56,31 @@ class Coupling {
   /// own.
   void resume(CouplingState state);
 
-  /// One window of n_steps DEM steps.
-  Window advance(std::int64_t n_steps);
+  /// Begins a window of n_steps DEM steps; `finish` comes next. The rock steps between the two.
+  void begin(std::int64_t n_steps);
+
+  /// Ends it. \param n_next  DEM steps of the window that follows; 0: none does
+  Window finish(std::int64_t n_next);
+
+  Window advance(std::int64_t n_steps) {
+    begin(n_steps);
+    return finish(n_steps);
+  }
 
   const CouplingState& state() const { return state_; }
   const MachineState& machine_state() const { return machine_state_; }
   std::int64_t t_ns() const { return state_.dem_step * dt_ns_; }
 
  private:
-  void tell_time();
-
   Machine& machine_;
   Rock& rock_;
   Scheme scheme_;
   std::int64_t dt_ns_;
   CouplingState state_;
   MachineState machine_state_;
+  std::int64_t next_ns_ = 0;    ///< what machine_state_ was extrapolated to
+  std::int64_t under_way_ = 0;  ///< DEM steps of the window that has begun
+  MachineState stepped_;        ///< serial: the machine at its end
 };
 
 }  // namespace dipper::core

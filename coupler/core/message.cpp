@@ -28,13 +28,24 @@ struct MessageCheck {
             fmt::format("has a quaternion of length {:.9g} in place of 1", norm).c_str());
   }
 
-  void operator()(const TargetMotion& m) const {
+  void poses(const std::vector<Pose>& X_WB) const {
+    for (std::size_t b = 0; b < X_WB.size(); ++b) pose(X_WB[b], b);
+  }
+
+  void operator()(const MachineStep& m) const {
+    for (std::size_t b = 0; b < m.F_Bo_W.size(); ++b)
+      require(is_finite(m.F_Bo_W[b]), "wrench that is not finite", b);
+  }
+  void operator()(const MachineState& m) const {
     for (std::size_t b = 0; b < m.bodies.size(); ++b) {
       pose(m.bodies[b].X_WB, b);
       require(is_finite(m.bodies[b].V_WB_W), "twist that is not finite", b);
     }
+    poses(m.X_WB_next);
   }
-  void operator()(const WallWrench& m) const {
+  void operator()(const RockPlace& m) const { poses(m.X_WB); }
+  void operator()(const RockStep& m) const { poses(m.X_WB_target); }
+  void operator()(const RockState& m) const {
     for (std::size_t b = 0; b < m.bodies.size(); ++b) {
       pose(m.bodies[b].X_WB, b);
       require(is_finite(m.bodies[b].mean) && is_finite(m.bodies[b].end),

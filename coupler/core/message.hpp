@@ -18,35 +18,28 @@ struct Envelope {
   std::int64_t t_ns = 0;
 };
 
-/// To the rock: targets (only poses count). From the machine: its state.
-struct TargetMotion {
-  std::int64_t n_steps = 0;  ///< 0: place the walls
-  std::vector<BodyState> bodies;
-  std::vector<double> channels;
-  bool contact = true;  ///< whether the bodies meet rock on the way there; from then on
-};
-
-/// From the rock: what it did. To the machine: hold bodies[].mean until the envelope's t_ns.
-struct WallWrench {
-  std::int64_t dem_step = 0;
-  bool commit = false;
-  std::vector<BodyLoad> bodies;
-  std::vector<double> channels;
+/// To the rock: where its walls start.
+struct RockPlace {
+  std::vector<Pose> X_WB;
 };
 
 enum class Action { hello = 1, state = 2, save = 3, load = 4, hash = 5, stop = 6 };
 
+/// To either side. `state`: of the machine now, and where it will be at the envelope's t_ns.
 struct Command {
   Action action = Action::hello;
   std::string file;
 };
 
+/// From either side.
 struct Status {
   bool ok = true;
   std::string text;
 };
 
-using Body = std::variant<TargetMotion, WallWrench, Command, Status>;
+/// A window's step_index and end are in the envelope as it travels, and in the step once decoded.
+using Body =
+    std::variant<MachineStep, MachineState, RockPlace, RockStep, RockState, Command, Status>;
 
 struct Message {
   Envelope envelope;

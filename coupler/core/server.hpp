@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/frames.hpp"
@@ -40,35 +41,32 @@ struct MachineState {
   std::int64_t t_ns = 0;
   std::vector<BodyState> bodies;
   std::vector<double> channels;
-  bool contact = true;  ///< whether the bodies meet rock, from this instant on
+  bool contact = true;          ///< whether the bodies meet rock, from this instant on
+  std::vector<Pose> X_WB_next;  ///< where the bodies will be, extrapolated to the time asked for
 };
 
-/// A moment between two windows.
-struct SyncTime {
-  std::int64_t step_index = 0;  ///< windows completed
-  std::int64_t t_ns = 0;
+/// A window of the machine.
+struct MachineStep {
+  std::int64_t t_end_ns = 0;
+  std::vector<Wrench> F_Bo_W;   ///< rock on body, about the body's moving origin, world axes; held
+  std::int64_t t_next_ns = 0;   ///< end of the window that follows; not after t_end_ns: none does
+  std::int64_t step_index = 0;  ///< windows completed before it
 };
 
-/// The machine (Simbody): wrenches in, motion out.
+/// The machine (Simbody): wrenches in, motion out. It only goes forward.
 class Machine {
  public:
   virtual ~Machine() = default;
   virtual ServerInfo info() const = 0;
 
-  /// Told by the coupling (coupling.hpp), which alone counts: where the run stands now. For a side
-  /// that labels its messages.
-  virtual void set_sync_time(const SyncTime&) {}
+  /// The state the machine is in (after construction: t = 0), and where its bodies will be at
+  /// t_next_ns: prescribed joints by their motion, the others by their speeds and accelerations.
+  virtual MachineState state(std::int64_t t_next_ns) = 0;
 
-  /// The state the machine is committed to (after construction: t = 0).
-  virtual MachineState state() = 0;
+  /// Integrates to the window's end. With where the bodies will be at the end of the next.
+  virtual MachineState step(const MachineStep& step) = 0;
 
-  /// Integrates from the committed state to t_end_ns with the wrenches (rock on body, about the
-  /// body's moving origin, world axes) held. With `commit` the result becomes the committed state;
-  /// without, it is a prediction, which needs no channels, and the machine stays where it was.
-  virtual MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
-                            bool commit) = 0;
-
-  /// Writes, reads the committed state; load(save(s)) continues bit-exactly.
+  /// Writes, reads the state; load(save(s)) continues bit-exactly.
   virtual void save(const std::filesystem::path& file) = 0;
   virtual void load(const std::filesystem::path& file) = 0;
 };
@@ -89,25 +87,29 @@ struct RockState {
   std::vector<double> channels;
 };
 
+/// A window of the rock.
+struct RockStep {
+  std::int64_t n_steps = 0;       ///< DEM steps
+  std::vector<Pose> X_WB_target;  ///< every wall moves there from where it is, at constant twist
+  bool contact = true;            ///< whether the bodies meet rock
+  std::int64_t t_end_ns = 0;
+  std::int64_t step_index = 0;  ///< windows completed before it
+};
+
 /// The rock (LIGGGHTS): motion in, wrenches out.
 class Rock {
  public:
   virtual ~Rock() = default;
   virtual ServerInfo info() const = 0;
 
-  /// As the machine's.
-  virtual void set_sync_time(const SyncTime&) {}
-
   /// Puts the walls where the machine's bodies start (before the first step only).
   virtual RockState place(const std::vector<Pose>& X_WB) = 0;
 
-  /// Told by the coupling before a window: whether the bodies meet rock in it. For a rock that can
-  /// let them through.
-  virtual void set_contact(bool) {}
+  /// Begins a window; `finish` comes next. A rock in another process computes between the two.
+  virtual void start(const RockStep& step) = 0;
 
-  /// Advances exactly n_steps DEM steps while every wall moves, at constant twist, from where it
-  /// is to its target.
-  virtual RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) = 0;
+  /// The end of the window that was started.
+  virtual RockState finish() = 0;
 
   /// Writes a checkpoint. A rock is not loaded: it is started from the file (LIGGGHTS reads a
   /// restart file only into an empty simulation).
@@ -115,6 +117,17 @@ class Rock {
 
   /// SHA-256 over every particle's id, position and velocity, in the order of ids.
   virtual std::string state_hash() = 0;
+};
+
+/// A rock that steps in the caller's own process and time.
+class LocalRock : public Rock {
+ public:
+  virtual RockState step(const RockStep& step) = 0;
+  void start(const RockStep& step) final { result_ = this->step(step); }
+  RockState finish() final { return std::move(result_); }
+
+ private:
+  RockState result_;
 };
 
 }  // namespace dipper::core

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/fines.hpp"
 #include "dem/moist/moist_law.hpp"
 
 namespace dipper::deck {
@@ -25,7 +26,7 @@ double porosity(const cases::Case& c) {
 }
 
 double laden_density(const cases::Case& c) {
-  return c.rock.density_kg_m3 * (1 + c.rock.fines_fraction * porosity(c));
+  return with_fines(c.rock.density_kg_m3, c.rock.fines_fraction, porosity(c));
 }
 
 bool needs_cohesion_model(const cases::Case& c) {

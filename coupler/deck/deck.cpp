@@ -43,8 +43,8 @@ std::int64_t prime_seed(std::int64_t seed, int k) {
 }
 
 std::string wall_arrays(const cases::OutputCase& o) {
-  return std::string("\"id") + (o.wall_stress == "on" ? " stress" : "") +
-         (o.wear_m3_J > 0 ? " wear" : "") + "\"";
+  return std::string("\"id") + (o.wall_stress ? " stress" : "") + (o.wear_m3_J > 0 ? " wear" : "") +
+         "\"";
 }
 
 /// A rock keeps its lists until something has moved by half of this: the dipper does at every few

@@ -9,9 +9,11 @@
 
 namespace dipper::deck {
 
-/// The program that settles rock, dipper-liggghts, in a word that what it settled is kept by: it
-/// changes with the order of its sums.
-constexpr const char* kSettler = "LIGGGHTS 3.8.0, loop 1";
+/// dipper-liggghts with the case's dem.loop, in a word that what it settled is kept by: it changes
+/// with the order of its sums.
+constexpr const char* settler(cases::RockLoop loop) {
+  return loop == cases::RockLoop::fast ? "LIGGGHTS 3.8.0, loop 1" : "LIGGGHTS 3.8.0";
+}
 
 /// How many rocks of one class the pour holds.
 struct ClassCount {

@@ -59,7 +59,7 @@ void write_scene(const cases::Case& c, const run::RunFolder& folder) {
 /// Steps to the end of the motion, or until interrupted. Whether the end is reached.
 bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& lone,
                   const run::RunFolder& folder, Reporter& reporter) {
-  core::Coupling coupling(lone.machine(), rock, core::scheme_from(c.coupling.scheme));
+  core::Coupling coupling(lone.machine(), rock, c.coupling.scheme);
   const run::RunEnd end = run::run_end(c);
   run::RunRecord record(folder.record(), lone.machine().info(), rock.info(),
                         run::record_attributes(c, lone.machine().info(), rock.info()),
@@ -90,7 +90,8 @@ json describe(const std::vector<LimitUse>& uses) {
 /// When the shovel faces the rock of a pass, whether it meets any or not.
 double faces_rock_s(const json& pass) {
   for (const json& phase : pass.at("phases"))
-    if (phase.at("phase") == "penetrate") return phase.at("t_start_s");
+    if (phase.at("phase") == word(analysis::signals::PhaseName::penetrate))
+      return phase.at("t_start_s");
   return pass.at("t_dig_s");
 }
 
@@ -125,7 +126,7 @@ json summarise(const cases::Case& c, Rock rock, const run::RunFolder& folder,
                const std::vector<LimitUse>& limits, double mbs_cpu_s) {
   const auto time_s = record::read_channel(folder.record(), "time_s");
   const double sim_s = time_s.empty() ? 0 : time_s.back();
-  const json passes = run::pass_rows(c, folder.record());
+  const json passes = run::pass_rows(c, folder);
   return {
       {"case", c.name},
       {"seed", c.seed},

@@ -43,8 +43,7 @@ EstimatedRock::EstimatedRock(CutBench bench, const DiggingEstimate& estimate, do
 
 core::ServerInfo EstimatedRock::info() const {
   core::ServerInfo info;
-  info.version =
-      estimate_.there_is_rock ? "estimated rock (fundamental equation of earthmoving)" : "no rock";
+  info.version = estimate_.there_is_rock ? "estimated rock (Dombrovskij's formula)" : "no rock";
   info.bodies = {"dipper", "door"};
   info.timestep_s = timestep_s_;
   info.channels = {{"mass_in_dipper", "kg", "-"}, {"mass_in_truck", "kg", "-"},
@@ -71,23 +70,25 @@ core::RockState EstimatedRock::place(const std::vector<Pose>& X_WB) {
   return state();
 }
 
-core::RockState EstimatedRock::step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) {
+core::RockState EstimatedRock::step(const core::RockStep& step) {
   if (estimate_.there_is_rock) {
-    const Pose X_BD = inverse(X_WB_target.at(0)) * X_WB_target.at(1);
+    const Pose X_BD = inverse(step.X_WB_target.at(0)) * step.X_WB_target.at(1);
     if (machine::door_is_open(rotation_vector(X_BD.R).norm())) {
       in_truck_kg_ += in_dipper_kg_;
       in_dipper_kg_ = 0;
     }
-    load_ = dig(X_WB_.at(0), X_WB_target.at(0), static_cast<double>(n_steps) * timestep_s_);
+    load_ = dig(X_WB_.at(0), step);
   }
-  X_WB_ = X_WB_target;
-  step_ += n_steps;
+  X_WB_ = step.X_WB_target;
+  step_ += step.n_steps;
   return state();
 }
 
-Wrench EstimatedRock::dig(const Pose& from, const Pose& to, double window_s) {
+Wrench EstimatedRock::dig(const Pose& from, const core::RockStep& step) {
   const DiggingEstimate& e = estimate_;
-  if (!contact_) {
+  const Pose& to = step.X_WB_target.at(0);
+  const double window_s = static_cast<double>(step.n_steps) * timestep_s_;
+  if (!step.contact) {
     depth_m_ = resistance_N_ = 0;
     return {};
   }

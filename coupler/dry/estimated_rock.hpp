@@ -30,22 +30,21 @@ DiggingEstimate digging_estimate(const cases::Case& c);
 /// Channels: mass_in_dipper, mass_in_truck, rock_mass, particles and rocks (0) as LIGGGHTS's side
 /// has them; teeth_x, teeth_y, teeth_z [m], the middle of the teeth's tips in W; cut_depth [m], of
 /// it under the surface in front of it, square to that; cut_resistance [N], of the wedge.
-class EstimatedRock final : public core::Rock {
+class EstimatedRock final : public core::LocalRock {
  public:
   /// `timestep_s` is the case's: a window has so many of them.
   EstimatedRock(CutBench bench, const DiggingEstimate& estimate, double timestep_s);
 
   core::ServerInfo info() const override;
   core::RockState place(const std::vector<Pose>& X_WB) override;
-  void set_contact(bool on) override { contact_ = on; }
-  core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
+  core::RockState step(const core::RockStep& step) override;
   /// There is nothing to go on from.
   void save(const std::filesystem::path&) override {}
   std::string state_hash() override { return ""; }
 
  private:
   core::RockState state() const;
-  Wrench dig(const Pose& from, const Pose& to, double window_s);
+  Wrench dig(const Pose& from, const core::RockStep& step);
   double resistance(const Pose& X_WB, const Vector3d& v_W);
 
   CutBench bench_;
@@ -55,7 +54,6 @@ class EstimatedRock final : public core::Rock {
   std::vector<Pose> X_WB_;
   Wrench load_;
   std::int64_t step_ = 0;
-  bool contact_ = true;
   double in_dipper_kg_ = 0, in_truck_kg_ = 0, depth_m_ = 0, resistance_N_ = 0;
 };
 

@@ -10,9 +10,13 @@ Checkpointer::Checkpointer(std::filesystem::path checkpoints, double every_s, Of
       of_(std::move(of)),
       saved_ns_(of_.coupling.t_ns()) {}
 
-void Checkpointer::window(const core::Window& w) {
+bool Checkpointer::needs_rest(const core::Window& w) const {
   const double since_s = static_cast<double>(w.rock.t_ns - saved_ns_) * 1e-9;
-  if (w.step_index == 0 || every_s_ <= 0 || since_s < every_s_ - 1e-9) return;
+  return w.step_index > 0 && every_s_ > 0 && since_s >= every_s_ - 1e-9;
+}
+
+void Checkpointer::window(const core::Window& w) {
+  if (!needs_rest(w)) return;
   save();
   saved_ns_ = w.rock.t_ns;
 }

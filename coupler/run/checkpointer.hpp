@@ -22,6 +22,7 @@ class Checkpointer final : public Observer {
   /// \param every_s  simulated time between two; 0: only at the end
   Checkpointer(std::filesystem::path checkpoints, double every_s, Of of);
 
+  bool needs_rest(const core::Window& w) const override;
   void window(const core::Window& w) override;
   void end() override { save(); }
 

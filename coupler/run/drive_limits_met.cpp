@@ -11,7 +11,7 @@ namespace dipper::run {
 
 void tell_drives(const cases::Case& c, const std::filesystem::path& record,
                  nlohmann::ordered_json& summary, Reporter& reporter) {
-  if (c.machine.drives != "limited") return;
+  if (c.machine.drives != machine::DriveMode::limited) return;
   const auto time_s = record::read_channel(record, "time_s");
   if (time_s.empty()) return;
   const auto channel = [&](const std::string& name) {

@@ -89,15 +89,14 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
       s.hoist_force_N.push_back(state.channels[core::channel_index(info, "hoist_force")]);
       s.crowd_force_N.push_back(state.channels[core::channel_index(info, "crowd_force")]);
     };
-    put(time_s.at(0), lone.machine().state());
+    put(time_s.at(0), lone.machine().state(0));
     // The corrected scheme repeats a window with its own mean wrench, the serial one holds the
     // last.
-    const std::size_t late = changed.coupling.scheme == "serial" ? 1 : 0;
+    const std::size_t late = changed.coupling.scheme == core::Scheme::serial ? 1 : 0;
     for (std::size_t i = 1; i < time_s.size(); ++i) {
-      const auto t_ns = std::llround(time_s[i] * 1e9);
-      lone.machine().set_sync_time(
-          {static_cast<std::int64_t>(i) - 1, std::llround(time_s[i - 1] * 1e9)});
-      put(time_s[i], lone.machine().step(t_ns, {dipper.at(i - late), door.at(i - late)}, true));
+      core::MachineStep step{std::llround(time_s[i] * 1e9), {dipper.at(i - late), door.at(i - late)}};
+      step.step_index = static_cast<std::int64_t>(i) - 1;
+      put(time_s[i], lone.machine().step(step));
     }
   }
   write_observed(s, analysis::run::read_drive_signals(record).pass, changed.observation, out);

@@ -41,7 +41,7 @@ std::string MotionPhases::at(double t_s) const {
       std::upper_bound(phases_.begin(), phases_.end(), t_s,
                        [](double t, const InPass& p) { return t < p.phase.t_start_s; });
   if (after == phases_.begin()) return "";
-  return fmt::format("{} {}", (after - 1)->pass, (after - 1)->phase.name);
+  return fmt::format("{} {}", (after - 1)->pass, word((after - 1)->phase.name));
 }
 
 }  // namespace dipper::run

@@ -55,9 +55,8 @@ void write_observed(const analysis::signals::DriveSignals& drives,
 }
 
 void set_observation(cases::ObservationCase& observation, const cases::Override& set) {
-  const cases::KeySpec* spec =
-      set.key.rfind("observation.", 0) == 0 ? cases::find_spec(set.key) : nullptr;
-  if (spec == nullptr) {
+  const cases::KeySpec* spec = cases::find_spec(set.key);
+  if (spec == nullptr || spec->affects != cases::Affects::instruments) {
     throw std::invalid_argument(
         fmt::format("{}: not a key of the instruments; known are observation.{{{}}}", set.key,
                     fmt::join(cases::children_of("observation"), ", ")));
@@ -76,7 +75,8 @@ void set_observation(cases::ObservationCase& observation, const cases::Override&
 cases::ObservationCase read_observation(const fs::path& case_txt) {
   cases::ObservationCase observation;
   for (const CaseLine& line : CaseLines::read(case_txt)) {
-    if (!is_within(line.key, "observation")) continue;
+    const cases::KeySpec* spec = cases::find_spec(line.key);
+    if (spec == nullptr || spec->affects != cases::Affects::instruments) continue;
     try {
       set_observation(observation, {line.key, line.value});
     } catch (const std::invalid_argument& e) {

@@ -10,6 +10,10 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
+  /// Whether both sides have to stand still while `window` is told of this one. Else the rock steps
+  /// the next meanwhile.
+  virtual bool needs_rest(const core::Window&) const { return false; }
+
   /// A window has been stepped; index 0: the start, before the first.
   virtual void window(const core::Window& w) = 0;
 

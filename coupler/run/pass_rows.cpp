@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "analysis/run/pass_figures.hpp"
-#include "analysis/signals/pass_phases.hpp"
+#include "analysis/metrics/pass_rows.hpp"
 #include "common/angles.hpp"
+#include "common/fines.hpp"
+#include "common/input_error.hpp"
 #include "common/record/record.hpp"
 #include "coupler/deck/contact_table.hpp"
-#include "coupler/run/rattle.hpp"
 #include "coupler/sides/sides_setup.hpp"
 
 namespace dipper::run {
@@ -16,52 +16,53 @@ using json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr double kJump = 0.3;  // of the dig's mean force, from one step to the next
+namespace fs = std::filesystem;
+namespace metrics = analysis::metrics;
+
+/// The dumps; none: there are none, or they are damaged, of which the report tells.
+std::optional<analysis::io::DumpFolder> dumps_of(const RunFolder& folder, double timestep_s) {
+  try {
+    return analysis::io::open_dump_folder(folder.root(), timestep_s);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+metrics::PassFigureMaker::Known known_of(const cases::Case& c, double struck_volume_m3) {
+  metrics::PassFigureMaker::Known known;
+  known.machine = machine::load_machine(c.machine.model);
+  known.rake_rad = radians(c.machine.rake_angle_deg);
+  known.struck_volume_m3 = struck_volume_m3;
+  known.bulk_density_kg_m3 =
+      with_fines(c.rock.bulk_density_kg_m3, c.rock.fines_fraction, deck::porosity(c));
+  return known;
+}
 
 }  // namespace
 
-json pass_rows(const cases::Case& c, const std::filesystem::path& record) {
-  const double full_kg = c.rock.bulk_density_kg_m3 * deck::laden_density(c) / c.rock.density_kg_m3 *
-                         sides::read_mesh_facts(c).dipper.struck_volume_m3;
-  const analysis::run::RunSignals signals = analysis::run::read_drive_signals(record);
-  json passes = json::array();
-  const Rattle rattle(record);
-  const machine::MachineData machine = machine::load_machine(c.machine.model);
-  const double rake = radians(c.machine.rake_angle_deg);
-  const analysis::signals::PayloadMonitor monitor(machine, rake);
-  const analysis::signals::MachineDemand demand(
-      machine, rake, record::read_channel(record, "machine/saddle_pitch"));
-  for (const auto& found : analysis::signals::find_pass_phases(signals.pass, signals.drive)) {
-    const auto& p = found.pass;
-    json row = analysis::run::pass_row(p);
-    row["fill_factor"] = p.payload_kg / full_kg;
-    row["dig_force_mean_N"] = p.dig_force_mean_N;
-    row["dig_force_peak_N"] = p.dig_force_peak_N;
-    row["dig_force_peak_t_s"] = p.dig_force_peak_t_s;
-    if (found.dig_phases_force_mean_N)
-      row["dig_phases_force_mean_N"] = *found.dig_phases_force_mean_N;
-    if (found.dig_slack_share) row["dig_slack_share"] = *found.dig_slack_share;
-    if (const auto dig = found.dig()) {
-      analysis::run::put_demand(row, demand.over(signals.drive, dig->t_start_s, dig->t_end_s));
-      row["dig_rattle_share"] = rattle.share(*dig, kJump * p.dig_force_mean_N);
+json pass_rows(const cases::Case& c, const RunFolder& folder) {
+  const fs::path record = folder.record();
+  if (record::read_channel(record, "time_s").size() < 2) return json::array();
+  const analysis::run::RunSignals signals = analysis::run::read_signals(record);
+  const cases::DipperFacts dipper = sides::read_mesh_facts(c).dipper;
+  const metrics::PassFigureMaker maker(signals, record, known_of(c, dipper.struck_volume_m3));
+  analysis::rock::LoadRegions regions;
+  regions.dipper = dipper.load;
+  const auto dumps = dumps_of(folder, c.dem.timestep_s);
+  const auto clumps = analysis::rock::read_clump_masses(folder.deck() / "rocks.in");
+  const auto load = [&](const analysis::signals::PassPhases& pass) {
+    std::optional<metrics::LoadInDipper> found;
+    if (!dumps) return found;
+    try {
+      found = metrics::load_in_dipper(*dumps, clumps, regions, signals.walls.at("dipper"), pass);
+    } catch (const InputError&) {  // a damaged dump, of which the report tells
     }
-    analysis::run::put_dig_energy(row, signals, found);
-    analysis::run::put_monitor(row, signals, found, monitor);
-    json& phases = row["phases"] = json::array();
-    for (const auto& phase : found.phases) {
-      json one = {{"phase", phase.name},
-                  {"t_start_s", phase.t_start_s},
-                  {"t_end_s", phase.t_end_s},
-                  {"slack_share",
-                   analysis::signals::slack_share(signals.pass, phase.t_start_s, phase.t_end_s)}};
-      analysis::run::put_demand(one, demand.over(signals.drive, phase.t_start_s, phase.t_end_s));
-      analysis::run::put_work(
-          one, analysis::signals::drives_work(signals.drive, phase.t_start_s, phase.t_end_s));
-      phases.push_back(one);
-    }
-    passes.push_back(row);
-  }
-  return passes;
+    return found;
+  };
+  std::vector<metrics::PassFigures> passes;
+  for (const auto& pass : analysis::signals::find_pass_phases(signals.pass, signals.drive))
+    passes.push_back(maker.figures(pass, load(pass)));
+  return metrics::nested_rows(passes);
 }
 
 void tell_passes(const json& passes, Reporter& reporter) {

@@ -1,16 +1,17 @@
 // A run's passes, as summary.json has them.
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
+#include "coupler/run/run_folder.hpp"
 
 namespace dipper::run {
 
-/// One row a pass that is found in the record. Throws std::runtime_error naming file and dataset.
-nlohmann::ordered_json pass_rows(const cases::Case& c, const std::filesystem::path& record);
+/// One row a pass that is found in the record of a run's folder, the load's density from its
+/// dumps. Throws std::runtime_error naming file and dataset.
+nlohmann::ordered_json pass_rows(const cases::Case& c, const RunFolder& folder);
 
 /// A line a pass.
 void tell_passes(const nlohmann::ordered_json& passes, Reporter& reporter);

@@ -13,6 +13,7 @@
 #include "common/cache_folder.hpp"
 #include "common/case_lines.hpp"
 #include "common/installation.hpp"
+#include "coupler/case/schema.hpp"
 #include "coupler/deck/bench_cut.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/launch/failure_message.hpp"
@@ -24,18 +25,17 @@ namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
-/// Everything the bench depends on: the case's keys about rock, its bench and the DEM, the deck
-/// that settles it, the files that deck includes, and the program that runs it.
+/// Everything the bench depends on: the case's keys that affect the settling, the deck that settles
+/// it, the files that deck includes, and the program that runs it.
 std::string pile_hash(const cases::Case& c, const fs::path& deck) {
-  std::string all = fmt::format("{}, bench-cut {}\n", deck::kSettler, deck::kBenchCutVersion);
+  std::string all =
+      fmt::format("{}, bench-cut {}\n", deck::settler(c.dem.loop), deck::kBenchCutVersion);
   for (const CaseLine& line : CaseLines(c.text)) {
-    // Of the dig, not of the settling; or a path, which says where a file is, not what is in it:
-    // the deck's spheres, outline and surface are hashed below.
-    const auto is = [&](const char* section) { return is_within(line.key, section); };
-    if (is("dem.hold_below_m_s") || is("pile.clear_machine") || is("pile.held_layer_m") ||
-        is("pile.clean_floor_to_x_m") || is("rock.shape_folder") || is("pile.profile"))
-      continue;
-    if (is("rock") || is("contact") || is("pile") || is("domain") || is("dem") || is("seed"))
+    const cases::KeySpec& spec = *cases::spec_of(line.key);
+    // A path says where a file is, not what is in it: the deck's spheres, outline and surface are
+    // hashed below. The settler's word has the loop.
+    const bool said = cases::is_path(spec) || line.key == "dem.loop";
+    if (spec.affects == cases::Affects::settling && !said)
       all += line.key + '=' + line.value + '\n';
   }
   std::vector<fs::path> scripts;
@@ -87,12 +87,13 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
     const fs::path screen = logs / "settle.screen";
     const Links links(out, deck);
     launch::Process liggghts(
-        launch::mpirun(c.dem.ranks,
-                       {installed_program("dipper-liggghts"), "-in", "dem_in/settle.in", "-log",
-                        fs::absolute(logs / "settle.liggghts").string(), "-screen",
-                        fs::absolute(screen).string(), "-var", "deck", "deck", "-var", "out", ".",
-                        "-var", "bench_cut", "./bench-cut"},
-                       places),
+        launch::mpirun(
+            c.dem.ranks,
+            {installed_program("dipper-liggghts"), "--loop", cases::word_of(c, "dem.loop"), "-in",
+             "dem_in/settle.in", "-log", fs::absolute(logs / "settle.liggghts").string(), "-screen",
+             fs::absolute(screen).string(), "-var", "deck", "deck", "-var", "out", ".", "-var",
+             "bench_cut", "./bench-cut"},
+            places),
         logs / "settle.log", out);
     launch::HangWatch watch(c.coupling.timeout_s);
     while (!liggghts.wait(std::chrono::milliseconds(100))) {

@@ -52,7 +52,7 @@ RunEnd run_end(const cases::Case& c) {
   const double motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());
   const auto step = [&](double t_s) { return std::llround(t_s / c.dem.timestep_s); };
   if (c.end_s > 0) return {step(c.end_s), std::nullopt};
-  if (c.machine.drives != "limited") return {step(motion_s), std::nullopt};
+  if (c.machine.drives != machine::DriveMode::limited) return {step(motion_s), std::nullopt};
   constexpr double kLongest = 2;  // of the motion's time: a cycle that takes longer has gone wrong
   constexpr double kEarly_s = 1e-6;  // a path that was never slowed ends with the motion
   return {step(kLongest * motion_s), motion_s - kEarly_s};

@@ -27,7 +27,8 @@ Progress::Progress(Reporter& reporter, const cases::Case& c, const RunEnd& end,
       end_s_(end.path_s.value_or(static_cast<double>(end.step) * c.dem.timestep_s)),
       phases_(machine::Motion::load(c.machine.motion)),
       payload_(core::channel_index(rock, "mass_in_dipper")) {
-  if (c.machine.drives == "limited") path_time_ = core::channel_index(machine, "path_time");
+  if (c.machine.drives == machine::DriveMode::limited)
+    path_time_ = core::channel_index(machine, "path_time");
 }
 
 void Progress::window(const core::Window& w) {

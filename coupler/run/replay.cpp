@@ -92,16 +92,16 @@ nlohmann::json redirected(nlohmann::json settings, const std::string& side,
 
 void compare(const core::Body& now, const core::Body& before, ReplayResult& result) {
   if (transport::encode({{}, now}) != transport::encode({{}, before})) ++result.different;
-  const auto* a = std::get_if<core::WallWrench>(&now);
-  const auto* b = std::get_if<core::WallWrench>(&before);
+  const auto* a = std::get_if<core::RockState>(&now);
+  const auto* b = std::get_if<core::RockState>(&before);
   for (std::size_t i = 0; a != nullptr && b != nullptr && i < a->bodies.size(); ++i) {
     const auto off = (a->bodies[i].mean.force - b->bodies[i].mean.force).cwiseAbs().maxCoeff();
     result.force_N = std::max(result.force_N, off);
     result.position_m = std::max(result.position_m,
                                  (a->bodies[i].X_WB.p - b->bodies[i].X_WB.p).cwiseAbs().maxCoeff());
   }
-  const auto* c = std::get_if<core::TargetMotion>(&now);
-  const auto* d = std::get_if<core::TargetMotion>(&before);
+  const auto* c = std::get_if<core::MachineState>(&now);
+  const auto* d = std::get_if<core::MachineState>(&before);
   for (std::size_t i = 0; c != nullptr && d != nullptr && i < c->bodies.size(); ++i) {
     result.position_m = std::max(result.position_m,
                                  (c->bodies[i].X_WB.p - d->bodies[i].X_WB.p).cwiseAbs().maxCoeff());

@@ -7,12 +7,12 @@ namespace dipper::run {
 struct RunCost {
   double dem_cpu_s = 0, mbs_cpu_s = 0;
   double wall_s = 0;       ///< wall time of the stepping
-  double rock_wait_s = 0;  ///< of it, spent waiting for the rock side
+  double rock_busy_s = 0;  ///< of it, in which the rock side steps
 };
 
 inline RunCost operator+(const RunCost& a, const RunCost& b) {
   return {a.dem_cpu_s + b.dem_cpu_s, a.mbs_cpu_s + b.mbs_cpu_s, a.wall_s + b.wall_s,
-          a.rock_wait_s + b.rock_wait_s};
+          a.rock_busy_s + b.rock_busy_s};
 }
 
 }  // namespace dipper::run

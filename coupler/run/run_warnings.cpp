@@ -38,9 +38,10 @@ void warn_of_pass(const cases::Case& c, const json& p, bool whole,
         "pass {}: the dig force peaks at {:.0f} MN, {:.0f} times its mean, at {:.2f} s: a rock is "
         "caught between the dipper and what does not give way",
         pass, peak * 1e-6, peak / mean, number("dig_force_peak_t_s")));
+  const bool prescribed = c.machine.drives == machine::DriveMode::prescribed;
   for (const auto& [drive, key] :
        {std::pair{"hoist", "hoist_beyond_share"}, std::pair{"crowd", "crowd_beyond_share"}})
-    if (const double beyond = number(key); beyond > kMuchBeyond && c.machine.drives == "prescribed")
+    if (const double beyond = number(key); beyond > kMuchBeyond && prescribed)
       warnings.push_back(fmt::format(
           "pass {}: the {} takes more force than the machine has in {:.0f} % of the dig; "
           "machine.drives: limited stalls instead (docs/drives.md)",

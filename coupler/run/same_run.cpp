@@ -13,6 +13,7 @@
 #include "common/sha256.hpp"
 #include "common/text_file.hpp"
 #include "coupler/case/case_hash.hpp"
+#include "coupler/case/schema.hpp"
 #include "machine/motion.hpp"
 
 namespace dipper::run {
@@ -23,9 +24,9 @@ namespace {
 std::set<std::string> fixed_lines(const CaseLines& text) {
   std::set<std::string> fixed;
   for (const CaseLine& line : text) {
-    const bool free =
-        line.key == "end_s" || is_within(line.key, "output") || line.key == "coupling.timeout_s";
-    if (!free) fixed.insert(line.key + '=' + line.value);
+    const cases::KeySpec* spec = cases::spec_of(line.key);  // none: of another version's case
+    if (spec == nullptr || spec->affects != cases::Affects::output)
+      fixed.insert(line.key + '=' + line.value);
   }
   return fixed;
 }

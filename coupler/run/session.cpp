@@ -12,7 +12,7 @@ namespace {
 
 core::Coupling coupled(const cases::Case& c, sides::Sides& sides, TimedRock& rock,
                        const std::optional<Checkpoint>& from) {
-  core::Coupling coupling(sides.machine(), rock, core::scheme_from(c.coupling.scheme));
+  core::Coupling coupling(sides.machine(), rock, c.coupling.scheme);
   if (from) {
     std::vector<Pose> X_WB;
     for (const core::WallState& wall : from->coupling.walls) X_WB.push_back(wall.X_WB);
@@ -63,7 +63,7 @@ Session::Session(const cases::Case& c, const RunFolder& folder,
 bool Session::run() {
   if (!resumed_) {
     const core::Window& first = stepper_.start();
-    if (case_.pile.clear_machine == "on") tell_removed_rocks(first);
+    if (case_.pile.clear_machine) tell_removed_rocks(first);
   }
   const bool complete = stepper_.run([] { return launch::interrupts() > 0; });
   if (complete) {  // rock and machine together, as both stand in the last checkpoint
@@ -82,7 +82,7 @@ void Session::tell_removed_rocks(const core::Window& first) {
 
 RunCost Session::cost() const {
   return cost_before_ +
-         RunCost{sides_.dem_cpu_s(), sides_.mbs_cpu_s(), stepper_.wall_s(), rock_.wait_s()};
+         RunCost{sides_.dem_cpu_s(), sides_.mbs_cpu_s(), stepper_.wall_s(), rock_.busy_s()};
 }
 
 RunFacts Session::close(bool orderly) {

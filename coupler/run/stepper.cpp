@@ -9,14 +9,21 @@ namespace dipper::run {
 Stepper::Stepper(core::Coupling& coupling, std::int64_t window_steps, std::int64_t end_step)
     : coupling_(coupling), window_steps_(window_steps), end_step_(end_step) {}
 
-void Stepper::tell(core::Window w) {
-  last_ = std::move(w);
+void Stepper::tell() {
+  if (told_) return;
+  told_ = true;
   for (Observer* o : observers_) o->window(last_);
 }
 
 const core::Window& Stepper::start() {
-  tell(coupling_.start());
+  last_ = coupling_.start();
+  told_ = false;
+  tell();
   return last_;
+}
+
+std::int64_t Stepper::steps_from(std::int64_t dem_step) const {
+  return std::min(window_steps_, end_step_ - dem_step);
 }
 
 bool Stepper::at_end() const {
@@ -27,11 +34,18 @@ bool Stepper::run(const std::function<bool()>& stop) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   while (!at_end() && !stop()) {
-    core::Window w =
-        coupling_.advance(std::min(window_steps_, end_step_ - coupling_.state().dem_step));
+    const std::int64_t from = coupling_.state().dem_step, steps = steps_from(from);
+    coupling_.begin(steps);
+    tell();
+    last_ = coupling_.finish(steps_from(from + steps));
     wall_s_ = std::chrono::duration<double>(Clock::now() - began).count();
-    tell(std::move(w));
+    told_ = false;
+    if (std::any_of(observers_.begin(), observers_.end(),
+                    [this](const Observer* o) { return o->needs_rest(last_); })) {
+      tell();
+    }
   }
+  tell();
   for (Observer* o : observers_) o->end();
   return at_end();
 }

@@ -9,7 +9,8 @@
 
 namespace dipper::run {
 
-/// Advances a coupling and tells its observers of each window, in the order they were added.
+/// Advances a coupling and tells its observers of each window, in the order they were added, while
+/// the rock steps the next.
 class Stepper {
  public:
   /// \param window_steps  DEM steps a window
@@ -36,7 +37,9 @@ class Stepper {
   double wall_s() const { return wall_s_; }
 
  private:
-  void tell(core::Window w);
+  void tell();
+  /// DEM steps of a window that begins there.
+  std::int64_t steps_from(std::int64_t dem_step) const;
   bool at_end() const;
 
   core::Coupling& coupling_;
@@ -44,6 +47,7 @@ class Stepper {
   std::function<bool(const core::MachineState&)> done_;
   std::vector<Observer*> observers_;
   core::Window last_;
+  bool told_ = true;  ///< of the last window
   double wall_s_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "common/record/record.hpp"
 #include "common/text_file.hpp"
 #include "common/version.hpp"
+#include "coupler/case/schema.hpp"
 #include "coupler/run/achieved_grading.hpp"
 #include "coupler/run/achieved_profile.hpp"
 #include "coupler/run/drive_limits_met.hpp"
@@ -19,7 +20,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::path& record) {
+json summarise(const cases::Case& c, const RunFacts& f, const RunFolder& folder) {
+  const std::filesystem::path record = folder.record();
   const auto time_s = record::read_channel(record, "time_s");
   const double sim_s = time_s.empty() ? 0.0 : time_s.back();
   const double cpu_s = f.cost.dem_cpu_s + f.cost.mbs_cpu_s;
@@ -36,12 +38,12 @@ json summarise(const cases::Case& c, const RunFacts& f, const std::filesystem::p
       {"version", version()},
       {"status", f.status},
       {"effects", c.effects},
-      {"passes", pass_rows(c, record)},
+      {"passes", pass_rows(c, folder)},
       {"coupling",
-       {{"scheme", c.coupling.scheme},
+       {{"scheme", cases::word_of(c, "coupling.scheme")},
         {"syncs", f.syncs},
         {"sync_step_mean_s", ratio(sim_s, static_cast<double>(f.syncs))},
-        {"overhead_fraction", ratio(f.cost.wall_s - f.cost.rock_wait_s, f.cost.wall_s)},
+        {"overhead_fraction", ratio(f.cost.wall_s - f.cost.rock_busy_s, f.cost.wall_s)},
         {"energy_residual_J", f.energy_residual_J},
         {"interface_work_J", f.interface_work_J},
         {"resends", f.resends},
@@ -88,8 +90,8 @@ json describe(const AchievedProfile& p) {
 
 void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts& facts,
                    Reporter& reporter) {
-  json summary = summarise(c, facts, folder.record());
-  if (c.pile.clear_machine == "on" && facts.syncs > 0) {
+  json summary = summarise(c, facts, folder);
+  if (c.pile.clear_machine && facts.syncs > 0) {
     const auto first = [&](const char* name) {
       return record::read_channel(folder.record(), name).at(0);
     };

@@ -22,7 +22,7 @@ struct RunFacts {
   std::string state_hash;
 };
 
-/// The keys of design.md, "Files", of a run whose record is closed. Passes are found in the record,
+/// The keys of docs/results.md, of a run whose record is closed. Passes are found in the record,
 /// the rock as it was dug in the dumps; deck/achieved.csv is written with it. Tells the reporter of
 /// both. Throws std::runtime_error naming the file that cannot be read or written.
 void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts& facts,

@@ -8,6 +8,7 @@
 #include "common/angles.hpp"
 #include "common/installation.hpp"
 #include "common/json_values.hpp"
+#include "coupler/case/schema.hpp"
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "dem/rock_setup.hpp"
@@ -42,6 +43,7 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
                             const fs::path& dumps, const fs::path& logs, const fs::path& restart,
                             const std::optional<std::vector<dem::WallMemory>>& resumed) {
   dem::RockSetup setup;
+  setup.fast_loop = c.dem.loop == cases::RockLoop::fast;
   setup.deck = (data_folder() / "dem_in" / "dig.in").string();
   setup.log = (logs / "dem.liggghts").string();
   setup.screen = (logs / "dem.screen").string();
@@ -58,8 +60,8 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
                      {"dipper_z", "0"},
                      {"door_z", "0"}};
   setup.bodies = {"dipper", "door"};
-  if (c.pile.clear_machine == "on") setup.cleared = {"dipper", "door", "truck"};
-  setup.pauses = c.machine.contact_on_return == "off";
+  if (c.pile.clear_machine) setup.cleared = {"dipper", "door", "truck"};
+  setup.pauses = !c.machine.contact_on_return;
   if (c.pile.clean_floor_to_x_m != 0)
     setup.floor = dem::FloorStrip{c.pile.clean_floor_to_x_m, c.pile.width_m / 2 + kFloorSide_m,
                                   kFloorHeight_m};
@@ -89,8 +91,8 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
 nlohmann::json mbs_settings(const cases::Case& c, const DipperLayers& layers) {
   return {{"model", c.machine.model.string()},
           {"motion", c.machine.motion.string()},
-          {"drives", c.machine.drives},
-          {"contact_on_return", c.machine.contact_on_return},
+          {"drives", cases::word_of(c, "machine.drives")},
+          {"contact_on_return", cases::word_of(c, "machine.contact_on_return")},
           {"base_position_m", json_of(c.machine.base_position_m)},
           {"rake_angle_deg", c.machine.rake_angle_deg},
           {"crowd_friction_N", c.machine.crowd_friction_N},

@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "dipper_msg/command_t.hpp"
+#include "dipper_msg/machine_state_t.hpp"
+#include "dipper_msg/machine_step_t.hpp"
+#include "dipper_msg/rock_place_t.hpp"
+#include "dipper_msg/rock_state_t.hpp"
+#include "dipper_msg/rock_step_t.hpp"
 #include "dipper_msg/status_t.hpp"
-#include "dipper_msg/target_motion_t.hpp"
-#include "dipper_msg/wall_wrench_t.hpp"
 
 namespace dipper::transport {
 namespace {
@@ -22,7 +25,7 @@ namespace {
 /// copies from wherever that leads.
 class Fields {
  public:
-  Fields() = default;  ///< writes; changes no field
+  Fields() = default;  ///< writes
   explicit Fields(std::string_view bytes) : reading_(true), rest_(bytes) {}
 
   template <class... Field>
@@ -65,6 +68,7 @@ class Fields {
     std::array<std::int64_t, sizeof dipper_msg::header_t::mac / 8> mac{};  // the transport seals it
     for (auto& part : mac) visit(part);
     (*this)(e.run_id, e.case_hash, e.step_index, e.sequence, e.t_ns);
+    header_ = &e;
   }
   void visit(Vector3d& v) { (*this)(v.x(), v.y(), v.z()); }
   void visit(Quaterniond& q) { (*this)(q.w(), q.x(), q.y(), q.z()); }
@@ -73,8 +77,24 @@ class Fields {
   void visit(Pose& X) { (*this)(X.p, X.R); }
   void visit(BodyState& b) { (*this)(b.X_WB, b.V_WB_W); }
   void visit(core::BodyLoad& b) { (*this)(b.mean, b.end, b.X_WB); }
-  void visit(core::TargetMotion& m) { (*this)(m.n_steps, m.contact, m.bodies, m.channels); }
-  void visit(core::WallWrench& m) { (*this)(m.dem_step, m.commit, m.bodies, m.channels); }
+  void visit(core::MachineStep& m) {
+    (*this)(m.t_next_ns, m.F_Bo_W);
+    m.t_end_ns = header_->t_ns;
+    m.step_index = header_->step_index;
+  }
+  void visit(core::MachineState& m) {
+    (*this)(m.t_ns, m.contact, m.bodies, m.X_WB_next, m.channels);
+  }
+  void visit(core::RockPlace& m) { (*this)(m.X_WB); }
+  void visit(core::RockStep& m) {
+    (*this)(m.n_steps, m.contact, m.X_WB_target);
+    m.t_end_ns = header_->t_ns;
+    m.step_index = header_->step_index;
+  }
+  void visit(core::RockState& m) {
+    (*this)(m.step, m.bodies, m.channels);
+    m.t_ns = header_->t_ns;
+  }
   void visit(core::Status& m) { (*this)(m.ok, m.text); }
   void visit(core::Command& m) {
     auto action = static_cast<std::int32_t>(m.action);
@@ -102,31 +122,38 @@ class Fields {
   }
 
   bool reading_ = false;
+  const core::Envelope* header_ = nullptr;  ///< of the message, which has some fields of its body
   std::string_view rest_;
   std::string written_;
 };
 
 // LCM puts a type's fingerprint in front.
-std::int64_t type_of(const core::TargetMotion&) { return dipper_msg::target_motion_t::getHash(); }
-std::int64_t type_of(const core::WallWrench&) { return dipper_msg::wall_wrench_t::getHash(); }
+std::int64_t type_of(const core::MachineStep&) { return dipper_msg::machine_step_t::getHash(); }
+std::int64_t type_of(const core::MachineState&) { return dipper_msg::machine_state_t::getHash(); }
+std::int64_t type_of(const core::RockPlace&) { return dipper_msg::rock_place_t::getHash(); }
+std::int64_t type_of(const core::RockStep&) { return dipper_msg::rock_step_t::getHash(); }
+std::int64_t type_of(const core::RockState&) { return dipper_msg::rock_state_t::getHash(); }
 std::int64_t type_of(const core::Command&) { return dipper_msg::command_t::getHash(); }
 std::int64_t type_of(const core::Status&) { return dipper_msg::status_t::getHash(); }
 
-/// The rest of the message, if it is of this type.
-template <class Body>
-bool read(Fields fields, std::int64_t type, core::Message& m) {
-  Body body;
-  if (type != type_of(body)) return false;
-  fields(m.envelope, body);
-  if (!fields.at_end()) throw DecodeError("a message is too long");
-  m.body = std::move(body);
-  return true;
+/// Reads the rest of a message, as the type of body that it is.
+template <class... Body>
+bool read(Fields fields, std::int64_t type, core::Envelope& envelope,
+          std::variant<Body...>& message) {
+  const auto read_as = [&](auto body) {
+    if (type != type_of(body)) return false;
+    fields(envelope, body);
+    if (!fields.at_end()) throw DecodeError("a message is too long");
+    message = std::move(body);
+    return true;
+  };
+  return (read_as(Body{}) || ...);
 }
 
 }  // namespace
 
 std::string encode(const core::Message& message) {
-  core::Message m = message;  // Fields takes what it can also read into
+  core::Message m = message;  // Fields may change what it is given
   Fields fields;
   std::visit(
       [&](auto& body) {
@@ -142,10 +169,7 @@ core::Message decode(const std::string& bytes) {
   std::int64_t type = 0;
   fields(type);
   core::Message m;
-  if (read<core::TargetMotion>(fields, type, m) || read<core::WallWrench>(fields, type, m) ||
-      read<core::Command>(fields, type, m) || read<core::Status>(fields, type, m)) {
-    return m;
-  }
+  if (read(fields, type, m.envelope, m.body)) return m;
   throw DecodeError("a message of a type this version does not know");
 }
 

@@ -41,7 +41,7 @@ void Link::send(core::Body request, std::int64_t step_index, std::int64_t t_ns) 
 core::Body Link::receive() {
   const auto start = Clock::now();
   const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
-  auto interval = options_.resend;
+  std::chrono::milliseconds interval = 25ms;
   auto reply = wait(start + interval);
   const auto starved = reply ? 0s : options_.starved();
   while (!reply) {
@@ -50,10 +50,8 @@ core::Body Link::receive() {
       throw PeerError(side_, fmt::format("no answer for {} s", seconds));
     }
     publish();
-    if (established_) {  // before that it may still be starting, and hear nothing
-      requester_.sent_again();
-      interval = std::min(2 * interval, std::chrono::milliseconds(1s));
-    }
+    if (established_) requester_.sent_again();
+    interval = std::min<std::chrono::milliseconds>(2 * interval, established_ ? 1000ms : 100ms);
     reply = wait(Clock::now() + interval);
   }
   established_ = true;
@@ -79,12 +77,7 @@ std::optional<core::Body> Link::wait(Clock::time_point until) {
 
 std::optional<core::Body> Link::take(const Packet& packet) {
   options_.record(packet);
-  core::Message reply;
-  try {
-    reply = decode(packet.bytes);
-  } catch (const DecodeError& e) {
-    throw PeerError(side_, e.what());  // under our own seal: another version
-  }
+  core::Message reply = decode(packet.bytes);
   if (!requester_.accept(reply.envelope.sequence)) return std::nullopt;
   core::require_sound(reply, side_, bodies);
   const auto* status = std::get_if<core::Status>(&reply.body);

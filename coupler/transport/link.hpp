@@ -24,8 +24,6 @@ struct LinkOptions {
   /// For the first answer of all: on a loaded machine a process takes its time to start, and one
   /// that ends is seen by `watch`.
   std::chrono::milliseconds start{300000};
-  /// Before a request without a reply is sent again; then twice as long each time, up to 1 s.
-  std::chrono::milliseconds resend{100};
   /// How long the other side has waited for a core since it started: that time does not count. It
   /// is not hung but on a loaded machine.
   std::function<std::chrono::duration<double>()> starved = [] {
@@ -38,7 +36,9 @@ struct LinkOptions {
   std::function<void(const Packet&)> record = [](const Packet&) {};
 };
 
-/// The asking end.
+/// The asking end. A request without a reply is sent again after 25 ms, and then after twice as
+/// long each time, up to 1 s; up to 100 ms until the other side has answered once: it may be
+/// starting.
 class Link {
  public:
   /// `transport` hears the other side, which listens on the channel `to`.

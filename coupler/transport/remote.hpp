@@ -10,18 +10,16 @@ class RemoteMachine final : public core::Machine {
  public:
   explicit RemoteMachine(Link& link);
   core::ServerInfo info() const override { return info_; }
-  core::MachineState state() override;
-  core::MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F_Bo_W,
-                          bool commit) override;
+  core::MachineState state(std::int64_t t_next_ns) override;
+  core::MachineState step(const core::MachineStep& step) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
-  void set_sync_time(const core::SyncTime& now) override { now_ = now; }
   void stop();  ///< may be called again until the process has ended
 
  private:
   Link& link_;
   core::ServerInfo info_;
-  core::SyncTime now_;  ///< for the headers of messages
+  std::int64_t step_index_ = 0, t_ns_ = 0;  ///< of the last window, for the headers of commands
 };
 
 class RemoteRock final : public core::Rock {
@@ -29,20 +27,16 @@ class RemoteRock final : public core::Rock {
   explicit RemoteRock(Link& link);
   core::ServerInfo info() const override { return info_; }
   core::RockState place(const std::vector<Pose>& X_WB) override;
-  core::RockState step(std::int64_t n_steps, const std::vector<Pose>& X_WB_target) override;
+  void start(const core::RockStep& step) override;
+  core::RockState finish() override;
   void save(const std::filesystem::path& file) override;
   std::string state_hash() override;
-  void set_sync_time(const core::SyncTime& now) override { now_ = now; }
-  void set_contact(bool on) override { contact_ = on; }
   void stop();  ///< may be called again until the process has ended
 
  private:
-  core::RockState move(std::int64_t n_steps, const std::vector<Pose>& X_WB);
   Link& link_;
   core::ServerInfo info_;
-  std::int64_t dt_ns_ = 0;
-  core::SyncTime now_;
-  bool contact_ = true;
+  std::int64_t step_index_ = 0, t_ns_ = 0;  ///< of the last window, for the headers of commands
 };
 
 }  // namespace dipper::transport

@@ -8,13 +8,6 @@
 namespace dipper::transport {
 namespace {
 
-core::Body motion(const core::MachineState& s) {
-  return core::TargetMotion{0, s.bodies, s.channels, s.contact};
-}
-core::Body load(const core::RockState& s) {
-  return core::WallWrench{s.step, false, s.bodies, s.channels};
-}
-
 template <class Side>
 core::Body execute(Side& side, const core::Command& c) {
   switch (c.action) {
@@ -33,32 +26,28 @@ core::Body execute(Side& side, const core::Command& c) {
 }  // namespace
 
 core::Body answer(core::Machine& machine, const core::Message& request) {
+  if (const auto* step = std::get_if<core::MachineStep>(&request.body)) return machine.step(*step);
   if (const auto* c = std::get_if<core::Command>(&request.body)) {
-    if (c->action == core::Action::state) return motion(machine.state());
+    if (c->action == core::Action::state) return machine.state(request.envelope.t_ns);
     if (c->action != core::Action::load) return execute(machine, *c);
     machine.load(c->file);
     return core::Status{};
   }
-  if (const auto* m = std::get_if<core::WallWrench>(&request.body)) {
-    std::vector<Wrench> F_Bo_W;
-    for (const auto& b : m->bodies) F_Bo_W.push_back(b.mean);
-    return motion(machine.step(request.envelope.t_ns, F_Bo_W, m->commit));
-  }
-  throw core::ProtocolError("a machine answers wrenches and commands only");
+  throw core::ProtocolError("a machine answers its steps and commands only");
 }
 
 core::Body answer(core::Rock& rock, const core::Message& request) {
+  if (const auto* step = std::get_if<core::RockStep>(&request.body)) {
+    rock.start(*step);
+    return rock.finish();
+  }
+  if (const auto* place = std::get_if<core::RockPlace>(&request.body))
+    return rock.place(place->X_WB);
   if (const auto* c = std::get_if<core::Command>(&request.body)) {
     return c->action == core::Action::hash ? core::Body{core::Status{true, rock.state_hash()}}
                                            : execute(rock, *c);
   }
-  if (const auto* m = std::get_if<core::TargetMotion>(&request.body)) {
-    std::vector<Pose> X_WB;
-    for (const auto& b : m->bodies) X_WB.push_back(b.X_WB);
-    rock.set_contact(m->contact);
-    return load(m->n_steps == 0 ? rock.place(X_WB) : rock.step(m->n_steps, X_WB));
-  }
-  throw core::ProtocolError("a rock answers motions and commands only");
+  throw core::ProtocolError("a rock answers its place, its steps and commands only");
 }
 
 namespace {

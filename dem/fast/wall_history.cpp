@@ -3,25 +3,43 @@
 //
 // For each mesh and in each step LIGGGHTS marks the contacts of every sphere and then looks at
 // every one again for those that have ended, though few have a wall near. These definitions stand
-// before the library's, as the dynamic linker looks in the program first; without them the sums are
-// the same.
+// before the library's, as the dynamic linker looks in the program first; the sums are the same.
+// Where the lists are not this folder's (speed_up was not called), they call the library's.
 #include "dem/fast/wall_history.hpp"
 
 #include <atom.h>
+#include <dlfcn.h>
 #include <error.h>
 #include <fix_contact_history_mesh.h>
 #include <fix_property_atom.h>
 #include <neighbor.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <unordered_map>
 #include <vector>
+
+#include "dem/fast/near_lists.hpp"
 
 namespace dipper::dem {
 namespace {
 
 /// Of each mesh's history, the spheres that its lists name.
 std::unordered_map<const LAMMPS_NS::Fix*, std::vector<int>> near_walls;
+
+bool is_fast(const LAMMPS_NS::Neighbor* lists) {
+  return dynamic_cast<const NearLists*>(lists) != nullptr;
+}
+
+using Member = void (*)(LAMMPS_NS::FixContactHistoryMesh*);
+
+/// LIGGGHTS's function, by its symbol, which a definition here hides.
+Member in_library(const char* symbol) {
+  void* const found = dlsym(RTLD_NEXT, symbol);
+  if (found == nullptr) throw std::runtime_error(std::string("LIGGGHTS has no ") + symbol);
+  return reinterpret_cast<Member>(found);
+}
 
 }  // namespace
 
@@ -32,6 +50,11 @@ void use_wall_history() { near_walls.clear(); }
 namespace LAMMPS_NS {
 
 void FixContactHistoryMesh::markAllContacts() {
+  if (!dipper::dem::is_fast(neighbor)) {
+    static const auto of_library =
+        dipper::dem::in_library("_ZN9LAMMPS_NS21FixContactHistoryMesh15markAllContactsEv");
+    return of_library(this);
+  }
   std::vector<int>& near = dipper::dem::near_walls[this];
   if (neighbor->ago > 0) {
     for (const int i : near) std::fill_n(keepflag_[i], nneighs(i), false);
@@ -51,6 +74,11 @@ void FixContactHistoryMesh::markAllContacts() {
 }
 
 void FixContactHistoryMesh::cleanUpContacts() {
+  if (!dipper::dem::is_fast(neighbor)) {
+    static const auto of_library =
+        dipper::dem::in_library("_ZN9LAMMPS_NS21FixContactHistoryMesh15cleanUpContactsEv");
+    return of_library(this);
+  }
   for (const int i : dipper::dem::near_walls[this]) cleanUpContacts(i, i + 1);
 }
 

@@ -3,7 +3,8 @@
 
 namespace dipper::dem {
 
-/// Has its definitions in the program (wall_history.cpp). After each opening of LIGGGHTS.
+/// Has its definitions in the program (wall_history.cpp), which count for LIGGGHTS with NearLists
+/// alone. After each opening of LIGGGHTS.
 void use_wall_history();
 
 }  // namespace dipper::dem

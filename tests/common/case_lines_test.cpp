@@ -23,12 +23,5 @@ TEST(CaseLines, NumbersTextsAndPlaces) {
   EXPECT_THROW(CaseLines::read("/no/such/case.txt"), InputError);
 }
 
-TEST(CaseLines, Sections) {
-  EXPECT_TRUE(is_within("rock.size_m", "rock"));
-  EXPECT_TRUE(is_within("seed", "seed"));
-  EXPECT_FALSE(is_within("rocks.size_m", "rock"));
-  EXPECT_FALSE(is_within("rock", "rock.size_m"));
-}
-
 }  // namespace
 }  // namespace dipper

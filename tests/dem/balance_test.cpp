@@ -31,7 +31,7 @@ TEST_P(Balance, OfMomentumOverAWindow) {
   test::Drum drum(GetParam());
   const double window = steps * drum.timestep();
   drum.rock().place(test::Drum::poses(0));
-  drum.rock().step(steps, test::Drum::poses(window));  // inserts the rock
+  drum.rock().step({steps, test::Drum::poses(window)});  // inserts the rock
   test::Momentum before = test::momentum(drum.rock().liggghts());
   ASSERT_GT(before.mass, 500);
   ASSERT_GE(before.bodies, std::string(GetParam()) == "multispheres" ? 20 : 0);
@@ -39,7 +39,7 @@ TEST_P(Balance, OfMomentumOverAWindow) {
   double worst = 0, largest = 0;
   int loaded = 0;
   for (int k = 2; k <= windows; ++k) {
-    const core::RockState state = drum.rock().step(steps, test::Drum::poses(k * window));
+    const core::RockState state = drum.rock().step({steps, test::Drum::poses(k * window)});
     const test::Momentum after = test::momentum(drum.rock().liggghts());
     ASSERT_NEAR(after.mass, before.mass, 1e-9) << "rock left the drum in window " << k;
     const Vector3d F = state.bodies[0].mean.force + state.bodies[1].mean.force;

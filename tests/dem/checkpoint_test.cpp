@@ -77,7 +77,7 @@ TEST_P(Checkpoint, ChangesNothing) {
   {
     const auto rock = scenario.begin();
     for (int k = 1; k <= kWindows; ++k) {
-      plain.push_back(rock->step(kSteps, {Scenario::paddle(k)}));
+      plain.push_back(rock->step({kSteps, {Scenario::paddle(k)}}));
       if (k == kSaved + 1) soon = spheres(rock->liggghts());
     }
     hash = rock->state_hash();
@@ -91,7 +91,7 @@ TEST_P(Checkpoint, ChangesNothing) {
   {
     const auto rock = scenario.begin();
     for (int k = 1; k <= kWindows; ++k) {
-      const core::RockState s = rock->step(kSteps, {Scenario::paddle(k)});
+      const core::RockState s = rock->step({kSteps, {Scenario::paddle(k)}});
       ASSERT_EQ(s.bodies[0].mean.force, plain[k - 1].bodies[0].mean.force) << "window " << k;
       ASSERT_EQ(s.channels, plain[k - 1].channels) << "window " << k;
       if (k <= kSaved) rock->save(scenario.file());  // every window; the last is gone on from
@@ -103,7 +103,7 @@ TEST_P(Checkpoint, ChangesNothing) {
   const auto rock = scenario.resume(at, V_WB_W);
   double first = 0, later = 0, moved = 0;
   for (int k = kSaved + 1; k <= kSaved + kSoon; ++k) {
-    const core::RockState s = rock->step(kSteps, {Scenario::paddle(k)});
+    const core::RockState s = rock->step({kSteps, {Scenario::paddle(k)}});
     const core::RockState& was = plain[k - 1];
     EXPECT_EQ(s.step, was.step);
     const double off = (s.bodies[0].mean.force - was.bodies[0].mean.force).norm() / force;

@@ -76,7 +76,7 @@ TEST_P(ClearStart, TakesOutTheRockInTheWallsAndNoOther) {
     LiggghtsRock rock(scene.bed(kind), MPI_COMM_WORLD);
     const Pose far{Quaterniond::Identity(), {0, 0, 7}};
     rock.place({far});
-    for (int k = 0; k < 30; ++k) rock.step(100, {far});  // 0.3 s: rock lies upon rock
+    for (int k = 0; k < 30; ++k) rock.step({100, {far}});  // 0.3 s: rock lies upon rock
     rock.save(restart);
     before = spheres(rock.liggghts());
     all = test::momentum(rock.liggghts());
@@ -126,7 +126,7 @@ TEST_P(ClearStart, TakesOutTheRockInTheWallsAndNoOther) {
   // And it goes on: nothing is shot out, nothing comes back, and a checkpoint can be written.
   double fastest = 0;
   for (int k = 0; k < 30; ++k) {
-    s = rock.step(100, {X_WB});
+    s = rock.step({100, {X_WB}});
     fastest = std::max(fastest, std::sqrt(2 * channel("rock_kinetic_energy") / after.mass));
   }
   EXPECT_LT(fastest, 3);  // 0.3 s of free fall

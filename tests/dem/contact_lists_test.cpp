@@ -140,7 +140,7 @@ class Bed {
     rock_.place({paddle(0)});
   }
   LAMMPS_NS::LAMMPS& step() {
-    rock_.step(kSteps, {paddle(++windows_)});
+    rock_.step({kSteps, {paddle(++windows_)}});
     return rock_.liggghts();
   }
 

@@ -22,7 +22,7 @@ class ContactPause : public testing::TestWithParam<const char*> {
   void SetUp() override {
     LiggghtsRock rock(scene_.bed(kind_), MPI_COMM_WORLD);
     rock.place({kFar});
-    for (int k = 0; k < 30; ++k) rock.step(100, {kFar});
+    for (int k = 0; k < 30; ++k) rock.step({100, {kFar}});
     rock.save(bed_);
   }
 
@@ -51,8 +51,7 @@ class ContactPause : public testing::TestWithParam<const char*> {
     for (int k = 1; k <= 20; ++k) {
       Pose X = kFar;
       X.p += std::min(1.0, 0.1 * k) * (kIn.p - kFar.p);
-      rock.set_contact(!pause || k > 10);
-      seen.last = rock.step(50, {X});
+      seen.last = rock.step({50, {X}, !pause || k > 10});
       double& force = k <= 10 ? seen.going_in_N : seen.there_N;
       force = std::max(force, seen.last.bodies[0].end.force.norm());
       const double mass = channel(rock, seen.last, "rock_mass");
@@ -112,8 +111,7 @@ TEST_P(ContactPause, ACheckpointKnowsThatItIsPaused) {
     LiggghtsRock rock(setup, MPI_COMM_WORLD);
     rock.place({kFar});
     X.p = kIn.p;
-    rock.set_contact(false);
-    at = rock.step(250, {X});
+    at = rock.step({250, {X}, false});
     rock.save(saved);
   }
   setup.resumed = {{at.bodies[0].end, Twist{}}};
@@ -122,15 +120,15 @@ TEST_P(ContactPause, ACheckpointKnowsThatItIsPaused) {
     if (name == "restart") value = saved.string();
   LiggghtsRock rock(setup, MPI_COMM_WORLD);
   rock.place({at.bodies[0].X_WB});
-  rock.set_contact(true);  // the pause ends here: that there was one only the checkpoint knows
-  EXPECT_GT(channel(rock, rock.step(50, {at.bodies[0].X_WB}), "cleared_overlap"), 0);
+  // The pause ends here: that there was one only the checkpoint knows.
+  EXPECT_GT(channel(rock, rock.step({50, {at.bodies[0].X_WB}}), "cleared_overlap"), 0);
 }
 
 TEST_P(ContactPause, IsRefusedWhereTheSetUpHasNoneInIt) {
   LiggghtsRock rock(dig(), MPI_COMM_WORLD);
   rock.place({kFar});
-  EXPECT_THROW(rock.set_contact(false), std::runtime_error);
-  rock.set_contact(true);
+  EXPECT_THROW(rock.step({50, {kFar}, false}), std::runtime_error);
+  rock.step({50, {kFar}});
 }
 
 INSTANTIATE_TEST_SUITE_P(Rock, ContactPause, testing::Values("spheres", "multispheres"),

@@ -1,4 +1,4 @@
-// The program's own time loop, lists and contact forces do what LIGGGHTS's do.
+// The fast time loop, lists and contact forces do what LIGGGHTS's do.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -20,10 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kColumns = 13;  // id, x, v, omega, f
+constexpr int kAll = 2500;    // steps: much of the rock lies on other rock
+constexpr int kFirst = 1500;  // the first rocks touch, none so many that the order of a sum tells
 
-/// Falls into a bin and comes to rest there; LIGGGHTS's dump of the end, a row a sphere.
+/// Falls into a bin; LIGGGHTS's dump after so many steps, a row a sphere.
 std::vector<std::vector<double>> end_of(const std::string& program, int ranks,
-                                        const std::string& rock) {
+                                        const std::string& rock, int steps) {
   const fs::path out = fs::temp_directory_path() / fmt::format("dipper_fast_{}", getpid());
   fs::remove_all(out);
   fs::create_directories(out);
@@ -34,11 +36,11 @@ std::vector<std::vector<double>> end_of(const std::string& program, int ranks,
   const std::string mpi =
       ranks == 1 ? "" : fmt::format("mpirun --allow-run-as-root --oversubscribe -np {}", ranks);
   const std::string command = fmt::format(
-      "cd '{0}' && {1} '{2}' -in '{3}/fast.in' -var folder '{3}' -var rock {4} -var out . -var "
-      "run_steps 0 -var near 1.02 -log log.txt > screen.txt 2>&1",
-      out.string(), mpi, program, DIPPER_DEM_TESTS, rock);
+      "cd '{0}' && {1} {2} -in '{3}/fast.in' -var folder '{3}' -var rock {4} -var out . -var "
+      "run_steps 0 -var near 1.02 -var steps {5} -log log.txt > screen.txt 2>&1",
+      out.string(), mpi, program, DIPPER_DEM_TESTS, rock, steps);
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
-  std::ifstream in(out / "rock_2500.dump");
+  std::ifstream in(out / fmt::format("rock_{}.dump", steps));
   std::string line;
   while (std::getline(in, line) && line.rfind("ITEM: ATOMS", 0) != 0) continue;
   std::vector<std::vector<double>> rows;
@@ -50,12 +52,14 @@ std::vector<std::vector<double>> end_of(const std::string& program, int ranks,
   return rows;
 }
 
+const std::string kPlain = std::string("'") + LIGGGHTS_BINARY + "'",
+                  kFast = std::string("'") + DIPPER_LIGGGHTS + "'";
+
 class Fast : public testing::TestWithParam<std::tuple<const char*, int>> {};
 
 TEST_P(Fast, MovesRockAsLiggghts) {
   const auto [rock, ranks] = GetParam();
-  const auto plain = end_of(LIGGGHTS_BINARY, ranks, rock),
-             ours = end_of(DIPPER_LIGGGHTS, ranks, rock);
+  const auto plain = end_of(kPlain, ranks, rock, kAll), ours = end_of(kFast, ranks, rock, kAll);
   ASSERT_GT(plain.size(), 100U);
   ASSERT_EQ(ours.size(), plain.size());
   double off_m = 0, off_m_s = 0, most_m_s = 0;
@@ -74,6 +78,22 @@ TEST_P(Fast, MovesRockAsLiggghts) {
   EXPECT_GT(touched, plain.size() / 4);
   EXPECT_LT(off_m, 1e-9);
   EXPECT_LT(off_m_s, 1e-7);
+}
+
+TEST_P(Fast, HasLiggghtssBitsWhileNoOrderOfASumTells) {
+  const auto [rock, ranks] = GetParam();
+  const auto plain = end_of(kPlain, ranks, rock, kFirst);
+  ASSERT_GT(plain.size(), 100U);
+  EXPECT_GT(std::count_if(plain.begin(), plain.end(), [](const auto& row) { return row[10] != 0; }),
+            5);
+  EXPECT_EQ(end_of(kFast, ranks, rock, kFirst), plain);
+}
+
+TEST_P(Fast, LeavesAllToLiggghtsWhenToldTo) {
+  const auto [rock, ranks] = GetParam();
+  const auto plain = end_of(kPlain, ranks, rock, kAll);
+  ASSERT_GT(plain.size(), 100U);
+  EXPECT_EQ(end_of(kFast + " --loop liggghts", ranks, rock, kAll), plain);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rock, Fast,

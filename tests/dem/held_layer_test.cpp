@@ -40,7 +40,7 @@ class Layer {
                (p.z() < kDepth || p.x() > kHalf - kDepth || std::abs(p.y()) > kHalf - kDepth);
     }
   }
-  core::RockState step(int steps) { return rock_.step(steps, {paddle_}); }
+  core::RockState step(int steps) { return rock_.step({steps, {paddle_}}); }
   core::RockState step_to(double z) {
     paddle_.p.z() = z;
     return step(100);

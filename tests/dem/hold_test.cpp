@@ -39,7 +39,7 @@ class Bed {
     rock_.place({paddle_});
   }
 
-  core::RockState step() { return rock_.step(kSteps, {paddle_}); }
+  core::RockState step() { return rock_.step({kSteps, {paddle_}}); }
   core::RockState step_to(double z) {
     paddle_.p.z() = z;
     return step();

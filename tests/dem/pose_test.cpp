@@ -76,7 +76,7 @@ TEST(Pose, EndsEachOf10000WindowsWhereItWasCommandedAndDoesNotDrift) {
   };
   for (int k = 1; k <= windows; ++k) {
     const auto commanded = poses(k * window);
-    const core::RockState state = rock.step(steps, commanded);
+    const core::RockState state = rock.step({steps, commanded});
     ASSERT_EQ(state.step, k * steps);
     for (int b = 0; b < 2; ++b) {
       const PoseDistance d = distance(state.bodies[b].X_WB, commanded[b]);
@@ -109,7 +109,7 @@ TEST(Pose, EndsEachOf10000WindowsWhereItWasCommandedAndDoesNotDrift) {
   const double aside[] = {0.01, 0.02, -0.03};
   for (const auto& body : setup.bodies) wall_of(rock.liggghts(), body)->move(aside);
   const auto commanded = poses((windows + 1) * window);
-  const core::RockState state = rock.step(steps, commanded);
+  const core::RockState state = rock.step({steps, commanded});
   for (int b = 0; b < 2; ++b) {
     EXPECT_LT(distance(state.bodies[b].X_WB, commanded[b]).metres, 1e-12);
     EXPECT_LT(worst_node(rock.liggghts(), setup.bodies[b], boxes[b], commanded[b]), 1e-10);

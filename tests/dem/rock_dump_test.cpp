@@ -58,7 +58,7 @@ class Scenario {
   }
   core::RockState step(LiggghtsRock& rock, int window) const {
     const auto done = rock.liggghts().update->ntimestep;  // the deck may have begun with a step
-    return rock.step(window * kSteps - done, {paddle(window)});
+    return rock.step({window * kSteps - done, {paddle(window)}});
   }
   double parked(const core::RockState& s) const {
     return s.channels[core::channel_index(info, "rock_parked")];

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   rock.place(X_WB);
   for (int k = 0; k < 1000; ++k) {
     for (auto& X : X_WB) X.p.x() += 0.1;
-    rock.step(10, X_WB);
+    rock.step({10, X_WB});
   }
   MPI_Finalize();  // not reached: 100 m on, there is no box
   return 0;

@@ -44,7 +44,7 @@ TEST(Wear, OfASlantedImpactIsFinniesAndPressureIsTheForce) {
   for (int window = 1; window <= 300; ++window) {
     const double time = 20 * window * dt;
     const core::RockState state =
-        rock.step(20, {Pose{Quaterniond::Identity(), {t * time, 0, n * time}}});
+        rock.step({20, {Pose{Quaterniond::Identity(), {t * time, 0, n * time}}}});
     const double pressed = integral(rock, "sigma_n"), force = state.bodies[0].end.force.z();
     ASSERT_NEAR(pressed, -force, 1e-9 * std::abs(force)) << "step " << state.step;
     largest = std::max(largest, pressed);

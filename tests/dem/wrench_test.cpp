@@ -78,7 +78,7 @@ TEST_P(WrenchOn, EachBodyIsTheSumOverItsContacts) {
   const auto run = [&](int steps) {
     step += steps;
     const std::vector<Pose> to = test::Drum::poses(static_cast<double>(step) * dt);
-    const core::RockState state = rock_.step(steps, to);
+    const core::RockState state = rock_.step({steps, to});
     ASSERT_EQ(list_->steps.size(), steps);
     for (int b = 0; b < 2; ++b) {
       // The trapezoid over the window, each step about where the origin then was.
@@ -126,14 +126,14 @@ TEST_P(WrenchOn, BodiesAndCouplesBalanceTheAngularMomentumOfTheRock) {
   const double dt = drum_.timestep();
   const Vector3d gravity(0, 0, -9.81);
   rock_.place(test::Drum::poses(0));
-  rock_.step(1, test::Drum::poses(dt));  // inserts the rock
+  rock_.step({1, test::Drum::poses(dt)});  // inserts the rock
   list_->steps.clear();
   test::Momentum before = test::momentum(rock_.liggghts());
   Wrench rock_before, bodies_before;  // about W's origin, by the contacts and as returned
   double worst = 0, couples = 0;
   constexpr int steps = 6000;
   for (int k = 2; k <= steps; ++k) {
-    const core::RockState state = rock_.step(1, test::Drum::poses(k * dt));
+    const core::RockState state = rock_.step({1, test::Drum::poses(k * dt)});
     const test::Momentum after = test::momentum(rock_.liggghts());
     const Wrench rock = on_rock(list_->steps.back());
     list_->steps.clear();

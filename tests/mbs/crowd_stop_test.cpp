@@ -7,7 +7,7 @@ namespace {
 TEST_F(ShovelTest, TheCrowdEndsAtItsStops) {
   for (const double side : {-1.0, 1.0}) {
     Shovel shovel(machine, still(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited);
-    auto c = named(shovel, shovel.state());
+    auto c = named(shovel, shovel.state(0));
     double traded = 0, beyond = 0;
     for (int i = 1; i <= 3000; ++i) {
       const double pitch = c["saddle_pitch"];
@@ -17,8 +17,8 @@ TEST_F(ShovelTest, TheCrowdEndsAtItsStops) {
       // Through the handle's end, so that it does not turn the dipper.
       const Vector3d end =
           Eigen::AngleAxisd(-pitch - rake, Vector3d::UnitY()) * machine.dipper.handle_end;
-      c = named(shovel, shovel.step(2 * i * kMillisecond,
-                                    {Wrench{end.cross(force), force}, Wrench{}}, true));
+      c = named(shovel, shovel.step({2 * i * kMillisecond,
+                                    {Wrench{end.cross(force), force}, Wrench{}}}));
       traded = std::max({traded, std::abs(c["drive_work"]), std::abs(c["interface_work"])});
       ASSERT_LT(std::abs(c["energy_residual"]), 1e-3 * std::max(traded, 1e5)) << i;
       beyond = std::max(

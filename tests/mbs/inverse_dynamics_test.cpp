@@ -75,7 +75,7 @@ class InverseDynamics : public ShovelTest {
     double rate[3];
     std::map<std::string, double> c;
     for (int k = 0; k < 3; ++k) {
-      auto now = named(shovel, shovel.step((t_ms + k) * kMillisecond, no_rock, true));
+      auto now = named(shovel, shovel.step({(t_ms + k) * kMillisecond, no_rock}));
       rate[k] = now["saddle_rate"];
       if (k == 1) c = now;
     }
@@ -114,7 +114,7 @@ TEST_F(InverseDynamics, OfACycleIsLagrangesByHand) {
   Shovel shovel(machine, m, Pose{}, rake, 1'000'000);
   double centrifugal_crowd = 0, centrifugal_rope = 0, coriolis = 0;
   for (std::int64_t t_ms = 200; t_ms < 11'500; t_ms += 300) {
-    shovel.step(t_ms * kMillisecond - kMillisecond, no_rock, true);
+    shovel.step({t_ms * kMillisecond - kMillisecond, no_rock});
     const Compared c = compare_at(shovel, m, t_ms);
     EXPECT_NEAR(c.said.crowd, c.should.crowd, 30) << t_ms;
     EXPECT_NEAR(c.said.rope_moment, c.should.rope_moment, 500) << t_ms;

@@ -19,7 +19,7 @@ class LimitedDrivesTest : public ShovelTest {
     return {machine.dipper.inside.x() + machine.dipper.tooth_reach, 0,
             -machine.dipper.inside.z() / 2};
   }
-  Vector3d teeth_W(Shovel& shovel) const { return shovel.state().bodies[0].X_WB * teeth_B(); }
+  Vector3d teeth_W(Shovel& shovel) const { return shovel.state(0).bodies[0].X_WB * teeth_B(); }
 
   /// A wall in front of the teeth, and the two coupled as in a run.
   struct Dig {
@@ -53,13 +53,13 @@ class LimitedDrivesTest : public ShovelTest {
 TEST_F(LimitedDrivesTest, BeginsAtRest) {
   Shovel shovel = limited(still());
   Shovel prescribed(machine, still(), Pose{}, rake);
-  auto a = named(shovel, shovel.state()), b = named(prescribed, prescribed.state());
+  auto a = named(shovel, shovel.state(0)), b = named(prescribed, prescribed.state(0));
   for (const char* n : {"hoist", "crowd", "crowd_force", "rope_tension_left"})
     EXPECT_NEAR(a[n], b[n], 1e-9 * std::abs(b[n])) << n;
   EXPECT_NEAR(a["hoist_force"], b["hoist_force"], 1e-3 * b["hoist_force"]);
-  const Vector3d start = shovel.state().bodies[0].X_WB.p;
+  const Vector3d start = shovel.state(0).bodies[0].X_WB.p;
   core::MachineState s;
-  for (int i = 1; i <= 500; ++i) s = shovel.step(2 * i * kMillisecond, no_rock, true);
+  for (int i = 1; i <= 500; ++i) s = shovel.step({2 * i * kMillisecond, no_rock});
   EXPECT_LT((s.bodies[0].X_WB.p - start).norm(), 1e-9);
 }
 
@@ -70,8 +70,8 @@ TEST_F(LimitedDrivesTest, FollowsQuicksMotionWithinCentimetres) {
   Shovel prescribed(machine, m, Pose{}, rake);
   double traded = 0;
   for (int i = 1; i <= 14'000; ++i) {
-    const core::MachineState s = shovel.step(2 * i * kMillisecond, no_rock, true);
-    const core::MachineState p = prescribed.step(2 * i * kMillisecond, no_rock, true);
+    const core::MachineState s = shovel.step({2 * i * kMillisecond, no_rock});
+    const core::MachineState p = prescribed.step({2 * i * kMillisecond, no_rock});
     auto c = named(shovel, s);
     ASSERT_NEAR(c["path_time"], seconds(s.t_ns), 1e-9);
     ASSERT_EQ(c["path_rate"], 1);
@@ -142,7 +142,7 @@ TEST_F(LimitedDrivesTest, HoistKeepsToItsPowerAndComesLater) {
   double at_limit_s = 0, late_s = 0;
   std::map<std::string, double> c;
   for (int i = 1; i <= 8000; ++i) {
-    const core::MachineState s = shovel.step(2 * i * kMillisecond, no_rock, true);
+    const core::MachineState s = shovel.step({2 * i * kMillisecond, no_rock});
     c = named(shovel, s);
     ASSERT_LE(std::abs(c["hoist_power"]), 4e5 * (1 + 1e-12)) << i;
     if (std::abs(c["hoist_power"]) > 0.999 * 4e5) at_limit_s += 2e-3;
@@ -162,7 +162,7 @@ TEST_F(LimitedDrivesTest, SwingKeepsToItsTorque) {
   double most = 0;
   std::map<std::string, double> c;
   for (int i = 1; i <= 12'000; ++i) {
-    c = named(shovel, shovel.step(2 * i * kMillisecond, no_rock, true));
+    c = named(shovel, shovel.step({2 * i * kMillisecond, no_rock}));
     most = std::max(most, std::abs(c["swing_torque"]));
   }
   EXPECT_EQ(most, 6e6);
@@ -176,7 +176,7 @@ TEST_F(LimitedDrivesTest, RopesGoSlackAndCatchWithTheBooksInOrder) {
   const std::vector<Wrench> blow = {Wrench{Vector3d::Zero(), Vector3d(0, 0, 3e6)}, Wrench{}};
   bool slack = false, caught = false;
   for (int i = 1; i <= 1500; ++i) {
-    auto c = named(shovel, shovel.step(2 * i * kMillisecond, i <= 100 ? blow : no_rock, true));
+    auto c = named(shovel, shovel.step({2 * i * kMillisecond, i <= 100 ? blow : no_rock}));
     const double tension = c["rope_tension_left"] + c["rope_tension_right"];
     ASSERT_EQ(c["ropes_slack"], tension == 0 ? 1 : 0);
     if (tension == 0) slack = true;
@@ -198,11 +198,11 @@ TEST_F(LimitedDrivesTest, TheWayBackIsThePathsToo) {
     Shovel off(machine, m, Pose{}, rake, kLongestSubstep_ns, mode, false);
     double late_s = 0;
     int free = 0;
-    EXPECT_TRUE(off.state().contact);
+    EXPECT_TRUE(off.state(0).contact);
     for (int i = 1; i <= 4000; ++i) {
-      EXPECT_TRUE(on.step(2 * i * kMillisecond, no_rock, true).contact);
-      const core::MachineState s = off.step(2 * i * kMillisecond, no_rock, true);
-      ASSERT_EQ(off.state().contact, s.contact);
+      EXPECT_TRUE(on.step({2 * i * kMillisecond, no_rock}).contact);
+      const core::MachineState s = off.step({2 * i * kMillisecond, no_rock});
+      ASSERT_EQ(off.state(0).contact, s.contact);
       const double t_s =
           mode == machine::DriveMode::limited ? named(off, s)["path_time"] : seconds(s.t_ns);
       late_s = std::max(late_s, seconds(s.t_ns) - t_s);
@@ -223,7 +223,7 @@ TEST_F(LimitedDrivesTest, TheDoorKeepsThePathsTime) {
   Shovel shovel = limited(m);
   double late_s = 0, traded = 0;
   for (int i = 1; i <= 5000; ++i) {
-    const core::MachineState s = shovel.step(2 * i * kMillisecond, no_rock, true);
+    const core::MachineState s = shovel.step({2 * i * kMillisecond, no_rock});
     auto c = named(shovel, s);
     ASSERT_NEAR(c["door"], m.at(c["path_time"]).position.door, 1e-12);
     ASSERT_NEAR(c["door_rate"], m.at(c["path_time"]).rate.door * c["path_rate"], 1e-12);

@@ -23,8 +23,8 @@ class MachineConditionTest : public ShovelTest {
     Shovel plain(machine, m, Pose{}, rake);
     Shovel worn(machine::in_condition(machine, condition), m, Pose{}, rake);
     for (int i = 1; i <= 300; ++i) {
-      auto a = named(plain, plain.step(20 * i * kMillisecond, no_rock, true));
-      auto b = named(worn, worn.step(20 * i * kMillisecond, no_rock, true));
+      auto a = named(plain, plain.step({20 * i * kMillisecond, no_rock}));
+      auto b = named(worn, worn.step({20 * i * kMillisecond, no_rock}));
       look(0.02 * i, a, b);
       ASSERT_LT(std::abs(b["energy_residual"]), 1.0) << i;
     }
@@ -67,7 +67,7 @@ TEST_F(MachineConditionTest, RopesOfTwiceTheComplianceStretchTwiceAsFar) {
   c.rope_compliance = 2;
   Shovel plain(machine, still(), Pose{}, rake);
   Shovel worn(machine::in_condition(machine, c), still(), Pose{}, rake);
-  auto a = named(plain, plain.state()), b = named(worn, worn.state());
+  auto a = named(plain, plain.state(0)), b = named(worn, worn.state(0));
   const machine::ShovelKinematics rigid(machine, Pose{}, rake);
   const double unloaded = rigid.saddle_angle(-4, 0.5);
   EXPECT_NEAR((b["saddle_pitch"] - unloaded) / (a["saddle_pitch"] - unloaded), 2, 0.02);
@@ -80,15 +80,15 @@ TEST_F(MachineConditionTest, StuckMassHangsOnTheRopes) {
   c.added_center_m = machine.dipper.mass_center;
   Shovel plain(machine, still(), Pose{}, rake);
   Shovel worn(machine::in_condition(machine, c), still(), Pose{}, rake);
-  auto a = named(plain, plain.state()), b = named(worn, worn.state());
+  auto a = named(plain, plain.state(0)), b = named(worn, worn.state(0));
   // The same as a rock of that weight hung at the same place.
-  const core::MachineState s = plain.state();
+  const core::MachineState s = plain.state(0);
   const Pose& X_WB = s.bodies[0].X_WB;
   const Vector3d at = X_WB.R * machine.dipper.mass_center;
   const Vector3d weight(0, 0, -5000 * 9.81);
-  auto hung = plain.step(kMillisecond, {Wrench{at.cross(weight), weight}, Wrench{}}, true);
+  auto hung = plain.step({kMillisecond, {Wrench{at.cross(weight), weight}, Wrench{}}});
   for (int i = 2; i <= 4000; ++i) {
-    hung = plain.step(5 * i * kMillisecond, {Wrench{at.cross(weight), weight}, Wrench{}}, true);
+    hung = plain.step({5 * i * kMillisecond, {Wrench{at.cross(weight), weight}, Wrench{}}});
   }
   const double rock = named(plain, hung)["hoist_force"] - a["hoist_force"];
   EXPECT_NEAR(b["hoist_force"] - a["hoist_force"], rock, 0.01 * rock);

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "machine/sheave_path.hpp"
-#include "mbs/runge_kutta.hpp"
+#include "tests/mbs/runge_kutta.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 
 namespace dipper::mbs {
@@ -161,12 +161,12 @@ TEST_F(SegmentedShovel, DigsAsWithElasticRopes) {
           Wrench{Vector3d(0, -4e5, 0),
                  Vector3d(-4e5 * std::sin(t / 4), 0, -6e5 + 3e5 * std::sin(7 * t))},
           Wrench{}};
-      auto a = named(elastic, elastic.step(4 * i * kMillisecond, dig, true));
-      auto b = named(segmented, segmented.step(4 * i * kMillisecond, dig, true));
+      auto a = named(elastic, elastic.step({4 * i * kMillisecond, dig}));
+      auto b = named(segmented, segmented.step({4 * i * kMillisecond, dig}));
       peak[0] = std::max(peak[0], a["rope_tension_left"]);
       peak[1] = std::max(peak[1], b["rope_tension_left"]);
       traded = std::max(traded, std::abs(b["drive_work"]));
-      ASSERT_LT(std::abs(b["energy_residual"]), 1e-6 * std::max(traded, 1e6)) << t;
+      ASSERT_LT(std::abs(b["energy_residual"]), 2e-6 * std::max(traded, 1e6)) << t;
     }
     EXPECT_NEAR(peak[1], peak[0], 0.02 * peak[0]);
     EXPECT_NE(peak[1], peak[0]);
@@ -176,17 +176,17 @@ TEST_F(SegmentedShovel, DigsAsWithElasticRopes) {
 
 TEST_F(SegmentedShovel, BeginsAtRestAndSavesEveryNode) {
   Shovel a = shovel(true, still(), machine::DriveMode::limited);
-  const Vector3d start = a.state().bodies[0].X_WB.p;
-  for (int i = 1; i <= 100; ++i) a.step(2 * i * kMillisecond, no_rock, true);
-  EXPECT_LT((a.state().bodies[0].X_WB.p - start).norm(), 1e-8);
+  const Vector3d start = a.state(0).bodies[0].X_WB.p;
+  for (int i = 1; i <= 100; ++i) a.step({2 * i * kMillisecond, no_rock});
+  EXPECT_LT((a.state(0).bodies[0].X_WB.p - start).norm(), 1e-8);
   const std::vector<Wrench> push = {Wrench{Vector3d::Zero(), Vector3d(-1e5, 0, 2e5)}, Wrench{}};
-  a.step(300 * kMillisecond, push, true);
+  a.step({300 * kMillisecond, push});
   const auto file = std::filesystem::path(testing::TempDir()) / "segmented.bin";
   a.save(file);
   Shovel b = shovel(true, still(), machine::DriveMode::limited);
   b.load(file);
-  EXPECT_EQ(a.step(340 * kMillisecond, push, true).channels,
-            b.step(340 * kMillisecond, push, true).channels);
+  EXPECT_EQ(a.step({340 * kMillisecond, push}).channels,
+            b.step({340 * kMillisecond, push}).channels);
   Shovel elastic = shovel(false, still(), machine::DriveMode::limited);
   EXPECT_THROW(elastic.load(file), std::runtime_error);
 }

@@ -47,7 +47,7 @@ TEST_F(ShovelTest, StartsInStaticBalance) {
                            "0,-6,3,0,0\n1,-6,3,0,0\n", "0,-9,-1,-45,0\n1,-9,-1,-45,0\n",
                            "0,-10.5,1,0,60\n1,-10.5,1,0,60\n"}) {
     Shovel shovel(machine, motion(rows), Pose{}, rake);
-    auto c = named(shovel, shovel.state());
+    auto c = named(shovel, shovel.state(0));
     const machine::Drives flat{c["hoist"], c["crowd"], 0,
                                c["door"]};  // the balance does not depend on swing
     const HandBalance b = balance(machine, {machine, Pose{}, rake}, flat, c["saddle_pitch"]);
@@ -69,9 +69,9 @@ TEST_F(ShovelTest, StartsInStaticBalance) {
 
 TEST_F(ShovelTest, NothingBouncesAtTheStart) {
   Shovel shovel(machine, still(), Pose{}, rake);
-  const Vector3d start = shovel.state().bodies[0].X_WB.p;
+  const Vector3d start = shovel.state(0).bodies[0].X_WB.p;
   core::MachineState s;
-  for (int i = 1; i <= 500; ++i) s = shovel.step(2 * i * kMillisecond, no_rock, true);
+  for (int i = 1; i <= 500; ++i) s = shovel.step({2 * i * kMillisecond, no_rock});
   EXPECT_LT((s.bodies[0].X_WB.p - start).norm(), 1e-9);
   EXPECT_LT(s.bodies[0].V_WB_W.v.norm(), 1e-9);
 }
@@ -84,7 +84,7 @@ TEST_F(ShovelTest, CrowdReactionIsMassTimesAccelerationPlusWeight) {
   const double a = m.at(0.0).acceleration.crowd;
   ASSERT_GT(a, 0.5);
   Shovel shovel(machine, m, Pose{}, rake);
-  auto c = named(shovel, shovel.state());
+  auto c = named(shovel, shovel.state(0));
   const machine::Drives d{c["hoist"], c["crowd"], 0, 0};
   const HandBalance b = balance(machine, {machine, Pose{}, rake}, d, c["saddle_pitch"]);
   const double tension = -b.moment / b.arm;
@@ -121,13 +121,13 @@ TEST_F(ShovelTest, AWrenchShowsInRopeTensionAndCrowdForce) {
   const double damping = machine.saddle.damping;
   machine.saddle.damping = 5e7;  // settle soon
   Shovel shovel(machine, still(), Pose{}, rake);
-  auto before = named(shovel, shovel.state());
+  auto before = named(shovel, shovel.state(0));
   const Vector3d force(-2.0e5, 0, -3.0e5);
   const Vector3d at_B(4.6, 0, -1.5);  // on the teeth
-  core::MachineState s = shovel.state();
+  core::MachineState s = shovel.state(0);
   for (int i = 1; i <= 4000; ++i) {
     const Vector3d lever = s.bodies[0].X_WB.R * at_B;
-    s = shovel.step(2 * i * kMillisecond, {Wrench{lever.cross(force), force}, Wrench{}}, true);
+    s = shovel.step({2 * i * kMillisecond, {Wrench{lever.cross(force), force}, Wrench{}}});
   }
   auto c = named(shovel, s);
   EXPECT_LT(std::abs(c["saddle_rate"]), 1e-9);
@@ -152,7 +152,7 @@ TEST_F(ShovelTest, AgreesWithTheRigidRopeKinematics) {
   const machine::ShovelKinematics rigid(machine, base, rake);
   Shovel shovel(machine, m, base, rake, 500'000);
   for (std::int64_t t = 10; t <= 27'000; t += 10) {
-    const core::MachineState s = shovel.step(t * kMillisecond, no_rock, true);
+    const core::MachineState s = shovel.step({t * kMillisecond, no_rock});
     const machine::ShovelPose X = rigid.pose(m.value(s.t_ns));
     const PoseDistance body = distance(s.bodies[0].X_WB, X.X_WB);
     const PoseDistance door = distance(s.bodies[1].X_WB, X.X_WD);
@@ -169,7 +169,7 @@ TEST_F(ShovelTest, RealRopesStretchByCentimetres) {
   const machine::ShovelKinematics rigid(machine, Pose{}, rake);
   Shovel shovel(machine, m, Pose{}, rake);
   for (std::int64_t t = 10; t <= 27'000; t += 10) {
-    const core::MachineState s = shovel.step(t * kMillisecond, no_rock, true);
+    const core::MachineState s = shovel.step({t * kMillisecond, no_rock});
     auto c = named(shovel, s);
     const double stretch = c["rope_tension_left"] * machine.rope.elastic_fraction *
                            (machine.rope.length_at_zero_hoist + c["hoist"]) /

@@ -1,7 +1,7 @@
 #include "tests/mbs/stepper.hpp"
 
 #include "common/seconds.hpp"
-#include "mbs/runge_kutta.hpp"
+#include "tests/mbs/runge_kutta.hpp"
 
 namespace dipper::mbs {
 

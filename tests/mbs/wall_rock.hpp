@@ -10,7 +10,7 @@
 namespace dipper::mbs {
 
 /// F = k d along the normal, d the depth of the teeth behind the plane; no damping.
-class WallRock final : public core::Rock {
+class WallRock final : public core::LocalRock {
  public:
   static constexpr double kTimestep_s = 3e-4;
 
@@ -24,7 +24,9 @@ class WallRock final : public core::Rock {
     X_WB_ = X_WB;
     return report({load(X_WB[0]), Wrench{}}, {load(X_WB[0]), Wrench{}});
   }
-  core::RockState step(std::int64_t n_steps, const std::vector<Pose>& target) override {
+  core::RockState step(const core::RockStep& step) override {
+    const std::int64_t n_steps = step.n_steps;
+    const std::vector<Pose>& target = step.X_WB_target;
     const double H = static_cast<double>(n_steps) * kTimestep_s;
     const Twist V = twist_between(X_WB_[0], target[0], H);
     Wrench mean, end = load(X_WB_[0]);

@@ -21,6 +21,16 @@ class CheckRooms(unittest.TestCase):
         self.write("machine/motion.cpp", '#include "machine/motion.hpp"\n#include "common/frames.hpp"')
         self.write("machine/motion.hpp")
 
+        self.write("analysis/runs/pyproject.toml", '[project]\nname = "dipper-run"\n'
+                   '[tool.setuptools]\npackages = ["dipper_run"]')
+        self.write("analysis/runs/dipper_run/__init__.py", "from .run import read")
+        self.write("analysis/runs/dipper_run/run.py", "import h5py")
+        self.write("analysis/gap/pyproject.toml", '[project]\nname = "dipper-gap"\ndependencies = ["dipper-run"]\n'
+                   '[tool.setuptools]\npackages = ["dipper_gap", "dipper_gap.readings", "dipper_gap.statistics"]')
+        self.write("analysis/gap/dipper_gap/workflow.py", "from .statistics import match\nfrom dipper_run import read")
+        self.write("analysis/gap/dipper_gap/statistics/match.py", "from ..readings.measured import MASS")
+        self.write("analysis/gap/dipper_gap/readings/measured.py", "from dipper_run.run import read")
+
     def write(self, file, text=""):
         file = self.root / file
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -74,6 +84,35 @@ class CheckRooms(unittest.TestCase):
     def test_a_library_behind_another_adapter(self):
         self.write("coupler/run/run.cpp", "#include <lammps.h>")
         self.check("coupler/run/run.cpp: includes lammps.h, which lives behind another adapter")
+
+    def test_an_import_that_runs_up(self):
+        top, low = "analysis/gap/dipper_gap/workflow.py", "analysis/gap/dipper_gap/readings/measured.py"
+        for text in ("from ..workflow import analyse", "from .. import workflow", "import dipper_gap.workflow",
+                     "def read():\n    from dipper_gap.workflow import analyse"):
+            self.write(low, text)
+            self.check(f"{low}: imports {top}, but analysis/gap/dipper_gap stands above "
+                       "analysis/gap/dipper_gap/readings")
+
+    def test_packages_that_know_each_other(self):
+        runs, statistics = ("analysis/gap/dipper_gap/" + name for name in ("simulation", "statistics"))
+        self.write("analysis/gap/pyproject.toml", '[project]\ndependencies = ["dipper-run"]\n[tool.setuptools]\n'
+                   'packages = ["dipper_gap", "dipper_gap.readings", "dipper_gap.simulation", "dipper_gap.statistics"]')
+        self.write(f"{runs}/plan.py")
+        self.write(f"{statistics}/match.py", "from ..simulation.plan import split")
+        self.check(f"{statistics}/match.py: imports {runs}/plan.py, but {statistics} and {runs} do not know each other")
+
+    def test_a_python_file_in_no_room(self):
+        self.write("analysis/attic/old.py")
+        self.check("analysis/attic/old.py: in no room; scripts/check_rooms lists them")
+
+    def test_a_room_that_is_not_installed(self):
+        self.write("analysis/gap/dipper_gap/decision/decide.py")
+        self.check("analysis/gap/pyproject.toml: packages lacks dipper_gap.decision")
+
+    def test_a_package_that_is_not_declared(self):
+        self.write("analysis/study/pyproject.toml", '[tool.setuptools]\npackages = ["dipper_study"]')
+        self.write("analysis/study/dipper_study/plan.py", "from dipper_run import read")
+        self.check("analysis/study/pyproject.toml: dependencies lacks dipper-run, which analysis/study imports")
 
 
 if __name__ == "__main__":

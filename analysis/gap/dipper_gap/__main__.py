@@ -14,16 +14,16 @@ import yaml
 
 from dipper_run import run_cache
 from dipper_run.findings import BadInput, Findings
-from dipper_run.out_folder import check_writable
+from dipper_run.out_folder import check_writable, out_folder
 from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
 from .answer import write_answer
-from .effects import read_catalogue
-from .measured import read_measured
-from .model import NEED_PASSES
-from .motion import compare_motion, read_motion
-from .simulator import JOBS, DipperSimulator, RunFailed, check
+from .readings.measured import read_measured
+from .readings.motion import compare_motion, read_motion
+from .readings.passes import NEED_PASSES
+from .simulation.effects import read_catalogue
+from .simulation.simulator import JOBS, DipperSimulator, RunFailed, check
 from .workflow import analyse
 
 
@@ -82,12 +82,10 @@ def main(words=None):
         measured = read_measured(args.measured, NEED_PASSES)
         for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
             say(f"gap: {question}")
-        out_folder = args.out or Path("runs") / f"gap-{args.case.resolve().name}"
-        check_writable(out_folder)
+        folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
+        check_writable(folder)
     except BadInput as e:
-        for finding in e.findings:
-            print(finding, file=sys.stderr)
-        print(f"{len(e.findings)} error{'s' if len(e.findings) > 1 else ''}", file=sys.stderr)
+        print(e.counted(), file=sys.stderr)
         return 2
     for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
         signal.signal(number, signal.default_int_handler)
@@ -105,7 +103,7 @@ def main(words=None):
     except ValueError as e:
         print(f"gap: {e}", file=sys.stderr)
         return 2
-    files = write_answer(out, catalogue, simulator, args.measured, out_folder)
+    files = write_answer(out, catalogue, simulator, args.measured, folder)
     say(f"gap: {', '.join(map(str, files))}")
     return 0
 

@@ -1,8 +1,8 @@
 """The files of an answer: gap.json, report.html and, where effects were found, the case with them."""
 import hashlib
 
+from .decision.patch import write_patched_case
 from .gap_json import as_json, write_json
-from .patch import write_patched_case
 from .report import write_report
 
 

@@ -3,8 +3,8 @@ import json
 
 import numpy as np
 
-from .isolability import CONFUSABLE
-from .patch import overlay
+from .decision.patch import overlay
+from .statistics.isolability import CONFUSABLE
 
 SHOWN_P = 0.05  # cells whose adjusted p is larger are left out of `disagreement`
 

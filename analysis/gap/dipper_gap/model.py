@@ -7,16 +7,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .baseline import Baseline, make_baseline, scatter
-from .isolability import with_nuisances
-from .match import gains
-from .measured import MASS
-from .null import Null, Tails, find_tails, left_out_inflation, simulate_null
-from .plan import Plan, split
-from .signatures import deviations, fit_signature
-from .vectors import Vectors, indices_of
+from .readings.measured import MASS
+from .readings.passes import common_passes, split
+from .readings.vectors import Vectors, indices_of
+from .simulation.plan import Plan
+from .statistics.baseline import Baseline, make_baseline, scatter
+from .statistics.isolability import with_nuisances
+from .statistics.match import gains
+from .statistics.null import Null, Tails, find_tails, left_out_inflation, simulate_null
+from .statistics.signatures import deviations, fit_signature
 
-NEED_PASSES = 2
 LEFT_OUT_DRAWS = 200
 
 
@@ -110,17 +110,6 @@ def learn(plan, folders, measured):
     size = np.array([measured.channels[n].common_sigma for n in responses])
     bias = baseline.common / np.where(size > 0, size, 1.0)[:, None]
     return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, tails, inflation, tuple(base))
-
-
-def common_passes(measured, folders):
-    """Numbers of the passes that are both measured and in every run; throws ValueError when they are too few."""
-    common = set(p.number for p in measured.passes)
-    for m in folders:
-        common &= set(p.number for p in m.passes)
-    if len(common) < NEED_PASSES:
-        raise ValueError(f"{len(common)} passes are both measured and simulated; {NEED_PASSES} or more "
-                         "are needed, one to train on and one to hold out")
-    return sorted(common)
 
 
 def predict(model, catalogue, trucks_scatter):

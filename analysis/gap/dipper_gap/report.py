@@ -4,11 +4,11 @@ from dataclasses import asdict
 from dipper_run.page_data import plain
 from dipper_run.program import tell
 
-from .features import FEATURES
-from .isolability import CONFUSABLE
-from .match import strength
-from .measured import KNOWN
-from .phases import PHASES
+from .readings.features import FEATURES
+from .readings.measured import KNOWN
+from .readings.phases import in_order
+from .statistics.isolability import CONFUSABLE
+from .statistics.match import strength
 
 CELL_P = 0.05     # adjusted p up to which a cell of the heat map is framed
 
@@ -26,7 +26,7 @@ def page(out, answer, catalogue, case_name):
         "passes": {"training": out.look.training.passes, "holdout": out.look.holdout.passes},
         "stability": out.stability,
         "inflation": out.inflation,
-        "phases": PHASES,
+        "phases": _phases(out),
         "rows": _rows(out.look.training.baseline.cells),
         "cell_p": CELL_P,
         "cells": _cells(out),
@@ -42,6 +42,12 @@ def page(out, answer, catalogue, case_name):
         "masses": [_of_pass(m) for m in out.masses],
         "experiments": [asdict(p) for p in out.proposals]})
     return {"kind": "gap", "title": case_name, "answer": answer, **shown}
+
+
+def _phases(out):
+    """Columns of the heat map, in the order of a pass; the truck's mass may be in one of its own."""
+    cells = (c.phase for c in out.look.training.baseline.cells)
+    return list(dict.fromkeys([*in_order(c.phases for c in out.curves), *cells]))
 
 
 def _rows(cells):

@@ -14,16 +14,16 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .confirm import confirm, drawn
-from .decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
-from .isolability import Isolability, isolability
-from .localise import Disagreement, localise
-from .match import Match, interval, match, stability
+from .decision.confirm import confirm, drawn
+from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
+from .decision.next_experiment import propose
 from .model import Part, SignatureRuns, compare, learn, predict, signature
-from .next_experiment import propose
-from .null import statistics
-from .plan import FRESH_SEEDS, make_plan, statement
-from .simulator import request
+from .simulation.plan import FRESH_SEEDS, make_plan, statement
+from .simulation.simulator import request
+from .statistics.isolability import Isolability, isolability
+from .statistics.localise import Disagreement, localise
+from .statistics.match import Match, interval, match, stability
+from .statistics.null import statistics
 
 SHARPENED = 2           # times an effect's strength is found anew, each with its signature at the last
 MOTION_TOLERANCE_S = 1.0

@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 from dipper_run.findings import BadInput, Findings
-from dipper_gap.measured import read_measured, write_measured
+from dipper_gap.readings.measured import read_measured, write_measured
 from dipper_run.program import ProgramFailed
 
 from .build import build, motion_text
@@ -83,9 +83,7 @@ def main(given=None):
         print("\n".join(said), flush=True)
         write(made, what, said, args.log, out, args.dry)
     except BadInput as e:
-        for finding in e.findings:
-            print(finding, file=sys.stderr)
-        print(f"{len(e.findings)} error{'s' if len(e.findings) > 1 else ''}", file=sys.stderr)
+        print(e.counted(), file=sys.stderr)
         return 2
     except OSError as e:
         print(f"{e.filename}: {e.strerror}", file=sys.stderr)

@@ -3,8 +3,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dipper_gap.measured import DRIVEN, MASS, MOTION, RESPONSE, Channel, Measured, Pass
-from dipper_gap.phases import find_phases, planned_passes
+from dipper_gap.readings.measured import DRIVEN, MASS, MOTION, RESPONSE, Channel, Measured, Pass
+from dipper_gap.readings.phases import find_phases, planned_passes
 
 from .fit import fit_drive
 from .log_file import some_rows
@@ -23,7 +23,7 @@ class Imported:
     grid: np.ndarray    # s, the rows of motion.csv
     gaps: list          # (start, end) without rows
     spans: tuple        # (start, end) in s of the passes that end with a dump
-    measured: object    # dipper_gap.measured.Measured, or None
+    measured: object    # dipper_gap.readings.measured.Measured, or None
 
 
 def build(rows, what, path, found, notes):

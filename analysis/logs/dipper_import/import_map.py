@@ -7,12 +7,11 @@ from pathlib import Path
 import yaml
 
 from dipper_run.findings import Findings
+from dipper_run.section import Section
 from dipper_run.text_file import number, read_yaml
 
-from .section import Section
 from .units import CHANNELS, DRIVES, FORCES, PERCENT, SWITCH, TRUCK_MASS, UNITS
 
-KEYS = ("file", "time", "channels", "limits", "longest_gap_s", "sample_s")
 DELIMITERS = {",": ",", ";": ";", "|": "|", "tab": "\t", "\\t": "\t", "\t": "\t"}
 NUMBER_FORMATS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "days": 86400.0}
 MISSING = ("", "-", "--", "---", "nan", "null", "none", "n/a", "na", "#n/a")
@@ -89,18 +88,11 @@ def read_map(path):
     found = Findings()
     root = read_yaml(path, found, "a map with time, channels, ...")
     found.raise_if_any()
-    top = Section(path, root, "", KEYS, found)
-    channels_section = top.section("channels", tuple(CHANNELS))
-    made = ImportMap(
-        path, _file(top), _time(top),
-        {name: _channel(channels_section, name) for name in CHANNELS if channels_section.has(name)},
-        _limits(top, path),
-        top.number("longest_gap_s", "seconds, above 0", LONGEST_GAP_S, allowed=lambda x: x > 0),
-        top.number("sample_s", "seconds, above 0", SAMPLE_S, allowed=lambda x: x > 0))
-    for name in DRIVES:
-        if not channels_section.has(name):
-            found.add(path, top.lines.get("channels", 1), f"channels.{name}", "missing",
-                      f"name its column: motion.csv has {', '.join(DRIVES)}")
+    top = Section(root, path, found)
+    made = ImportMap(path, _file(top), _time(top), _channels(top), _limits(top, path),
+                     top.number("longest_gap_s", LONGEST_GAP_S, "seconds, above 0", allowed=lambda x: x > 0),
+                     top.number("sample_s", SAMPLE_S, "seconds, above 0", allowed=lambda x: x > 0))
+    top.end()
     _check_switches(made, found)
     if made.measured():
         _check_sigmas(made, found)
@@ -113,50 +105,59 @@ def _whole(x):
 
 
 def _file(top):
-    s = top.section("file", ("delimiter", "decimal", "encoding", "header_line", "data_line", "missing"))
-    delimiter = s.word("delimiter", tuple(DELIMITERS))
-    encoding = s.text("encoding", "such as utf-8, utf-16, cp1252")
+    s = top.section("file")
+    delimiter = s.one_of("delimiter", tuple(DELIMITERS))
+    encoding = s.text("encoding", right="such as utf-8, utf-16, cp1252")
     if encoding:
         try:
             codecs.lookup(encoding)
         except LookupError:
-            s.fault("encoding", f"is '{encoding}'", "such as utf-8, utf-16, cp1252")
-    header = s.number("header_line", "a line, from 1", allowed=_whole)
-    data = s.number("data_line", "a line, from 1", allowed=_whole)
-    missing = s.texts("missing", "texts that stand for no reading")
-    return FileFormat(DELIMITERS.get(delimiter), s.word("decimal", (".", ",")), encoding, header and int(header),
-                      data and int(data), frozenset(MISSING) | {m.lower() for m in missing})
+            s.wrong("encoding", f"is {encoding}", "such as utf-8, utf-16, cp1252")
+    header = s.number("header_line", right="a line, from 1", allowed=_whole)
+    data = s.number("data_line", right="a line, from 1", allowed=_whole)
+    missing, decimal = s.texts("missing", "texts that stand for no reading"), s.one_of("decimal", (".", ","))
+    s.end()
+    return FileFormat(DELIMITERS.get(delimiter), decimal, encoding, header and int(header), data and int(data),
+                      frozenset(MISSING) | {m.lower() for m in missing})
 
 
 def _time(top):
-    right = "{column, format}: where the time of a row stands"
-    if not top.has("time"):
-        top.fault("time", "missing", right)
-    s = top.section("time", ("column", "format", "clock_set_at", "from", "to", "same_stamp"))
-    columns = s.texts("column", "a column's name, or two: [date, time]", needed=top.has("time"))
-    form = s.text("format", _formats())
+    s = top.section("time")
+    if "time" not in top:
+        top.wrong("time", "missing", "{column, format}: where the time of a row stands")
+    columns = s.texts("column", "a column's name, or two: [date, time]", needed=bool(s))
+    form = s.text("format", right=_formats())
     if form and "%" not in form and form != "iso" and form not in NUMBER_FORMATS:
-        s.fault("format", f"is '{form}'", _formats())
+        s.wrong("format", f"is {form}", _formats())
     lines = s.numbers("clock_set_at", "lines of the log") or []
-    return TimeFormat(tuple(columns), form, frozenset(int(x) for x in lines), s.text("from", "a stamp as in the log"),
-                      s.text("to", "a stamp as in the log"),
-                      s.word("same_stamp", ("first", "spread"), "first") == "spread", s.lines.get("column", s.line))
+    first, last = (s.text(key, right="a stamp as in the log") for key in ("from", "to"))
+    spread = s.one_of("same_stamp", ("first", "spread"), "first") == "spread"
+    s.end()
+    return TimeFormat(tuple(columns), form, frozenset(int(x) for x in lines), first, last, spread, s.line_of("column"))
 
 
 def _formats():
     return f"iso, one of {', '.join(NUMBER_FORMATS)}, or a pattern such as '%d.%m.%Y %H:%M:%S.%f'"
 
 
+def _channels(top):
+    section = top.section("channels")
+    channels = {name: _channel(section, name) for name in CHANNELS if section.get(name) is not None}
+    section.end()
+    for name in DRIVES:
+        if name not in section:
+            section.wrong(name, "missing", f"name its column: motion.csv has {', '.join(DRIVES)}")
+    return channels
+
+
 def _channel(channels, name):
-    kind = CHANNELS[name]
-    keys = ("column", "unit", "sign", "scale", "offset", "range", "sigma", "common_sigma")
-    s = channels.section(name, keys + (("reads",) if name == TRUCK_MASS else ()))
+    kind, s = CHANNELS[name], channels.section(name)
     units = kind.units() + [PERCENT] + ([SWITCH] if name == "door" else [])
-    column = s.text("column", "a column's name", "", needed=True)
-    unit = s.word("unit", units, kind.unit, needed=True)
-    sign = s.number("sign", "1 or -1", 1.0, allowed=lambda x: abs(x) == 1)
-    scale = s.number("scale", "a number other than 0", 1.0, allowed=lambda x: x != 0)
-    offset = s.number("offset", f"a number in {unit}, added after sign and scale", 0.0)
+    column = s.text("column", "", "a column's name", needed=True)
+    unit = s.one_of("unit", units, kind.unit, needed=True)
+    sign = s.number("sign", 1.0, "1 or -1", allowed=lambda x: abs(x) == 1)
+    scale = s.number("scale", 1.0, "a number other than 0", allowed=lambda x: x != 0)
+    offset = s.number("offset", 0.0, f"a number in {unit}, added after sign and scale")
     low, per_unit = 0.0, UNITS.get(unit, ("", 1.0))[1]
     if unit in (PERCENT, SWITCH):
         ends = s.numbers("range", f"[a, b]: the {kind.unit} at {'0 and 100 %' if unit == PERCENT else '0 and 1'}",
@@ -164,34 +165,36 @@ def _channel(channels, name):
         if ends and len(ends) == 2 and ends[0] != ends[1]:
             low, per_unit = ends[0], (ends[1] - ends[0]) / (100.0 if unit == PERCENT else 1.0)
         elif ends:
-            s.fault("range", f"is {', '.join(f'{x:g}' for x in ends)}", "two numbers that differ")
-    elif s.has("range"):
-        s.fault("range", f"with the unit {unit}", "only with % or switch")
-    sigma = s.number("sigma", f"a number in {unit}, 0 or more", allowed=lambda x: x >= 0)
-    common = s.number("common_sigma", f"a number in {unit}, 0 or more", 0.0, allowed=lambda x: x >= 0)
-    reads = s.word("reads", ("total", "pass"), needed=True) if name == TRUCK_MASS else None
+            s.wrong("range", f"is {', '.join(f'{x:g}' for x in ends)}", "two numbers that differ")
+    elif s.get("range") is not None:
+        s.wrong("range", f"with the unit {unit}", "only with % or switch")
+    sigma, common = (s.number(key, default, f"a number in {unit}, 0 or more", allowed=lambda x: x >= 0)
+                     for key, default in (("sigma", None), ("common_sigma", 0.0)))
+    reads = s.one_of("reads", ("total", "pass"), needed=True) if name == TRUCK_MASS else None
+    s.end()
     return Channel(column, per_unit * sign * scale, low + per_unit * offset, unit == SWITCH,
                    None if sigma is None else sigma * abs(per_unit), common * abs(per_unit), reads, s.line)
 
 
 def _limits(top, path):
-    s = top.section("limits", ("machine", *DRIVES))
-    machine = s.text("machine", "a machine's file, such as ../../mbs/bucyrus495.yaml")
+    s = top.section("limits")
+    machine = s.text("machine", right="a machine's file, such as ../../mbs/bucyrus495.yaml")
     known = _machine_limits(s, path.parent / machine) if machine else {}
     out = {}
     for name in DRIVES:
-        own = s.section(name, ("min", "max", "speed", "acceleration"))
+        own = s.section(name)
         unit = CHANNELS[name].unit
         values = dict(known.get(name, {}))
-        for key in own.keys():
-            if key in ("min", "max"):
-                values[key] = own.number(key, f"a number in {unit}", values.get(key))
-            elif key in ("speed", "acceleration"):
-                right = f"a number in {unit}/s{'^2' if key == 'acceleration' else ''}, above 0"
-                values[key] = own.number(key, right, values.get(key), allowed=lambda x: x > 0)
+        for key in ("min", "max"):
+            values[key] = own.number(key, values.get(key), f"a number in {unit}")
+        for key, per in (("speed", "s"), ("acceleration", "s^2")):
+            values[key] = own.number(key, values.get(key), f"a number in {unit}/{per}, above 0",
+                                     allowed=lambda x: x > 0)
+        own.end()
         out[name] = Limits(**{k: v for k, v in values.items() if v is not None})
         if out[name].min >= out[name].max:
-            own.fault("min", f"is {out[name].min:g}", f"below max, {out[name].max:g}")
+            own.wrong("min", f"is {out[name].min:g}", f"below max, {out[name].max:g}")
+    s.end()
     return out
 
 
@@ -200,7 +203,7 @@ def _machine_limits(section, file):
     try:
         limits = yaml.safe_load(file.read_text())["limits"]
     except (OSError, UnicodeDecodeError, yaml.YAMLError, KeyError, TypeError):
-        section.fault("machine", f"{file} cannot be read, or has no limits",
+        section.wrong("machine", f"{file} cannot be read, or has no limits",
                       "a machine's file, seen from the map's folder")
         return {}
     out = {}
@@ -212,7 +215,7 @@ def _machine_limits(section, file):
             unit = str(entry.get("unit", "")).removesuffix("/s") if isinstance(entry, dict) else ""
             value = number(str(entry.get("value"))) if unit in CHANNELS[name].units() else None
             if value is None:
-                section.fault("machine", f"{file}: limits.{name}_{key} is {entry}",
+                section.wrong("machine", f"{file}: limits.{name}_{key} is {entry}",
                               f"{{value, unit}} with a unit of {CHANNELS[name].quantity}")
                 continue
             out.setdefault(name, {})[key] = value * UNITS[unit][1]

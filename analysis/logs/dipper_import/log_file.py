@@ -7,10 +7,9 @@ import numpy as np
 
 from dipper_run.csv_text import (cells_of, decimal_number, find_decimal, find_delimiter, read_stamp,
                                  stamp_seconds)
-from dipper_run.text_file import read_text
+from dipper_run.text_file import nearest, read_text
 
 from .import_map import NUMBER_FORMATS
-from .units import nearest
 
 HEADER_WITHIN = 100  # lines: where the names of the columns are looked for
 LONGEST_SHOWN = 40   # characters of a cell that is quoted

@@ -1,7 +1,6 @@
 """Units a logger may write, and the channels that are read: each in one unit from here on."""
 import math
 from dataclasses import dataclass
-from difflib import get_close_matches
 
 # unit: (quantity, how much of the quantity's own unit it is). Own units: m, deg, kN, t.
 UNITS = {
@@ -48,10 +47,3 @@ CHANNELS = {
 DRIVES = ("hoist", "crowd", "swing", "door")
 FORCES = ("hoist_force", "crowd_force")
 TRUCK_MASS = "truck_mass"
-
-
-def nearest(word, words):
-    """The one of `words` that is most like `word`, or None."""
-    lower = {w.lower(): w for w in words}
-    found = get_close_matches(word.lower(), lower, 1, 0.5)
-    return lower[found[0]] if found else None

@@ -10,6 +10,10 @@ class BadInput(ValueError):
         self.findings = list(findings)
         super().__init__("\n".join(self.findings))
 
+    def counted(self):
+        """Every finding, and a last line with their number: what a command ends with."""
+        return f"{self}\n{len(self.findings)} error{'s' * (len(self.findings) != 1)}"
+
 
 class Findings:
     """Collects findings, so that a user sees all of them in one go."""

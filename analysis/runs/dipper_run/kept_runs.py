@@ -17,7 +17,7 @@ KEEPER = Path(__file__).with_name("keeper.py")
 HEAVY = ("checkpoints", "dumps", "events.lcmlog")
 # A run that is to be kept without dumps need not write them.
 QUIET = ("--set", "output.dump_every_s=0", "--set", "output.checkpoint_every_s=0")
-INTERRUPTED = 4  # exit status of design.md
+INTERRUPTED = 4  # exit status of a run that can be gone on with
 
 
 class RunFailed(RuntimeError):
@@ -26,7 +26,7 @@ class RunFailed(RuntimeError):
 
 @dataclass(frozen=True)
 class Job:
-    """One run: `dipper run WORDS`, kept as `folder`/run.
+    """One run: `dipper run WORDS`, kept in `run`, beside its manifest and its log.
 
     words: the case and the options that decide the run, without --out and --resume. drop: what of the run's folder is
     removed once it is done. report: whether its page is made before that. facts: kept with it, as JSON.
@@ -38,6 +38,10 @@ class Job:
     drop: tuple = HEAVY
     report: bool = False
     facts: dict = field(default_factory=dict, compare=False)
+
+    @property
+    def run(self):
+        return self.folder / "run"
 
 
 class KeptRuns:
@@ -98,7 +102,7 @@ class KeptRuns:
                 self._make_alone(job, lock)
 
     def _make_alone(self, job, lock):
-        folder, run = job.folder, job.folder / "run"
+        folder, run = job.folder, job.run
         self._sound.pop(folder, None)
         folder.mkdir(exist_ok=True)
         (folder / run_cache.MANIFEST).unlink(missing_ok=True)  # of a run that kept less than is wanted

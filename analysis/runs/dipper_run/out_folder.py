@@ -1,7 +1,13 @@
 """The folder that a command's answer goes to."""
 import os
+from pathlib import Path
 
 from .findings import BadInput
+
+
+def out_folder(given, name):
+    """The folder given as --out, else runs/NAME."""
+    return given or Path("runs") / name
 
 
 def check_writable(folder):

@@ -8,13 +8,14 @@
 """
 import csv
 import functools
-import hashlib
 import json
 import re
 from pathlib import Path
 
 import h5py
 import numpy as np
+
+from .file_hash import sha256_of
 
 MANIFEST = "manifest.sha256"
 FRAME = re.compile(r"rocks_(\d+)\.dump")
@@ -112,7 +113,7 @@ class Run:
     def _record(self):
         file = self._file("record.h5", "`dipper run` writes it; a study may have been told to keep summaries only")
         try:
-            return h5py.File(file, "r")
+            return h5py.File(file, "r", locking=False)  # the run may still be writing
         except OSError as e:
             raise NotARun(f"{file}: cannot be opened: {e}") from e
 
@@ -129,8 +130,8 @@ class Run:
         """Names in the manifest whose files are there and have other sums."""
         manifest = self.folder / MANIFEST
         rows = [line.split(None, 1) for line in manifest.read_text().splitlines()] if manifest.is_file() else []
-        return {name for told, name in rows if (self.folder / name).is_file()
-                and hashlib.sha256((self.folder / name).read_bytes()).hexdigest() != told}
+        return {name for told, name in rows
+                if (self.folder / name).is_file() and sha256_of(self.folder / name) != told}
 
 
 class Frame:
@@ -141,16 +142,24 @@ class Frame:
 
     @functools.cached_property
     def rocks(self):
-        """{column: array}, in W and SI: id, type, x, y, z, vx, ..., radius."""
+        """{column: array}, in W and SI: id, type, x, y, z, vx, ..., radius.
+
+        Raises NotARun for a dump that was cut short: the run is writing it, or ended while it did.
+        """
         with open(self.file) as f:
+            count = 0
             for line in f:
+                if line.startswith("ITEM: NUMBER OF ATOMS"):
+                    count = int(next(f))
                 if line.startswith("ITEM: ATOMS"):
                     break
             else:
                 raise NotARun(f"{self.file}: no ITEM: ATOMS; not a dump of spheres")
-            rows = np.loadtxt(f, ndmin=2)
-        names = line.split()[2:]
-        return dict(zip(names, rows.T if rows.size else np.empty((len(names), 0))))
+            names, text = line.split()[2:], f.read()
+        numbers = text.split()
+        if text[-1:] not in ("", "\n") or len(numbers) != count * len(names):
+            raise NotARun(f"{self.file}: cut short: not the {count} spheres that it names")
+        return dict(zip(names, np.array(numbers, float).reshape(count, len(names)).T))
 
 
 def _values(cells):

@@ -12,6 +12,8 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
+from .file_hash import sha256_of
+
 MANIFEST = "manifest.json"
 WAIT_S = 0.5  # between looks at an entry that another process makes
 
@@ -20,6 +22,16 @@ def cache_folder(kind):
     """Where entries of a kind ("gap", "study") are."""
     base = os.environ.get("XDG_CACHE_HOME")
     return (Path(base) if base else Path.home() / ".cache") / "dipper" / kind
+
+
+def entry_of(cache, told, *what):
+    """The folder of an entry in `cache`, named by all that decides what is in it.
+
+    `told` is what `dipper check --json` tells of the case: hashes of the case with all its files and
+    of the program's sources. `what` is the rest.
+    """
+    text = "\n".join([told["case_hash"], told["source_hash"], *map(str, what)])
+    return cache / hashlib.sha256(text.encode()).hexdigest()[:24]
 
 
 @contextmanager
@@ -41,7 +53,7 @@ def seal(entry, facts):
     """Makes a folder an entry: `facts` (a dict) and the sums of its files, on the disk before the manifest is."""
     sums = {}
     for file in _files(entry):
-        sums[str(file.relative_to(entry))] = _sha256(file)
+        sums[str(file.relative_to(entry))] = sha256_of(file)
         _to_disk(file)
     part = entry / (MANIFEST + ".part")
     part.write_text(json.dumps({**facts, "sha256": sums}, indent=1) + "\n")
@@ -65,7 +77,7 @@ def facts(entry):
         return _move_aside(entry, MANIFEST)
     there = {str(file.relative_to(entry)) for file in _files(entry)}
     for name, expected in sums.items():
-        if name not in there or _sha256(entry / name) != expected:
+        if name not in there or sha256_of(entry / name) != expected:
             return _move_aside(entry, name)
     return told
 
@@ -84,11 +96,6 @@ def _move_aside(entry, name):
 
 def _files(entry):
     return [f for f in sorted(entry.rglob("*")) if f.is_file() and not f.name.startswith(MANIFEST)]
-
-
-def _sha256(file):
-    with open(file, "rb") as f:
-        return hashlib.file_digest(f, "sha256").hexdigest()
 
 
 def _to_disk(path):

@@ -1,6 +1,7 @@
 """Text and numbers of a user's files, with each fault found at its line."""
 import math
 import re
+from difflib import get_close_matches
 
 import yaml
 
@@ -69,3 +70,10 @@ def number(text):
         return None
     value = float(text)
     return value if math.isfinite(value) else None
+
+
+def nearest(word, words):
+    """The one of `words` that is most like `word`, or None."""
+    lower = {w.lower(): w for w in words}
+    found = get_close_matches(word.lower(), lower, 1, 0.5)
+    return lower[found[0]] if found else None

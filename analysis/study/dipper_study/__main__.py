@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from dipper_run.findings import BadInput
-from dipper_run.out_folder import check_writable
+from dipper_run.out_folder import check_writable, out_folder
 from dipper_run.page_data import plain
 from dipper_run.program import ProgramFailed, program
 from dipper_run.run_cache import cache_folder
@@ -97,7 +97,7 @@ def _link(link, to):
 
 def main(words=None):
     args = arguments(words)
-    out = args.out or Path("runs") / f"study-{args.study.stem}"
+    out = out_folder(args.out, f"study-{args.study.stem}")
     try:
         study = read_study(args.study)
         planner = Planner(study, program(), cache_folder("study"))
@@ -108,8 +108,7 @@ def main(words=None):
             raise BadInput([f"{study.file}: --detach and --cancel are for executor: slurm"])
         check_writable(out)
     except BadInput as e:
-        print("\n".join(e.findings), file=sys.stderr)
-        print(f"{len(e.findings)} error{'s' * (len(e.findings) > 1)}", file=sys.stderr)
+        print(e.counted(), file=sys.stderr)
         return 2
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 COLUMNS = {
     "payload_t": "rock in the dipper after the dig",
     "truck_t": "rock that came into the truck",
-    "fill_factor": "payload's volume by the dipper's struck volume",
+    "fill_factor": "payload by what the struck volume holds at the settled pile's density",
+    "fill_factor_load": "payload by what the struck volume holds at the load's own density",
     "dig_force_mean_MN": "mean dig force from first contact to the dump",
     "dig_phases_force_mean_MN": "mean dig force from penetrate to breakout",
     "dig_force_peak_MN": "largest dig force",

@@ -1,5 +1,4 @@
 """`plan.KEY` in a study: the case's motion, planned anew with another number in its plan.yaml (docs/motion.md)."""
-import hashlib
 import os
 import subprocess
 from pathlib import Path
@@ -8,6 +7,7 @@ import yaml
 
 from dipper_run.findings import BadInput, Findings
 from dipper_run.program import ProgramFailed, check_json
+from dipper_run.run_cache import entry_of
 from dipper_run.text_file import read_yaml
 
 from .study_file import Setting
@@ -25,7 +25,7 @@ class Motions:
 
     def __init__(self, case, program, folder):
         self.case, self.program, self.folder = Path(case).resolve(), program, Path(folder)
-        self._made_of = None
+        self._told = None  # of the case, by `dipper check`
 
     def resolved(self, study_file, settings):
         """The settings, with those of the plan replaced by the one of the motion they make. Raises BadInput."""
@@ -76,12 +76,12 @@ class Motions:
             raise BadInput([f"{where}: is {setting.text}; a number"]) from None
 
     def _motion(self, study_file, planned, text):
-        if self._made_of is None:
+        if self._told is None:
             told = check_json(self.case, of=self.program)
             if told["findings"]:
                 raise BadInput(f"{f['file']}:{f['line']}: {f['key']}: {f['message']}" for f in told["findings"])
-            self._made_of = f"{told['case_hash']}\n{told['source_hash']}"
-        folder = self.folder / hashlib.sha256(f"{self._made_of}\n{text}".encode()).hexdigest()[:24]
+            self._told = told
+        folder = entry_of(self.folder, self._told, text)
         motion = folder / "motion.csv"
         if motion.exists():
             return motion

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from dipper_run.findings import BadInput
 from dipper_run.kept_runs import HEAVY, QUIET, Job
 from dipper_run.program import check_json
+from dipper_run.run_cache import entry_of
 
 from .motions import Motions
 
@@ -20,7 +21,7 @@ NAME_BYTES = 100  # of a run's name: a longer one is cut
 
 @dataclass(frozen=True)
 class PlannedRun:
-    """A point with a seed. `job` makes it; its run is in job.folder/run."""
+    """A point with a seed. `job` makes it."""
 
     point: object
     seed: int
@@ -28,7 +29,7 @@ class PlannedRun:
 
     @property
     def folder(self):
-        return self.job.folder / "run"
+        return self.job.run
 
     @property
     def name(self):
@@ -115,8 +116,7 @@ class Planner:
 
     def _run(self, point, seed):
         told, study = self._told[point], self.study
-        text = f"{told['case_hash']}\n{told['source_hash']}\n{seed}\n"
-        folder = self.cache / hashlib.sha256(text.encode()).hexdigest()[:24]
+        folder = entry_of(self.cache, told, seed, "")
         # Through Slurm a run may end at any time: it goes on from the case's own checkpoints.
         quiet = () if study.keep == "all" else QUIET[:2] if study.executor == "slurm" else QUIET
         words = [str(study.case.resolve()), "--ranks", str(study.ranks), "--seed", str(seed), *quiet,

@@ -2,6 +2,8 @@
 import sys
 import time
 
+from dipper_run.quantities import minutes
+
 PLAIN_EVERY_S = 30.0
 
 
@@ -41,17 +43,3 @@ class Progress:
     def close(self):
         if self._tty:
             self._stream.write("\n")
-
-
-def minutes(seconds):
-    if seconds < 100:
-        return f"{seconds:.0f} s"
-    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.1f} h"
-
-
-def size_text(amount):
-    for unit in ("B", "kB", "MB", "GB"):
-        if amount < 1000:
-            return f"{amount:.3g} {unit}"
-        amount /= 1000
-    return f"{amount:.3g} TB"

@@ -26,7 +26,7 @@ def figures(run):
     passes, worked = run.summary["passes"], run.metrics["passes"]
     mean = lambda rows, key, unit: float(np.mean([r.get(key, np.nan) for r in rows])) / unit if rows else np.nan
     return {"payload_t": mean(passes, "payload_kg", 1e3), "truck_t": mean(passes, "truck_kg", 1e3),
-            "fill_factor": mean(passes, "fill_factor", 1),
+            "fill_factor": mean(passes, "fill_factor", 1), "fill_factor_load": mean(passes, "fill_factor_load", 1),
             "dig_force_mean_MN": mean(passes, "dig_force_mean_N", 1e6),
             "dig_phases_force_mean_MN": mean(passes, "dig_phases_force_mean_N", 1e6),
             "dig_force_peak_MN": max((p["dig_force_peak_N"] for p in passes), default=np.nan) / 1e6,
@@ -56,7 +56,8 @@ def write_hdf5(rows, names, file, study_text):
         f["seed"] = np.array([row["seed"] for row in rows])
         for column in FIGURES:
             f[column] = np.array([row.get(column, np.nan) for row in rows], float)
-            f[column].attrs["unit"] = {"fill_factor": "1", "passes": "1"}.get(column, column.rsplit("_", 1)[-1])
+            pure = column in ("fill_factor", "fill_factor_load", "passes")
+            f[column].attrs["unit"] = "1" if pure else column.rsplit("_", 1)[-1]
     os.replace(part, file)
 
 

@@ -1,6 +1,7 @@
 """What a study will take, told before it starts."""
+from dipper_run.quantities import minutes, size_text
+
 from .plan import free_bytes
-from .progress import minutes, size_text
 
 
 def statement(study, planner, executor, runs, own, todo):

@@ -7,11 +7,11 @@ from pathlib import Path
 import yaml
 
 from dipper_run.findings import Findings
+from dipper_run.section import Section
 from dipper_run.text_file import number, read_yaml, said
 
 from .goal import Constraint, Objective, read_objective
 from .results import FIGURES
-from .section import Section
 
 KEEPS = ("summary", "record", "all")
 EXECUTORS = ("local", "slurm")
@@ -134,7 +134,7 @@ def read_study(file):
         top.wrong("case", f"{study.case} has no case.yaml", "the folder of a case, seen from the study's file")
     top.end(required=("case", "seeds"))
     if not study.optimise and "parameters" not in top.keys():
-        top.wrong("parameters", "is missing", "give them, or optimise")
+        top.wrong("parameters", "missing", "give them, or optimise")
     if study.optimise and study.parameters:
         top.wrong("parameters", "beside optimise", "one of the two; optimise has parameters of its own")
     _set_once(study, top)
@@ -170,20 +170,19 @@ def _settings(section):
 
 
 def _fixed(top):
-    section = top.section("set")
-    return _settings(section) if section else ()
+    return _settings(top.section("set"))
 
 
 def _parameters(top):
     section = top.filled("parameters", "a case key with a list of its values, KEY: [...], or more of them")
-    return tuple(_parameter(section, name) for name in section.keys()) if section else ()
+    return tuple(_parameter(section, name) for name in section.keys())
 
 
 def _parameter(section, name):
     """A key with a list of its values, or a name with a map {value's name: {key: value}}."""
     if isinstance(section.get(name), yaml.MappingNode):
         inner = section.filled(name, "named values, each some keys: {wide: {bodies.dipper: wide.stl}}")
-        values = [_named(inner, key) for key in inner.keys()] if inner else []
+        values = [_named(inner, key) for key in inner.keys()]
         if name in COLUMNS or "/" in name or not name.strip(". "):
             section.wrong(name, "cannot name a column of study.csv", f"a name without /, none of {', '.join(COLUMNS)}")
     else:
@@ -198,14 +197,11 @@ def _parameter(section, name):
 
 
 def _named(section, name):
-    settings = section.section(name)
-    return Value(name, _settings(settings) if settings else (), number(name))
+    return Value(name, _settings(section.section(name)), number(name))
 
 
 def _slurm(top):
     section = top.section("slurm")
-    if section is None:
-        return Slurm()
     options = tuple(node.value for node in section.items("options", "options of sbatch") if said(node))
     slurm = Slurm(section.text("partition"), section.whole("time_limit_min", 1, 10**6, Slurm.time_limit_min),
                   section.whole("retries", 0, 100, Slurm.retries), section.whole("at_once", 1, 10**6, None), options)
@@ -215,16 +211,16 @@ def _slurm(top):
 
 def _optimise(top):
     section = top.section("optimise")
-    if section is None:
+    if not section:
         return None
     goals = [key for key in ("maximise", "minimise") if section.get(key) is not None]
     if len(goals) != 1:
         section.wrong("maximise", "both or none of maximise and minimise", "one of them")
     objective = read_objective(section, goals[0]) if goals else None
     inner = section.filled("parameters", "a case key between two numbers, KEY: {low: ..., high: ...}, or more of them")
-    ranges = tuple(r for name in inner.keys() if (r := _range(inner, name))) if inner else ()
+    ranges = tuple(r for name in inner.keys() if (r := _range(inner, name)))
     bounds = section.section("constraints")
-    constraints = tuple(_constraint(bounds, name) for name in bounds.keys()) if bounds else ()
+    constraints = tuple(_constraint(bounds, name) for name in bounds.keys())
     start = section.whole("start", 3, 1000, max(4, 2 * len(ranges) + 1))
     optimise = Optimise(objective, goals == ["maximise"], constraints, ranges, start,
                         section.whole("points", start, 10_000, start + 8), section.whole("batch", 1, 100, 2),
@@ -241,9 +237,9 @@ def _optimise(top):
 
 def _range(section, name):
     inner = section.section(name)
-    if inner is None:
+    if not inner:
         return None
-    low, high = (inner.number(key, -1e300, 1e300, None) for key in ("low", "high"))
+    low, high = (inner.number(key) for key in ("low", "high"))
     inner.end(required=("low", "high"))
     if low is None or high is None:
         return None
@@ -254,9 +250,8 @@ def _range(section, name):
 
 def _constraint(section, name):
     inner = section.section(name)
-    at_most, at_least = (inner.number(k, -1e300, 1e300, None) if inner else None for k in ("at_most", "at_least"))
-    if inner:
-        inner.end()
+    at_most, at_least = (inner.number(k) for k in ("at_most", "at_least"))
+    inner.end()
     if inner and (at_most is None) == (at_least is None):
         section.wrong(name, "both or none of at_most and at_least", "one of them")
     return Constraint(read_objective(section, name, name), at_most, at_least)

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import synthetic
-from dipper_gap.measured import write_measured
+from dipper_gap.readings.measured import write_measured
 from dipper_run.program import program
 
 ANALYSIS = Path(__file__).resolve().parents[3] / "analysis"

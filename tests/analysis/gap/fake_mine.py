@@ -5,13 +5,13 @@ import zlib
 import numpy as np
 
 import synthetic
-from dipper_gap.baseline import make_baseline
-from dipper_gap.effects import Effect
-from dipper_gap.isolability import with_nuisances
-from dipper_gap.noise import common_errors, measured_features, noise_covariance, noisy_features
-from dipper_gap.null import simulate_null
-from dipper_gap.signatures import fit_signature
-from dipper_gap.simulator import Simulator
+from dipper_gap.statistics.baseline import make_baseline
+from dipper_gap.simulation.effects import Effect
+from dipper_gap.statistics.isolability import with_nuisances
+from dipper_gap.readings.noise import common_errors, measured_features, noise_covariance, noisy_features
+from dipper_gap.statistics.null import simulate_null
+from dipper_gap.statistics.signatures import fit_signature
+from dipper_gap.simulation.simulator import Simulator
 
 PASSES = [1, 2, 3]
 SEEDS = 8
@@ -20,7 +20,8 @@ SEEDS = 8
 def effect(name, unit, high, scale, kind="rock", sign="+", nuisance=False):
     low = -high if sign == "both" else 0.0
     return Effect(name, name.replace("_", " ").capitalize(), kind, "synthetic", "strength", unit, low, high,
-                  scale, "synthetic", ((f"effects.{name}", "set", 1.0),), nuisance)
+                  scale, "synthetic", ((f"effects.{name}", "set", 1.0),), nuisance,
+                  "instruments" if kind == "observation" else "dig")
 
 
 CATALOGUE = {e.name: e for e in (

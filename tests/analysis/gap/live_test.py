@@ -17,12 +17,11 @@ sys.path.insert(0, str(HERE / "blind"))
 import make  # noqa: E402
 import twin  # noqa: E402
 from dipper_run.program import program  # noqa: E402
-from dipper_gap.baseline import LEAST_SEEDS  # noqa: E402
-from dipper_gap.effects import read_catalogue  # noqa: E402
+from dipper_gap.simulation.effects import read_catalogue  # noqa: E402
 from dipper_gap.gap_json import as_json, write_json  # noqa: E402
-from dipper_gap.patch import write_patched_case  # noqa: E402
-from dipper_gap.simulator import DipperSimulator, request  # noqa: E402
-from dipper_gap.plan import FRESH_SEEDS  # noqa: E402
+from dipper_gap.decision.patch import write_patched_case  # noqa: E402
+from dipper_gap.simulation.simulator import DipperSimulator, request  # noqa: E402
+from dipper_gap.simulation.plan import FRESH_SEEDS, LEAST_SEEDS  # noqa: E402
 from dipper_gap.workflow import analyse  # noqa: E402
 
 # Effects whose signatures need no rock to run anew: the whole catalogue takes 60 runs.

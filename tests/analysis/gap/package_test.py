@@ -14,7 +14,7 @@ def test_pip_installs_it(tmp_path):
                                "--no-build-isolation", "--target", str(tmp_path / "site"), str(tmp_path / name)],
                               capture_output=True, text=True)
         assert made.returncode == 0, made.stderr
-    words = ("from dipper_gap.next_experiment import propose; print(propose({'liners': 1, 'carry_back': 1})); "
+    words = ("from dipper_gap.decision.next_experiment import propose; print(propose({'liners': 1, 'carry_back': 1})); "
              "from dipper_import.__main__ import main; main(['--help'])")
     said = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True, cwd=tmp_path,
                           env={"PYTHONPATH": str(tmp_path / "site")})

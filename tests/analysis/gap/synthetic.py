@@ -10,8 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from dipper_gap.measured import Channel, Measured, Pass
-from dipper_gap.phases import find_phases
+from dipper_gap.readings.measured import Channel, Measured, Pass
+from dipper_gap.readings.phases import find_phases
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 MOTION = pathlib.Path(__file__).with_name("three_cycles.csv")

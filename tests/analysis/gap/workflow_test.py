@@ -8,11 +8,11 @@ import pytest
 
 import fake_mine
 import synthetic
-from dipper_gap.baseline import LEAST_SEEDS
 from dipper_gap.gap_json import as_json, write_json
-from dipper_gap.measured import write_measured
+from dipper_gap.readings.measured import write_measured
 from dipper_gap.model import learn, predict
-from dipper_gap.plan import make_plan, split, statement
+from dipper_gap.readings.passes import split
+from dipper_gap.simulation.plan import LEAST_SEEDS, make_plan, statement
 from dipper_gap.report import page
 from dipper_gap.workflow import Runner, analyse, conclude
 from trucks import in_a_row

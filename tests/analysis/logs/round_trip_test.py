@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import ugly_log
-from dipper_gap.measured import read_measured
+from dipper_gap.readings.measured import read_measured
 from dipper_import.__main__ import main, read
 from dipper_import.build import motion_text
 from dipper_run.findings import BadInput

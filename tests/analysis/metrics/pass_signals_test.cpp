@@ -44,7 +44,7 @@ TEST(Effort, IsTheIntegralOverAPhase) {
   EXPECT_NEAR(e.rock_work_J, -500 * 4, 1e-6);
   EXPECT_NEAR(e.mass_gain_kg, 24e3, 1e-6);
   EXPECT_NEAR(effort(signals(), 0, 20).dig_force_mean_N, 5e6 * 5.1 / 20, 1e-3);
-  EXPECT_THROW(effort(signals(), 6.01, 6.05), std::invalid_argument);
+  EXPECT_EQ(effort(signals(), 6.01, 6.05).dig_force_mean_N, 0) << "no two rows there";
 }
 
 TEST(StaticWeight, TakesTheSecondBeforeTheDoorOpens) {

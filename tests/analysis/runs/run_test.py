@@ -58,6 +58,19 @@ def test_everything_is_an_array(folder):
     np.testing.assert_array_equal(run.frames[0].rocks["radius"], [0.2, 0.3])
 
 
+@pytest.mark.parametrize("ends", ["1 1 0 0 0.5 0.2\n", "0.5 0.3\n", " 0.3\n", "\n", "ITEM: ATOMS"])
+def test_a_dump_that_was_cut_short_is_told(folder, ends):
+    (folder / "dumps/rocks_5.dump").write_text(DUMP[:DUMP.index(ends)])
+    with pytest.raises(dipper_run.NotARun, match="rocks_5.dump"):
+        dipper_run.read(folder).frames[1].rocks
+
+
+def test_a_dump_may_be_without_rock(folder):
+    text = DUMP[:DUMP.index("1 1 0 0")].replace("ATOMS\n2", "ATOMS\n0")
+    (folder / "dumps/rocks_5.dump").write_text(text)
+    assert len(dipper_run.read(folder).frames[1].rocks["radius"]) == 0
+
+
 def test_channels_of_a_killed_run_are_cut_to_the_same_length(folder):
     run = dipper_run.read(folder)
     np.testing.assert_array_equal(run.time_s, [0.1, 0.2])

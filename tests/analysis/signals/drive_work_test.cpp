@@ -35,15 +35,18 @@ TEST(DrivesWork, IsThePowersIntegral) {
 
 TEST(DigEnergy, IsHoistAndCrowdFromPenetrateToBreakoutByThePayload) {
   PassPhases pass;
-  pass.phases = {{"approach", 0, 2}, {"penetrate", 2, 3}, {"fill", 3, 5}, {"breakout", 5, 6}};
-  pass.phases.push_back({"swing", 6, 9});
+  pass.phases = {{PhaseName::approach, 0, 2},
+                 {PhaseName::penetrate, 2, 3},
+                 {PhaseName::fill, 3, 5},
+                 {PhaseName::breakout, 5, 6}};
+  pass.phases.push_back({PhaseName::swing, 6, 9});
   auto e = dig_energy(signals(), pass);
   ASSERT_TRUE(e);
   EXPECT_NEAR(e->work_J, 18e6, 1e-3);
   EXPECT_FALSE(e->specific_J_kg) << "nothing is loaded";
   pass.pass.payload_kg = 60e3;
   EXPECT_NEAR(*dig_energy(signals(), pass)->specific_J_kg, 300, 1e-6);
-  pass.phases = {{"swing", 6, 9}};
+  pass.phases = {{PhaseName::swing, 6, 9}};
   EXPECT_FALSE(dig_energy(signals(), pass));
 }
 

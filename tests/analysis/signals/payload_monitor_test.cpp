@@ -62,7 +62,7 @@ class Monitor : public testing::Test {
     }
     pass.pass.dumped = true;
     pass.pass.t_dump_s = 5;
-    pass.phases = {{"swing", 1, 4.8}};
+    pass.phases = {{PhaseName::swing, 1, 4.8}};
   }
 };
 

@@ -30,7 +30,7 @@ void expect_cycle(const std::vector<Phase>& p, double within_s) {
   const double starts[] = {0, 3, 6.5, 11.7, 15.5, 24.7, 35.3};
   ASSERT_EQ(p.size(), 7u);
   for (std::size_t k = 0; k < 7; ++k) {
-    EXPECT_EQ(p[k].name, names[k]);
+    EXPECT_STREQ(word(p[k].name), names[k]);
     EXPECT_NEAR(p[k].t_start_s, starts[k], within_s) << names[k];
     EXPECT_DOUBLE_EQ(p[k].t_end_s, k < 6 ? p[k + 1].t_start_s : 50) << names[k];
   }
@@ -55,7 +55,7 @@ TEST(Phases, OfASecondPassBeginWithIt) {
 TEST(Phases, APassThatEndsWhileDiggingHasNoSwing) {
   const auto p = find_phases(cycle(0.5), 0, 14);
   ASSERT_EQ(p.size(), 4u);
-  EXPECT_EQ(p[3].name, "breakout");
+  EXPECT_EQ(p[3].name, PhaseName::breakout);
   EXPECT_DOUBLE_EQ(p[3].t_end_s, 14);
 }
 

@@ -74,7 +74,8 @@ def run(words):
     (out / "dumps").mkdir(parents=True)
     (out / "dumps/rocks_0.dump").write_text("x" * 1000)
     (out / "record.h5").write_text("a record")
-    one = {"payload_kg": payload * 1e3, "truck_kg": payload * 990, "fill_factor": 0.8, "dig_force_mean_N": 2.5e6,
+    one = {"payload_kg": payload * 1e3, "truck_kg": payload * 990, "fill_factor": 0.8,
+           "fill_factor_load": 0.7, "dig_force_mean_N": 2.5e6,
            "dig_phases_force_mean_N": 3e6, "dig_force_peak_N": peak * 1e6}
     (out / "summary.json").write_text(json.dumps({"passes": [one], "dem": {"cpu_s": 5}, "mbs": {"cpu_s": 1}}))
     (out / "work").write_text(str(work))

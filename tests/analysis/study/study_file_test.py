@@ -58,7 +58,7 @@ executor: pbs
 slurm: {queue: long}
 """)
     for start in (":1: case: ", ":2: seeds: has 1 twice", ":2: seeds: has x",
-                  ":3: parametres: unknown key; one of case",
+                  ":3: parametres: unknown key; parameters, perhaps? one of case",
                   ":5: machine.rake_angle_deg: is set by set too", ":6: seed: is the study's own; seeds",
                   ":5: parameters.machine.rake_angle_deg: has 60 twice", ":7: parameters.pile.toe_x_m: is 3; a list",
                   ":9: ranks: is 0; a number, 1", ":10: keep: is dumps; one of summary, record, all",
@@ -68,9 +68,9 @@ slurm: {queue: long}
 
 
 @pytest.mark.parametrize("text, fault", [
-    ("[]", "not a map"), ("case: case\nseeds: [1]\n", "parameters: is missing"), ("case: [", "YAML"),
+    ("[]", "not a map"), ("case: case\nseeds: [1]\n", "parameters: missing"), ("case: [", "YAML"),
     ("case: case\nseeds: []\nparameters: {a: [1]}\n", ":2: seeds: is an empty list"),
-    ("case: case\nseeds: [1]\nseeds: [2]\nparameters: {a: [1]}\n", ":3: seeds: is given twice"),
+    ("case: case\nseeds: [1]\nseeds: [2]\nparameters: {a: [1]}\n", ":3: seeds: given twice"),
     ("case: case\nseeds: [1.5]\nparameters: {a: [1]}\n", "whole numbers"),
     ("case: case\nseeds: [1]\nparameters: {a: [1]}\nset:\n  b:\n    - 1\n", "in flow style"),
     ("case: case\nseeds: [1]\nparameters: {}\n", ":3: parameters: is an empty map; a case key with a list"),

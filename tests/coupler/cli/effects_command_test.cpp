@@ -43,7 +43,12 @@ TEST_F(EffectsCommand, TellsTheCataloguesAndTheCasesOwn) {
     "parameter": {"name": "p", "unit": "m", "low": -1.0, "high": 2.0, "scale": 0.5,
                   "source": "here"},
     "overlay": [{"key": "rock.density_kg_m3", "how": "scale", "factor": 0.1},
-                {"key": "machine.crowd_friction_N", "how": "add", "factor": 3.0}]})"));
+                {"key": "machine.crowd_friction_N", "how": "add", "factor": 3.0}],
+    "affects": "settling"})"));
+  const auto friction = std::find_if(effects.begin(), effects.end(), [](const json& e) {
+    return e.at("name") == "crowd_friction";
+  });
+  EXPECT_EQ(friction->at("affects"), "machine");
 }
 
 TEST_F(EffectsCommand, FaultsAreToldAllAtOnceAndNothingIsWritten) {

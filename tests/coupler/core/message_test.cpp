@@ -21,7 +21,7 @@ std::string complaint(const Message& m) {
 }
 
 TEST(RequireSound, NamesSideStepTimeBodyAndQuantity) {
-  WallWrench w;
+  RockState w;
   w.bodies.resize(2);
   Message m{{"r", "c", 617, 9, 1'234'000'000}, w};
   EXPECT_EQ(complaint(m), "");
@@ -33,9 +33,9 @@ TEST(RequireSound, NamesSideStepTimeBodyAndQuantity) {
 }
 
 TEST(RequireSound, RefusesARotationThatIsNone) {
-  TargetMotion t;
-  t.bodies.resize(1);
-  t.bodies[0].X_WB.R = Quaterniond(0.5, 0, 0, 0);
+  RockStep t;
+  t.X_WB_target.resize(1);
+  t.X_WB_target[0].R = Quaterniond(0.5, 0, 0, 0);
   EXPECT_THAT(complaint({{}, t}), AllOf(HasSubstr("pose"), HasSubstr("'dipper'"),
                                         HasSubstr("length 0.5 in place of 1")));
 }

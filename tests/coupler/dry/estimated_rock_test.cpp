@@ -57,7 +57,7 @@ TEST_F(EstimatedRockTest, ResistsByTheCutsAreaAgainstTheFloor) {
   EstimatedRock r = rock();
   const double x = c.pile.toe_x_m + 14;  // behind the crest
   r.place(at(x, top - 0.5));
-  const core::RockState s = r.step(1, at(x + 0.01, top - 0.5));
+  const core::RockState s = r.step({1, at(x + 0.01, top - 0.5)});
   // 0.5 m deep, 2 m wide.
   EXPECT_NEAR(channel(r, s, "cut_depth"), 0.5, 1e-9);
   EXPECT_NEAR(channel(r, s, "cut_resistance"), 1e5 * 0.5 * 2, 1e-6);
@@ -74,13 +74,11 @@ TEST_F(EstimatedRockTest, LetsADipperThroughThatMeetsNoRock) {
   EstimatedRock r = rock();
   const double x = c.pile.toe_x_m + 14;
   r.place(at(x, top - 0.5));
-  r.set_contact(false);
-  core::RockState s = r.step(1, at(x + 0.5, top - 0.5));
+  core::RockState s = r.step({1, at(x + 0.5, top - 0.5), false});
   EXPECT_EQ(s.bodies[0].mean.force.norm(), 0);
   EXPECT_EQ(channel(r, s, "cut_depth"), 0);
   EXPECT_EQ(channel(r, s, "mass_in_dipper"), 0);
-  r.set_contact(true);
-  s = r.step(1, at(x + 0.51, top - 0.5));
+  s = r.step({1, at(x + 0.51, top - 0.5)});
   EXPECT_NEAR(channel(r, s, "cut_resistance"), 1e5 * 0.5 * 2, 1e-6);
 }
 
@@ -88,9 +86,9 @@ TEST_F(EstimatedRockTest, DoesNotResistADipperThatStandsOrComesBack) {
   EstimatedRock r = rock();
   const double x = c.pile.toe_x_m + 14;
   r.place(at(x, top - 0.5));
-  EXPECT_EQ(channel(r, r.step(1, at(x, top - 0.5)), "cut_resistance"), 0);
-  EXPECT_EQ(channel(r, r.step(1, at(x - 0.1, top - 0.5)), "cut_resistance"), 0);
-  EXPECT_GT(channel(r, r.step(1, at(x, top - 0.5)), "cut_resistance"), 0);
+  EXPECT_EQ(channel(r, r.step({1, at(x, top - 0.5)}), "cut_resistance"), 0);
+  EXPECT_EQ(channel(r, r.step({1, at(x - 0.1, top - 0.5)}), "cut_resistance"), 0);
+  EXPECT_GT(channel(r, r.step({1, at(x, top - 0.5)}), "cut_resistance"), 0);
 }
 
 TEST_F(EstimatedRockTest, CarriesWhatItCutsUpToItsCapacityAndDropsIt) {
@@ -98,12 +96,12 @@ TEST_F(EstimatedRockTest, CarriesWhatItCutsUpToItsCapacityAndDropsIt) {
   const double x = c.pile.toe_x_m + 14;
   r.place(at(x, top - 0.5));
   core::RockState s;
-  for (int k = 1; k <= 200; ++k) s = r.step(1, at(x + 0.01 * k, top - 0.5));
+  for (int k = 1; k <= 200; ++k) s = r.step({1, at(x + 0.01 * k, top - 0.5)});
   // 2 m x 2 m x 0.5 m are 4 t; a cell more or less.
   EXPECT_NEAR(channel(r, s, "mass_in_dipper"), 4000, 500);
-  for (int k = 201; k <= 400; ++k) s = r.step(1, at(x + 0.01 * k, top - 0.5));
+  for (int k = 201; k <= 400; ++k) s = r.step({1, at(x + 0.01 * k, top - 0.5)});
   EXPECT_EQ(channel(r, s, "mass_in_dipper"), 5000);
-  s = r.step(1, at(x + 4, top + 3, true));
+  s = r.step({1, at(x + 4, top + 3, true)});
   EXPECT_EQ(channel(r, s, "mass_in_dipper"), 0);
   EXPECT_EQ(channel(r, s, "mass_in_truck"), 5000);
 }
@@ -113,7 +111,7 @@ TEST_F(EstimatedRockTest, IsNotThereWhenThereIsNone) {
   EstimatedRock r = rock();
   const double x = c.pile.toe_x_m + 14;
   r.place(at(x, top - 0.5));
-  const core::RockState s = r.step(3, at(x + 0.1, top - 0.5));
+  const core::RockState s = r.step({3, at(x + 0.1, top - 0.5)});
   EXPECT_EQ(s.bodies[0].mean.force.norm(), 0);
   EXPECT_EQ(s.step, 3);
   EXPECT_EQ(s.t_ns, 30'000'000);

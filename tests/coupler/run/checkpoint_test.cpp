@@ -18,11 +18,11 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 /// Sides that save a text.
-class TextRock final : public core::Rock {
+class TextRock final : public core::LocalRock {
  public:
   core::ServerInfo info() const override { return {}; }
   core::RockState place(const std::vector<Pose>&) override { return {}; }
-  core::RockState step(std::int64_t, const std::vector<Pose>&) override { return {}; }
+  core::RockState step(const core::RockStep&) override { return {}; }
   void save(const fs::path& file) override { std::ofstream(file) << "where the rock is"; }
   std::string state_hash() override { return ""; }
 };
@@ -30,8 +30,8 @@ class TextRock final : public core::Rock {
 class TextMachine final : public core::Machine {
  public:
   core::ServerInfo info() const override { return {}; }
-  core::MachineState state() override { return {}; }
-  core::MachineState step(std::int64_t, const std::vector<Wrench>&, bool) override { return {}; }
+  core::MachineState state(std::int64_t) override { return {}; }
+  core::MachineState step(const core::MachineStep&) override { return {}; }
   void save(const fs::path& file) override { std::ofstream(file) << "where the machine is"; }
   void load(const fs::path&) override {}
 };

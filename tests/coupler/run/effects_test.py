@@ -130,7 +130,7 @@ class OneOfYourOwn(RunTest):
         self.assertEqual(self.summary(self.folder / "run")["effects"], {file[2]: 0.2})
 
         sys.path[:0] = [str(ROOT / "analysis/gap"), str(ROOT / "analysis/runs")]
-        from dipper_gap.effects import read_catalogue
+        from dipper_gap.simulation.effects import read_catalogue
         self.assertIn(file[2], read_catalogue(case))
 
 

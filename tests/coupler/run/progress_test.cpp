@@ -76,7 +76,7 @@ TEST_F(ProgressTest, TellsPhasePayloadTimeLeftAndSpeedInTheWidthOfATerminal) {
 
 TEST_F(ProgressTest, LimitedDrivesAreWhereTheirPathIs) {
   c_.dem.timestep_s = 1.3e-4;
-  c_.machine.drives = "limited";
+  c_.machine.drives = machine::DriveMode::limited;
   Progress progress(lines_, c_, end_, info("path_time"), info("mass_in_dipper"), 0);
   progress.window(window(107.7));
   EXPECT_THAT(lines_.last, HasSubstr("  1 "));

@@ -23,19 +23,23 @@ std::size_t below(Random& random, std::size_t n) {
 
 std::vector<std::string> whole_messages() {
   const core::Envelope envelope{"run", std::string(64, 'a'), 12, 34, 56};
-  core::TargetMotion motion;
-  motion.bodies.resize(2);
-  motion.channels = {1, 2, 3};
-  core::WallWrench wrench;
-  wrench.bodies.resize(2);
-  wrench.channels = {4, 5};
+  core::MachineState machine;
+  machine.bodies.resize(2);
+  machine.X_WB_next.resize(2);
+  machine.channels = {1, 2, 3};
+  core::RockState rock;
+  rock.bodies.resize(2);
+  rock.channels = {4, 5};
+  const std::vector<Pose> poses(2);
   core::ServerInfo info;
   info.version = "LIGGGHTS 3.8";
   info.bodies = {"dipper", "door"};
   info.channels = {{"mass", "kg", "-"}};
   std::vector<std::string> all;
   for (const core::Body& body :
-       {core::Body{motion}, core::Body{wrench}, core::Body{core::TargetMotion{}},
+       {core::Body{machine}, core::Body{rock}, core::Body{core::MachineState{}},
+        core::Body{core::MachineStep{0, {{}, {}}}}, core::Body{core::RockPlace{poses}},
+        core::Body{core::RockStep{1, poses}},
         core::Body{core::Command{core::Action::save, "checkpoints/000000600/rock.restart"}},
         core::Body{core::Status{true, to_json(info)}}}) {
     all.push_back(encode({envelope, body}));

@@ -13,50 +13,46 @@ namespace dipper::transport {
 class FakeMachine final : public core::Machine {
  public:
   core::ServerInfo info() const override { return {"fake", {"body"}, {{"x", "m", "W"}}, 0}; }
-  core::MachineState state() override { return report(t_ns_, x_, v_); }
-  core::MachineState step(std::int64_t t_end_ns, const std::vector<Wrench>& F,
-                          bool commit) override {
-    const double h = static_cast<double>(t_end_ns - t_ns_) * 1e-9;
-    const double v = v_ + F[0].force.x() / 2 * h;
-    const double x = x_ + v * h;
-    if (commit) {
-      ++commits;
-      t_ns_ = t_end_ns;
-      x_ = x;
-      v_ = v;
-    }
-    return report(t_end_ns, x, v);
+  core::MachineState state(std::int64_t t_next_ns) override {
+    core::MachineState s;
+    s.t_ns = t_ns_;
+    s.bodies.resize(1);
+    s.bodies[0].X_WB.p.x() = x_;
+    s.bodies[0].V_WB_W.v.x() = v_;
+    s.channels = {x_};
+    s.contact = t_ns_ < 50'000'000;
+    s.X_WB_next.resize(1);
+    s.X_WB_next[0].p.x() = x_ + v_ * static_cast<double>(t_next_ns - t_ns_) * 1e-9;
+    return s;
+  }
+  core::MachineState step(const core::MachineStep& step) override {
+    const double h = static_cast<double>(step.t_end_ns - t_ns_) * 1e-9;
+    v_ += step.F_Bo_W[0].force.x() / 2 * h;
+    x_ += v_ * h;
+    t_ns_ = step.t_end_ns;
+    ++steps;
+    return state(step.t_next_ns);
   }
   void save(const std::filesystem::path&) override {}
   void load(const std::filesystem::path&) override {}
-  std::atomic<int> commits{0};
+  std::atomic<int> steps{0};
 
  private:
-  static core::MachineState report(std::int64_t t_ns, double x, double v) {
-    core::MachineState s;
-    s.t_ns = t_ns;
-    s.bodies.resize(1);
-    s.bodies[0].X_WB.p.x() = x;
-    s.bodies[0].V_WB_W.v.x() = v;
-    s.channels = {x};
-    s.contact = t_ns < 50'000'000;
-    return s;
-  }
   std::int64_t t_ns_ = 0;
   double x_ = 1, v_ = 0;
 };
 
 /// A spring of 50 N/m to the origin. From `sick_from` on (in steps) its force is NaN.
-class FakeRock final : public core::Rock {
+class FakeRock final : public core::LocalRock {
  public:
   core::ServerInfo info() const override { return {"fake", {"body"}, {{"f", "N", "W"}}, 1e-3}; }
   core::RockState place(const std::vector<Pose>& X) override { return report(X[0]); }
-  core::RockState step(std::int64_t n, const std::vector<Pose>& X) override {
+  core::RockState step(const core::RockStep& step) override {
     ++windows;
-    step_ += n;
-    return report(X[0]);
+    step_ += step.n_steps;
+    contact_ = step.contact;
+    return report(step.X_WB_target[0]);
   }
-  void set_contact(bool on) override { contact_ = on; }
   void save(const std::filesystem::path&) override {}
   std::string state_hash() override { return "hash"; }
   std::atomic<int> windows{0};

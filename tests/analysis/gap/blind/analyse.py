@@ -21,14 +21,14 @@ sys.path[:0] = [str(HERE), str(HERE.parent), str(ROOT / "analysis/gap"),
 from dipper_run.run_cache import cache_folder  # noqa: E402
 from dipper_run.program import program  # noqa: E402
 from dipper_gap.__main__ import usable  # noqa: E402
-from dipper_gap.decide import OMNIBUS_P, decide  # noqa: E402
-from dipper_gap.effects import read_catalogue  # noqa: E402
-from dipper_gap.localise import localise  # noqa: E402
-from dipper_gap.match import match  # noqa: E402
-from dipper_gap.null import find_tails, make_runs, phase_labels, root  # noqa: E402
-from dipper_gap.simulator import DipperSimulator  # noqa: E402
+from dipper_gap.decision.decide import OMNIBUS_P, decide  # noqa: E402
+from dipper_gap.simulation.effects import read_catalogue  # noqa: E402
+from dipper_gap.statistics.localise import localise  # noqa: E402
+from dipper_gap.statistics.match import match  # noqa: E402
+from dipper_gap.statistics.null import find_tails, make_runs, phase_labels, root  # noqa: E402
+from dipper_gap.simulation.simulator import DipperSimulator  # noqa: E402
 from dipper_gap.model import compare, learn, predict  # noqa: E402
-from dipper_gap.plan import FRESH_FROM, make_plan  # noqa: E402
+from dipper_gap.simulation.plan import FRESH_FROM, make_plan  # noqa: E402
 from dipper_gap.workflow import Runner, look  # noqa: E402
 from make import TRUCKS, as_mine  # noqa: E402
 from twin import SCREENING as CASE  # noqa: E402

@@ -11,10 +11,10 @@ import numpy as np
 from scipy.stats import spearmanr
 
 from analyse import CASE, program, read_catalogue, simulator
-from dipper_gap.features import TIME
-from dipper_gap.measured import read_measured
-from dipper_gap.simulator import request
-from dipper_gap.vectors import Vectors, indices_of
+from dipper_gap.readings.features import TIME
+from dipper_gap.readings.measured import read_measured
+from dipper_gap.simulation.simulator import request
+from dipper_gap.readings.vectors import Vectors, indices_of
 from make import CHANNELS
 
 EFFECTS = ("crowd_friction", "hoist_drive_loss", "logger_offset")

@@ -25,8 +25,8 @@ sys.path[:0] = [str(HERE), str(HERE.parent), str(HERE.parents[3] / "analysis/gap
 import otherwise  # noqa: E402
 import score  # noqa: E402
 import twin  # noqa: E402
-from dipper_gap.effects import read_catalogue  # noqa: E402
-from dipper_gap.measured import Channel, Measured, Pass, write_measured  # noqa: E402
+from dipper_gap.simulation.effects import read_catalogue  # noqa: E402
+from dipper_gap.readings.measured import Channel, Measured, Pass, write_measured  # noqa: E402
 from trucks import in_a_row  # noqa: E402
 
 # A mine's instruments: load cells good to 2 % of their typical reading, a truck's scale to some per cent.

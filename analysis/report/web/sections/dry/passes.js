@@ -10,7 +10,7 @@ export function passes({ passes: rows, rock_model: rock }) {
     { name: 'Cycle', unit: 's', cell: (p) => fixed(p.t_end_s - p.t_start_s, 1) },
     ...(rock === 'none' ? [] : [
       { name: 'Load', unit: 't', cell: (p) => tonnes(p.payload_kg) },
-      { name: 'Fill factor', cell: (p) => fixed(p.fill_factor, 2) },
+      { name: 'Fill factor, by the pile’s density', cell: (p) => fixed(p.fill_factor, 2) },
       { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_phases_force_mean_N ?? p.dig_force_mean_N) },
       { name: 'peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
       { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },

@@ -24,7 +24,8 @@ export function headline(model) {
     { name: 'Pass', cell: (p) => (p.dumped === false ? [p.pass, ' ', h('small', 'unfinished')] : p.pass) },
     { name: 'Payload', unit: 't', cell: (p) => tonnes(p.payload_kg) },
     { name: 'In the truck', unit: 't', cell: (p) => tonnes(p.truck_kg) },
-    { name: 'Fill factor', cell: (p) => fixed(p.fill_factor, 2) },
+    { name: 'Fill factor, by the pile’s density', cell: (p) => fixed(p.fill_factor, 2) },
+    { name: 'by the load’s own', alone: 'Fill factor, by the load’s own density', cell: (p) => fixed(p.fill_factor_load, 2) },
     { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_phases_force_mean_N) },
     { name: 'to the dump', alone: 'Dig force, mean to the dump', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
     { name: 'peak', alone: 'Dig force, peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
@@ -36,7 +37,8 @@ export function headline(model) {
   ].filter((column) => passes.some((p) => column.cell(p) !== '–'));
   const sum = (key) => passes.reduce((total, p) => total + (p[key] ?? NaN), 0);
   const total = passes.length > 1 ? [{
-    pass: 'All', payload_kg: sum('payload_kg'), truck_kg: sum('truck_kg'), fill_factor: sum('fill_factor') / passes.length,
+    pass: 'All', payload_kg: sum('payload_kg'), truck_kg: sum('truck_kg'),
+    fill_factor: sum('fill_factor') / passes.length, fill_factor_load: sum('fill_factor_load') / passes.length,
     dig_force_peak_N: Math.max(...passes.map((p) => p.dig_force_peak_N)), dig_work_J: sum('dig_work_J'),
     spillage_kg: sum('spillage_kg'), t_start_s: passes[0].t_start_s, t_end_s: passes[passes.length - 1].t_end_s,
   }] : [];

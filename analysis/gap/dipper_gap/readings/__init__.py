@@ -1,0 +1,1 @@
+"""What was measured, or would have been: passes, phases, features, and the instruments' errors."""

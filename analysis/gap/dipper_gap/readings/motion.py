@@ -1,0 +1,82 @@
+"""The motion that a case plans, against the one that was measured: before anything runs."""
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from dipper_run.findings import BadInput, Findings
+
+from .measured import MOTION, read_table
+from .passes import NEED_PASSES
+from .phases import planned_passes
+
+COLUMNS = ("time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg")
+DURATION = 0.25         # of a pass's: from so much on its duration is another
+LAGS_S = np.arange(-10.0, 10.01, 0.25)  # a mine's passes may begin at another moment of the cycle
+# Assumed: from so much on the drives do not do the same. Twice what a slow logger and an operator's hand leave.
+LARGEST_RMS = {"hoist_m": 0.5, "crowd_m": 0.3, "swing_rad": 0.1}
+MEASURED_ONE = "is its motion the measured one?"
+
+
+@dataclass(frozen=True)
+class PlannedMotion:
+    time_s: np.ndarray
+    drives: dict         # {channel of MOTION: (rows,)}
+    passes: tuple        # (start, end) in s of each pass that ends with a dump
+
+
+def read_motion(case, data):
+    """The motion of a case folder whose case.yaml holds `data`; the program has checked both."""
+    found = Findings()
+    table, _ = read_table(Path(case) / data["machine"]["motion"], COLUMNS, found)
+    found.raise_if_any()
+    end = float(data.get("end_s") or np.inf)
+    time, door = table["time_s"], np.radians(table["door_deg"])
+    drives = {"hoist_m": table["hoist_m"], "crowd_m": table["crowd_m"], "swing_rad": np.radians(table["swing_deg"])}
+    end = min(end, time[-1])
+    run = np.append(time[time < end], end)
+    return PlannedMotion(time, drives, planned_passes(run, np.interp(run, time, door)))
+
+
+def compare_motion(measured, plan):
+    """What differs, a line each; throws BadInput when too few passes are both measured and planned."""
+    numbers = sorted({p.number for p in measured.passes})
+    both = [n for n in numbers if n <= len(plan.passes)]
+    if len(both) < NEED_PASSES:
+        raise BadInput([f"{Path(measured.folder) / 'passes.csv'}: pass: {len(numbers)} measured, and the case's motion "
+                        f"digs {len(plan.passes)}; {NEED_PASSES} or more that both have: give the case the measured "
+                        "motion"])
+    out = []
+    if len(both) < len(numbers) or len(both) < len(plan.passes):
+        out.append(f"{len(numbers)} passes are measured and the case digs {len(plan.passes)}: {len(both)} are compared")
+    first = measured.trucks()[0]
+    passes = [p for p in first.passes if p.number in both]
+    for p in passes:
+        start, end = plan.passes[p.number - 1]
+        mine, planned = p.t_end_s - p.t_start_s, end - start
+        if abs(mine - planned) > DURATION * planned:
+            out.append(f"pass {p.number} takes {mine:.1f} s in the mine and {planned:.1f} s in the case: "
+                       + MEASURED_ONE)
+    names = [n for n in MOTION if n in first.signals]
+    if names:
+        rms = min((_rms(first, passes, plan, names, lag) for lag in LAGS_S),
+                  key=lambda r: sum((r[n] / LARGEST_RMS[n]) ** 2 for n in names))
+        out += [f"{n} is {rms[n]:.2g} {n.rsplit('_', 1)[1]} (rms) off the case's motion: {MEASURED_ONE}"
+                for n in names if rms[n] > LARGEST_RMS[n]]
+    return tuple(out)
+
+
+def _rms(m, passes, plan, names, lag):
+    """{channel: rms of measured less planned} within the passes, the mine's clock set to the plan's less `lag`."""
+    inside = np.flatnonzero((m.time_s > passes[0].t_start_s) & (m.time_s <= passes[-1].t_end_s))[1:]
+    to_plan = plan.passes[passes[0].number - 1][0] - passes[0].t_start_s + lag
+    before, after = m.time_s[inside - 1] + to_plan, m.time_s[inside] + to_plan
+    known = (before >= plan.time_s[0]) & (after <= plan.time_s[-1])
+    return {n: float(np.sqrt(np.mean((m.signals[n][inside] - _mean(plan, n, before, after))[known] ** 2)))
+            if known.any() else np.inf for n in names}
+
+
+def _mean(plan, name, before, after, points=5):
+    """Mean of a planned drive between two arrays of times: a logger gives the mean since its last reading."""
+    at = before + (after - before) * np.linspace(0, 1, points)[:, None]
+    return np.interp(at, plan.time_s, plan.drives[name]).mean(axis=0)

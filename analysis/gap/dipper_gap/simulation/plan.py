@@ -1,0 +1,59 @@
+"""Which runs an analysis needs."""
+from dataclasses import dataclass
+
+from .simulator import request
+
+LEAST_SEEDS, MOST_SEEDS = 8, 16
+SEEDS_A_TRUCK = 4  # so that the model's mean is known twice as well as the mine's, up to the most
+SIGNATURE_RUNS = ((0, 0), (1, 1), (1, 2))  # (which of the two strengths, which of the baseline's seeds)
+FRESH_SEEDS = 5
+FRESH_FROM = 1000  # seeds of the confirming runs start so far above the baseline's
+
+
+@dataclass(frozen=True)
+class PlannedRun:
+    strength: float
+    seed_index: int  # which of the baseline's runs has the same seed
+    request: object
+
+
+@dataclass(frozen=True)
+class Plan:
+    first_seed: int
+    baseline: tuple   # requests of the unchanged case, one a seed
+    signatures: dict  # {effect: (PlannedRun, ...)}; effects with the same overlay share their runs
+
+    def requests(self):
+        """Every run, once."""
+        every = list(self.baseline) + [p.request for planned in self.signatures.values() for p in planned]
+        return list(dict.fromkeys(every))
+
+    def fresh_seeds(self):
+        """Seeds of the runs that confirm a named effect."""
+        return [self.first_seed + FRESH_FROM + k for k in range(FRESH_SEEDS)]
+
+
+def seeds_for(trucks):
+    """How many seeds the model is run with for a mine of so many trucks."""
+    return min(MOST_SEEDS, max(LEAST_SEEDS, SEEDS_A_TRUCK * trucks))
+
+
+def make_plan(catalogue, trucks, first_seed):
+    seeds = [first_seed + k for k in range(seeds_for(trucks))]
+    signatures, shared = {}, {}
+    for effect in sorted(catalogue.values(), key=lambda e: e.nuisance):
+        first = shared.setdefault(effect.overlay or effect.name, effect)
+        strengths = first.strengths(request({first.name: 1.0}, 0, catalogue).how != "run")
+        signatures[effect.name] = tuple(
+            PlannedRun(strengths[i], k, request({first.name: strengths[i]}, seeds[k], catalogue))
+            for i, k in SIGNATURE_RUNS)
+    return Plan(first_seed, tuple(request({}, s, catalogue) for s in seeds), signatures)
+
+
+def statement(plan, simulator):
+    """What the analysis will take, before it starts."""
+    todo, kept, each = simulator.plan(plan.requests())
+    text = f"{todo + kept} runs, {kept} of them kept from before; {FRESH_SEEDS} more confirm a named effect"
+    if todo and each:
+        return text + f"; about {todo * each / 2 / 60:.0f} min, two at a time"
+    return text + "; how long is told after the first" if todo else text

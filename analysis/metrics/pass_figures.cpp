@@ -1,0 +1,65 @@
+#include "analysis/metrics/pass_figures.hpp"
+
+#include <utility>
+
+#include "common/record/record.hpp"
+
+namespace dipper::analysis::metrics {
+namespace {
+
+constexpr double kJump = 0.3;  // of the dig's mean force, from one step to the next
+
+std::optional<MonitorFigures> read_monitor(const signals::PayloadMonitor& monitor,
+                                           const run::RunSignals& s,
+                                           const signals::PassPhases& pass) {
+  const auto reading = monitor.weigh(s.drive, s.pass.door_rad, pass);
+  if (!reading) return std::nullopt;
+  double sum = 0;
+  for (const std::size_t i : reading->rows) sum += s.pass.dipper_mass_kg[i];
+  return MonitorFigures{*reading, sum / static_cast<double>(reading->rows.size())};
+}
+
+}  // namespace
+
+PassFigureMaker::PassFigureMaker(const run::RunSignals& signals,
+                                 const std::filesystem::path& record, Known known)
+    : signals_(signals), known_(std::move(known)), rattle_(record) {
+  if (!known_.machine) return;
+  monitor_.emplace(*known_.machine, known_.rake_rad);
+  demand_.emplace(*known_.machine, known_.rake_rad,
+                  record::read_channel(record, "machine/saddle_pitch"));
+}
+
+PassFigures PassFigureMaker::figures(const signals::PassPhases& pass,
+                                     const std::optional<LoadInDipper>& load) const {
+  PassFigures f;
+  f.found = pass;
+  f.load = load;
+  const auto fill = [&](double density_kg_m3) -> std::optional<double> {
+    const double full_kg = known_.struck_volume_m3 * density_kg_m3;
+    if (full_kg <= 0) return std::nullopt;
+    return pass.pass.payload_kg / full_kg;
+  };
+  f.fill_factor = fill(known_.bulk_density_kg_m3);
+  if (load) f.fill_factor_load = fill(load->bulk_density_kg_m3());
+  if (const auto dig = pass.dig()) {
+    f.dig_demand = demand(*dig);
+    f.dig_rattle_share = rattle_.share(*dig, kJump * pass.pass.dig_force_mean_N);
+  }
+  f.dig_energy = signals::dig_energy(signals_.drive, pass);
+  if (monitor_) f.monitor = read_monitor(*monitor_, signals_, pass);
+  for (const signals::Phase& phase : pass.phases) f.phases.push_back(of_phase(phase));
+  return f;
+}
+
+PhaseFigures PassFigureMaker::of_phase(const signals::Phase& phase) const {
+  return {phase, effort(signals_, phase.t_start_s, phase.t_end_s),
+          signals::slack_share(signals_.pass, phase.t_start_s, phase.t_end_s), demand(phase)};
+}
+
+std::optional<signals::Demand> PassFigureMaker::demand(const signals::TimeSpan& time) const {
+  if (!demand_) return std::nullopt;
+  return demand_->over(signals_.drive, time.t_start_s, time.t_end_s);
+}
+
+}  // namespace dipper::analysis::metrics

@@ -1,0 +1,76 @@
+// What is told of a pass and of each of its phases: the one place that puts the figures together,
+// for summary.json, metrics.json, its CSV and the page alike.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/metrics/load_in_dipper.hpp"
+#include "analysis/metrics/pass_signals.hpp"
+#include "analysis/metrics/rattle.hpp"
+#include "analysis/run/run_folder.hpp"
+#include "analysis/signals/drive_work.hpp"
+#include "analysis/signals/machine_demand.hpp"
+#include "analysis/signals/pass_phases.hpp"
+#include "analysis/signals/payload_monitor.hpp"
+
+namespace dipper::analysis::metrics {
+
+/// Of a phase.
+struct PhaseFigures {
+  signals::Phase phase;
+  Effort effort;
+  double slack_share = 0;                 ///< of its time, in which the hoist ropes are slack
+  std::optional<signals::Demand> demand;  ///< none: the machine's data are not known
+};
+
+/// The payload as the shovel's own monitor would show it.
+struct MonitorFigures {
+  signals::MonitorReading reading;
+  double inside_kg = 0;  ///< what the dipper held meanwhile
+};
+
+struct PassFigures {
+  signals::PassPhases found;
+  /// The payload by what the struck volume holds of rock as dense as the settled pile.
+  std::optional<double> fill_factor;
+  /// The same of rock as dense as the load itself. None: no dump shows the load.
+  std::optional<double> fill_factor_load;
+  std::optional<LoadInDipper> load;
+  std::optional<signals::DigEnergy> dig_energy;
+  std::optional<signals::Demand> dig_demand;
+  std::optional<double> dig_rattle_share;
+  std::optional<MonitorFigures> monitor;
+  std::vector<PhaseFigures> phases;  ///< as found.phases
+};
+
+/// Makes the figures of a run's passes from its signals and what is known of machine and rock.
+class PassFigureMaker {
+ public:
+  struct Known {
+    std::optional<machine::MachineData> machine;  ///< none: neither monitor nor demand
+    double rake_rad = 0;
+    double struck_volume_m3 = 0;    ///< 0: not known
+    double bulk_density_kg_m3 = 0;  ///< of the settled pile, with its fines; 0: not known
+  };
+
+  /// \param signals  outlives this; all of them (run::read_signals)
+  /// \param record  of the same run. Throws std::runtime_error naming file and dataset.
+  PassFigureMaker(const run::RunSignals& signals, const std::filesystem::path& record, Known known);
+
+  /// \param load  of the pass, where a dump shows it
+  PassFigures figures(const signals::PassPhases& pass,
+                      const std::optional<LoadInDipper>& load) const;
+
+ private:
+  PhaseFigures of_phase(const signals::Phase& phase) const;
+  std::optional<signals::Demand> demand(const signals::TimeSpan& time) const;
+
+  const run::RunSignals& signals_;
+  Known known_;
+  Rattle rattle_;
+  std::optional<signals::PayloadMonitor> monitor_;
+  std::optional<signals::MachineDemand> demand_;
+};
+
+}  // namespace dipper::analysis::metrics

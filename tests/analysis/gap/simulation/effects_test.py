@@ -1,0 +1,25 @@
+"""The catalogue: every effect of the repository, and each fault of a file."""
+import pytest
+
+import synthetic
+from dipper_gap.simulation.effects import read_catalogue
+from dipper_run.findings import BadInput
+from effect_files import FINES
+
+
+def test_a_bad_effect_file_is_told_whole(tmp_path):
+    (tmp_path / "effects").mkdir()
+    (tmp_path / "effects" / "x.yaml").write_text(FINES.replace("rock\n", "magic\n").replace("high: 0.4", "high: -1")
+                                                 .replace("title: Fines\n", ""))
+    with pytest.raises(BadInput) as e:
+        read_catalogue(tmp_path)
+    assert len(e.value.findings) == 3
+
+
+def test_every_effect_of_the_catalogue_is_read():
+    catalogue = read_catalogue(synthetic.ROOT / "cases/screening")
+    assert len(catalogue) >= 20
+    for e in catalogue.values():
+        for same_rock in (False, True):
+            low, high = sorted(e.strengths(same_rock))
+            assert e.low <= low < high <= e.high and 0 not in (low, high)
