@@ -34,4 +34,14 @@ std::string sha256_file(const std::filesystem::path& file) {
   return g_checksum_get_string(sum.get());
 }
 
+std::string hmac_sha256(std::string_view key, std::string_view bytes) {
+  const std::unique_ptr<GHmac, void (*)(GHmac*)> hmac(
+      g_hmac_new(G_CHECKSUM_SHA256, bytes_of(key.data()), key.size()), &g_hmac_unref);
+  g_hmac_update(hmac.get(), bytes_of(bytes.data()), static_cast<gssize>(bytes.size()));
+  std::string digest(32, '\0');
+  gsize size = digest.size();
+  g_hmac_get_digest(hmac.get(), reinterpret_cast<guint8*>(digest.data()), &size);
+  return digest;
+}
+
 }  // namespace dipper

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -13,9 +14,9 @@
 #include <vector>
 
 #include "common/host_identity.hpp"
+#include "coupler/setup/peer_config.hpp"
 #include "coupler/transport/codec.hpp"
-#include "coupler/transport/peer_config.hpp"
-#include "coupler/transport/sealed_transport.hpp"
+#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/serve.hpp"
 #include "dem/liggghts_rock.hpp"
 #include "dem/work_folder.hpp"
@@ -63,7 +64,7 @@ bool is_stop(const core::Message& m) {
 }
 
 void run(const char* config_file) {
-  const transport::PeerConfig config = transport::read_peer_config(config_file);
+  const setup::PeerConfig config = setup::read_peer_config(config_file);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   const std::filesystem::path links = std::filesystem::absolute(config_file).string() + ".links";
@@ -76,9 +77,8 @@ void run(const char* config_file) {
       transport::answer(rock, m);
     }
   }
-  const auto transport =
-      transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::to_dem);
-  transport::serve(*transport, transport::Channels::to_dem, transport::Channels::from_dem, config,
+  transport::LcmTransport lcm(config.lcm_url, transport::Channels::to_dem, config.secret);
+  transport::serve(lcm, transport::Channels::from_dem, config.checkpoints,
                    [&](const core::Message& m) {
                      share(transport::encode(m));
                      return transport::answer(rock, m);
@@ -89,7 +89,7 @@ void run(const char* config_file) {
 }  // namespace dipper::dem
 
 int main(int argc, char** argv) {
-  dipper::transport::die_with_parent();
+  prctl(PR_SET_PDEATHSIG, SIGKILL);          // with mpirun, however that ends
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // MPI_Abort drops what a buffer holds
   prctl(PR_SET_TIMERSLACK, 1000UL);          // ns: sleeps between windows are tens of microseconds
   MPI_Init(&argc, &argv);

@@ -3,8 +3,8 @@
 
 #include "common/angles.hpp"
 #include "common/json_values.hpp"
-#include "coupler/transport/peer_config.hpp"
-#include "coupler/transport/sealed_transport.hpp"
+#include "coupler/setup/peer_config.hpp"
+#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/serve.hpp"
 #include "machine/machine_condition.hpp"
 #include "machine/machine_data.hpp"
@@ -15,7 +15,7 @@ namespace dipper::mbs {
 namespace {
 
 void run(const char* config_file) {
-  const transport::PeerConfig config = transport::read_peer_config(config_file);
+  const setup::PeerConfig config = setup::read_peer_config(config_file);
   const auto& settings = config.settings;
   Pose X_W0;
   X_W0.p = vector_from(settings.at("base_position_m"));
@@ -33,9 +33,8 @@ void run(const char* config_file) {
                 kLongestSubstep_ns,
                 machine::drive_mode_from(settings.value("drives", "prescribed")),
                 settings.value("contact_on_return", "on") == "on");
-  const auto transport =
-      transport::sealed_lcm(config.lcm_url, config.secret, transport::Channels::to_mbs);
-  transport::serve(*transport, transport::Channels::to_mbs, transport::Channels::from_mbs, config,
+  transport::LcmTransport lcm(config.lcm_url, transport::Channels::to_mbs, config.secret);
+  transport::serve(lcm, transport::Channels::from_mbs, config.checkpoints,
                    [&](const core::Message& m) { return transport::answer(shovel, m); });
 }
 
@@ -43,7 +42,6 @@ void run(const char* config_file) {
 }  // namespace dipper::mbs
 
 int main(int argc, char** argv) {
-  dipper::transport::die_with_parent();
   if (argc != 2) {
     fmt::print(stderr, "usage: dipper-mbs CONFIG   (started by `dipper run`)\n");
     return 2;

@@ -1,13 +1,11 @@
 #include "coupler/cli/own_network.hpp"
 
 #include <exception>
-#include <set>
 #include <string>
 
 #include "common/input_error.hpp"
 #include "coupler/launch/network.hpp"
 #include "coupler/transport/lcm_transport.hpp"
-#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::cli {
 
@@ -20,7 +18,7 @@ bool enter_own_network(Reporter& reporter) {
 }
 
 void check_host_network() try {
-  const transport::LcmTransport heard(transport::kLcmUrl, {});
+  const transport::LcmTransport heard(transport::kLcmUrl, "", "");
 } catch (const std::exception& e) {
   throw InputError({{{}, 0, "--mpirun", e.what()}});
 }

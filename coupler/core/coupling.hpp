@@ -42,9 +42,9 @@ struct CouplingState {
   std::vector<WallState> walls;
 };
 
-/// Steps a machine and a rock through windows, and counts them. Both only go forward. The difference
-/// of the two works of a window is energy the coupling made (positive: the machine got more than
-/// the rock gave).
+/// Steps a machine and a rock through windows, and counts them. Both only go forward. The
+/// difference of the two works of a window is energy the coupling made (positive: the machine got
+/// more than the rock gave).
 class Coupling {
  public:
   Coupling(Machine& machine, Rock& rock, Scheme scheme);
@@ -78,9 +78,9 @@ class Coupling {
   std::int64_t dt_ns_;
   CouplingState state_;
   MachineState machine_state_;
-  std::int64_t next_ns_ = 0;     ///< what machine_state_ was extrapolated to
-  std::int64_t under_way_ = 0;   ///< DEM steps of the window that has begun
-  MachineState stepped_;         ///< serial: the machine at its end
+  std::int64_t next_ns_ = 0;    ///< what machine_state_ was extrapolated to
+  std::int64_t under_way_ = 0;  ///< DEM steps of the window that has begun
+  MachineState stepped_;        ///< serial: the machine at its end
 };
 
 }  // namespace dipper::core

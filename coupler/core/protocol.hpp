@@ -1,13 +1,11 @@
 // Exactly-once requests over a transport that may drop, repeat and reorder.
-// Pure: no clock, no I/O. One request is outstanding at a time; requests are numbered from 1.
+// Pure: no clock, no I/O. One request is under way at a time; requests are numbered from 1.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
-#include <utility>
-
-#include "coupler/core/message.hpp"
 
 namespace dipper::core {
 
@@ -15,64 +13,61 @@ struct ProtocolError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What happened on a link that a healthy one does not show.
-struct LinkCounts {
-  std::int64_t resends = 0;   ///< packets lost: requests sent again that got no reply of their own
-  std::int64_t repeated = 0;  ///< requests or replies that had been dealt with already
-  std::int64_t foreign = 0;   ///< packets that are no message of this run; the transport's count
-};
-
-/// Strangers do not come this far: the transport passes on what carries the run's seal only. Throws
-/// ProtocolError when the seal is ours but the run or the case is not: a mix-up.
-void require_ours(const Envelope& ours, const Envelope& theirs);
-
-/// The asking side's end of a link.
+/// The asking end.
 class Requester {
  public:
-  explicit Requester(Envelope identity) : identity_(std::move(identity)) {}
+  /// The number of a new request. The previous one must have been answered.
+  std::int64_t begin() {
+    assert(!waiting_);
+    waiting_ = true;
+    unanswered_before_ = unanswered_;
+    unanswered_ = 1;
+    return ++number_;
+  }
 
-  /// Numbers a new request. The previous one must have been answered.
-  Envelope begin(std::int64_t step_index, std::int64_t t_ns);
+  /// The request under way was sent once more.
+  void sent_again() { ++unanswered_; }
 
-  /// The reply awaited? False for replies already taken.
-  bool accept(const Envelope& reply);
+  /// Whether the reply with this number is the one awaited, and not one that was taken already.
+  bool accept(std::int64_t number) {
+    if (number == number_) --unanswered_;
+    if (number == number_ - 1) --unanswered_before_;
+    if (number != number_ || !waiting_) return false;
+    waiting_ = false;
+    resends_ += std::max(0, unanswered_before_);
+    return true;
+  }
 
-  /// The request under way went out again.
-  void count_resend() { ++unanswered_; }
-  const LinkCounts& counts() const { return counts_; }
+  /// How often a request was sent again because a message was lost. When the other side is only
+  /// slow, each copy has its reply, and all of them come before the reply to the next request.
+  std::int64_t resends() const { return resends_; }
 
  private:
-  Envelope identity_;
+  std::int64_t number_ = 0;
   bool waiting_ = false;
-  // Resends that got no reply yet, of this request and the one before. A slow answer brings one
-  // reply for each time the request went out, and all of them before that to the next request.
-  std::int64_t unanswered_ = 0, unanswered_before_ = 0;
-  LinkCounts counts_;
+  int unanswered_ = 0;         ///< copies of this request less replies to it
+  int unanswered_before_ = 0;  ///< of the request before
+  std::int64_t resends_ = 0;
 };
 
-/// The answering side's end of a link.
+/// The answering end.
 class Responder {
  public:
-  explicit Responder(Envelope identity) : identity_(std::move(identity)) {}
-
   enum class Handling {
-    execute,  ///< new: carry it out, then `remember` the reply
-    repeat,   ///< already carried out: send `reply()` again
-    ignore    ///< older than what has been carried out
+    execute,  ///< new: carry it out and keep the reply
+    repeat,   ///< already carried out: send the same reply again
+    ignore    ///< older than that
   };
   /// Throws ProtocolError when a request has been skipped: it can never be served in order.
-  Handling classify(const Envelope& request);
-
-  void remember(std::string reply) { reply_ = std::move(reply); }
-  const std::string& reply() const { return reply_; }
-
-  const LinkCounts& counts() const { return counts_; }
+  Handling classify(std::int64_t number) {
+    if (number > last_ + 1) throw ProtocolError("a request between two is lost");
+    if (number <= last_) return number == last_ ? Handling::repeat : Handling::ignore;
+    last_ = number;
+    return Handling::execute;
+  }
 
  private:
-  Envelope identity_;
   std::int64_t last_ = 0;
-  std::string reply_;
-  LinkCounts counts_;
 };
 
 }  // namespace dipper::core

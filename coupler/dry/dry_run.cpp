@@ -24,7 +24,8 @@
 #include "coupler/run/stepper.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
-#include "coupler/transport/sealed_transport.hpp"
+#include "coupler/transport/lcm_transport.hpp"
+#include "coupler/transport/seal.hpp"
 
 namespace dipper::dry {
 namespace fs = std::filesystem;
@@ -34,8 +35,8 @@ using json = nlohmann::ordered_json;
 
 constexpr double kSummaryTrim = 1e-3;  // m: of the faces' points, a page draws no finer
 
-transport::PeerConfig machine_config(const cases::Case& c, const run::RunFolder& folder) {
-  transport::PeerConfig config;
+setup::PeerConfig machine_config(const cases::Case& c, const run::RunFolder& folder) {
+  setup::PeerConfig config;
   config.lcm_url = transport::kLcmUrl;
   config.secret = transport::random_secret();
   config.identity.run_id = folder.root().filename().string();

@@ -5,7 +5,8 @@
 #include <memory>
 
 #include "coupler/launch/process.hpp"
-#include "coupler/transport/peer_config.hpp"
+#include "coupler/setup/peer_config.hpp"
+#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/remote.hpp"
 
 namespace dipper::run {
@@ -16,13 +17,12 @@ namespace dipper::run {
 class LoneMachine {
  public:
   /// Writes mbs.json and mbs.log into `folder`.
-  LoneMachine(const transport::PeerConfig& config, const std::filesystem::path& folder);
+  LoneMachine(const setup::PeerConfig& config, const std::filesystem::path& folder);
   ~LoneMachine();
   LoneMachine(const LoneMachine&) = delete;
   LoneMachine& operator=(const LoneMachine&) = delete;
 
   core::Machine& machine() { return machine_; }
-  core::LinkCounts link() const { return link_.counts(); }
   double cpu_s() const { return process_.cpu_s(); }
 
  private:
@@ -30,7 +30,7 @@ class LoneMachine {
 
   std::filesystem::path log_;
   launch::Process process_;
-  std::unique_ptr<transport::Transport> transport_;
+  transport::LcmTransport transport_;
   transport::Link link_;
   transport::RemoteMachine machine_;
 };

@@ -13,9 +13,9 @@
 #include "common/temporary_folder.hpp"
 #include "coupler/run/lone_machine.hpp"
 #include "coupler/run/observed.hpp"
+#include "coupler/setup/peer_config.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
-#include "coupler/transport/peer_config.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -73,7 +73,7 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
   if (time_s.empty()) throw InputError({{record, 0, "", "holds no rows"}});
   const RecordedWrench dipper(columns, "dipper"), door(columns, "door");
 
-  transport::PeerConfig config = transport::read_peer_config(run / "logs" / "mbs.json");
+  setup::PeerConfig config = setup::read_peer_config(run / "logs" / "mbs.json");
   config.settings = sides::mbs_settings(
       changed, sides::dipper_layers(changed, sides::read_mesh_facts(changed).dipper.cavity));
   analysis::signals::DriveSignals s;

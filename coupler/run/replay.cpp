@@ -11,10 +11,10 @@
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/mpirun.hpp"
 #include "coupler/launch/process.hpp"
+#include "coupler/setup/peer_config.hpp"
 #include "coupler/transport/codec.hpp"
+#include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/link.hpp"
-#include "coupler/transport/peer_config.hpp"
-#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -128,21 +128,20 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
   const char* to = dem ? transport::Channels::to_dem : transport::Channels::to_mbs;
   const char* from = dem ? transport::Channels::from_dem : transport::Channels::from_mbs;
   const auto exchanges = read_log(run / ("events" + segment + ".lcmlog"), to, from);
-  transport::PeerConfig config =
-      transport::read_peer_config(run / "logs" / (side + segment + ".json"));
+  setup::PeerConfig config = setup::read_peer_config(run / "logs" / (side + segment + ".json"));
   const TemporaryFolder temporary("dipper-replay");
   const fs::path& scratch = temporary.path();
   config.settings = redirected(config.settings, side, scratch);
   config.checkpoints = scratch;
   const fs::path config_file = scratch / (side + ".json");
-  transport::write_peer_config(config_file, config);
+  setup::write_peer_config(config_file, config);
 
   const fs::path log = scratch / (side + ".log");
   const std::vector<std::string> command = {installed_program("dipper-" + side),
                                             config_file.string()};
   launch::Process process(dem ? launch::mpirun(config.settings.at("ranks"), command) : command,
                           log);
-  const auto transport = transport::sealed_lcm(config.lcm_url, config.secret, from);
+  transport::LcmTransport lcm(config.lcm_url, from, config.secret);
   transport::LinkOptions options;
   options.timeout = std::chrono::minutes(10);
   options.watch = [&] {
@@ -150,7 +149,7 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
       throw transport::PeerError(side,
                                  launch::failure_message(process, log, scratch / "dem.screen"));
   };
-  transport::Link link(side, *transport, to, from, config.identity, options);
+  transport::Link link(side, lcm, to, config.identity, options);
 
   // Of the segments before.
   const double wall_s = result.wall_s, recorded_wall_s = result.recorded_wall_s;

@@ -90,8 +90,8 @@ RunFacts Session::close(bool orderly) {
   sides_.end();
   RunFacts f;
   f.state_hash = state_hash_;
-  f.resends = sides_.machine_link().resends + sides_.rock_link().resends;
-  f.foreign_messages = sides_.machine_link().foreign + sides_.rock_link().foreign;
+  f.resends = sides_.machine_link().resends() + sides_.rock_link().resends();
+  f.foreign_messages = sides_.machine_link().foreign() + sides_.rock_link().foreign();
   f.cost = cost();
   f.syncs = coupling_.state().step_index;
   f.dem_steps = coupling_.state().dem_step;

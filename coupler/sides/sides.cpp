@@ -5,13 +5,14 @@
 
 #include <chrono>
 #include <fstream>
+#include <lcm/lcm-cpp.hpp>
 
 #include "common/installation.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/transport/logged_transport.hpp"
-#include "coupler/transport/peer_config.hpp"
-#include "coupler/transport/sealed_transport.hpp"
+#include "coupler/setup/peer_config.hpp"
+#include "coupler/transport/lcm_transport.hpp"
+#include "coupler/transport/seal.hpp"
 
 namespace dipper::sides {
 namespace {
@@ -25,6 +26,17 @@ std::shared_ptr<lcm::LogFile> open_log(const std::filesystem::path& file) {
   return log;
 }
 
+void write(lcm::LogFile& log, transport::Packet packet) {
+  lcm::LogEvent event;
+  event.channel = packet.channel;
+  event.timestamp = std::chrono::duration_cast<std::chrono::microseconds>(
+                        std::chrono::system_clock::now().time_since_epoch())
+                        .count();
+  event.data = packet.bytes.data();
+  event.datalen = static_cast<std::int32_t>(packet.bytes.size());
+  if (log.writeEvent(&event) != 0) throw std::runtime_error("cannot write the LCM log");
+}
+
 }  // namespace
 
 Sides::Sides(const SidesSetup& setup) : setup_(setup) {
@@ -34,10 +46,8 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   identity.case_hash = setup.case_hash;
 
   const std::string secret = transport::random_secret();
-  const auto log = open_log(setup.message_log);
   const auto listen = [&](const char* channel) {
-    return std::make_unique<transport::LoggedTransport>(transport::sealed_lcm(url, secret, channel),
-                                                        log);
+    return std::make_unique<transport::LcmTransport>(url, channel, secret);
   };
   from_dem_ = listen(transport::Channels::from_dem);
   from_mbs_ = listen(transport::Channels::from_mbs);
@@ -45,8 +55,8 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   const auto mbs_config = setup.logs / ("mbs" + setup.segment + ".json");
   nlohmann::json dem = setup.dem;
   dem["ranks"] = setup.ranks;  // for a replay
-  transport::write_peer_config(dem_config, {url, secret, identity, setup.checkpoints, dem});
-  transport::write_peer_config(mbs_config, {url, secret, identity, setup.checkpoints, setup.mbs});
+  setup::write_peer_config(dem_config, {url, secret, identity, setup.checkpoints, dem});
+  setup::write_peer_config(mbs_config, {url, secret, identity, setup.checkpoints, setup.mbs});
   dem_ = std::make_unique<launch::Process>(
       launch::mpirun(setup.ranks, {installed_program("dipper-dem"), dem_config.string()},
                      setup.places),
@@ -59,12 +69,15 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   transport::LinkOptions options;
   options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * setup.timeout_s));
   options.watch = [this] { watch(); };
+  options.record = [log = open_log(setup.message_log)](const transport::Packet& packet) {
+    write(*log, packet);
+  };
   options.starved = [this] { return std::chrono::duration<double>(dem_->starved_s()); };
   dem_link_ = std::make_unique<transport::Link>("dem", *from_dem_, transport::Channels::to_dem,
-                                                transport::Channels::from_dem, identity, options);
+                                                identity, options);
   options.starved = [this] { return std::chrono::duration<double>(mbs_->starved_s()); };
   mbs_link_ = std::make_unique<transport::Link>("mbs", *from_mbs_, transport::Channels::to_mbs,
-                                                transport::Channels::from_mbs, identity, options);
+                                                identity, options);
   machine_ = std::make_unique<transport::RemoteMachine>(*mbs_link_);
   rock_ = std::make_unique<transport::RemoteRock>(*dem_link_);
 }

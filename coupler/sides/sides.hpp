@@ -36,8 +36,8 @@ class Sides {
 
   transport::RemoteMachine& machine() { return *machine_; }
   transport::RemoteRock& rock() { return *rock_; }
-  core::LinkCounts machine_link() const { return mbs_link_->counts(); }
-  core::LinkCounts rock_link() const { return dem_link_->counts(); }
+  const transport::Link& machine_link() const { return *mbs_link_; }
+  const transport::Link& rock_link() const { return *dem_link_; }
 
   /// Tells both to stop and waits.
   void stop();

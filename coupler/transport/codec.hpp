@@ -12,10 +12,15 @@ struct DecodeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// As LCM encodes the types in coupler/lcm. header.mac is zero: the transport seals it.
 std::string encode(const core::Message& m);
 
 /// Throws DecodeError for an unknown type or a wrong length. Numbers are passed on as they are:
 /// `require_sound` judges them once it is known whose message it is.
 core::Message decode(const std::string& bytes);
+
+/// A server's description as the JSON text of the status that answers "hello", and back.
+std::string to_json(const core::ServerInfo& info);
+core::ServerInfo info_from_json(const std::string& text);
 
 }  // namespace dipper::transport

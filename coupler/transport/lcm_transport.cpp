@@ -12,12 +12,20 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "coupler/transport/lcm_packet.hpp"
+#include "coupler/transport/seal.hpp"
 
 namespace dipper::transport {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// The largest channel and message, the channel's NUL counted, that LCM sends in one packet
+/// [bytes].
+constexpr std::size_t kLargestPacket = 65499;
+
+/// A call that drops packets looks at the clock after this many of them: some milliseconds' work.
+/// So one with no time left still empties what has gathered, and a flood cannot hold it up.
+constexpr int kDropsPerLook = 1000;
 
 /// A socket that hears the URL's group, besides all others that do: lcm-logger, another run.
 int listen(const std::string& url) {
@@ -44,16 +52,20 @@ int listen(const std::string& url) {
   return s;
 }
 
-timespec until(Clock::time_point deadline) {
-  const auto left = std::max(Clock::duration::zero(), deadline - Clock::now());
-  const auto s = std::chrono::duration_cast<std::chrono::seconds>(left);
-  return {s.count(), std::chrono::nanoseconds(left - s).count()};
-}
-
 }  // namespace
 
-LcmTransport::LcmTransport(const std::string& url, const std::set<std::string>& channels)
-    : lcm_(url), channels_(channels), buffer_(1 << 16) {
+std::optional<Packet> read_lcm_packet(std::string_view datagram) {
+  constexpr std::size_t kHeader = 8;  // "LC02", and LCM's own count of packets, which says nothing
+  constexpr std::size_t kChannel = 63;  // LCM_MAX_CHANNEL_NAME_LENGTH
+  if (datagram.size() < kHeader || datagram.substr(0, 4) != "LC02") return std::nullopt;
+  datagram.remove_prefix(kHeader);
+  const auto end = datagram.substr(0, kChannel + 1).find('\0');
+  if (end == std::string_view::npos) return std::nullopt;
+  return Packet{std::string(datagram.substr(0, end)), std::string(datagram.substr(end + 1))};
+}
+
+LcmTransport::LcmTransport(const std::string& url, std::string channel, std::string secret)
+    : lcm_(url), channel_(std::move(channel)), secret_(std::move(secret)), buffer_(1 << 16) {
   if (!lcm_.good()) {
     throw std::runtime_error("LCM cannot open " + url +
                              ": no multicast route. As root, once: `"
@@ -65,13 +77,15 @@ LcmTransport::LcmTransport(const std::string& url, const std::set<std::string>& 
 LcmTransport::~LcmTransport() { close(socket_); }
 
 void LcmTransport::publish(const std::string& channel, const std::string& bytes) {
-  if (channel.size() + 1 + bytes.size() > kLcmPacketBytes) {
+  if (channel.size() + 1 + bytes.size() > kLargestPacket) {
     throw std::runtime_error(
-        fmt::format("a message of {} bytes on {} does not fit one packet of "
-                    "{}",
-                    bytes.size(), channel, kLcmPacketBytes));
+        fmt::format("a message of {} bytes on {} does not fit one packet of {}", bytes.size(),
+                    channel, kLargestPacket));
   }
-  if (lcm_.publish(channel, bytes.data(), static_cast<unsigned>(bytes.size())) != 0) {
+  Packet packet{channel, bytes};
+  seal(secret_, packet);
+  const auto size = static_cast<unsigned>(packet.bytes.size());
+  if (lcm_.publish(channel, packet.bytes.data(), size) != 0) {
     throw std::runtime_error("LCM cannot send on " + channel);
   }
 }
@@ -82,17 +96,19 @@ std::optional<Packet> LcmTransport::receive(std::chrono::microseconds timeout) {
     const ssize_t n = recv(socket_, buffer_.data(), buffer_.size(), 0);
     if (n >= 0) {
       auto packet = read_lcm_packet({buffer_.data(), static_cast<std::size_t>(n)});
-      if (packet && channels_.count(packet->channel) > 0) return packet;
-      if (!packet) ++foreign_;
+      if (packet && packet->channel != channel_) continue;
+      if (packet && unseal(secret_, *packet)) return packet;
+      ++foreign_;
       continue;
     }
     if (errno != EAGAIN && errno != EINTR) {
       throw std::runtime_error(std::string("LCM cannot receive: ") + std::strerror(errno));
     }
+    const auto left = std::max(Clock::duration::zero(), deadline - Clock::now());
     pollfd wait{socket_, POLLIN, 0};
-    const timespec left = until(deadline);
     // A signal, Ctrl-C say, cuts the wait short.
-    if (ppoll(&wait, 1, &left, nullptr) <= 0) return std::nullopt;
+    const auto ms = std::chrono::ceil<std::chrono::milliseconds>(left);
+    if (poll(&wait, 1, static_cast<int>(ms.count())) <= 0) return std::nullopt;
   }
   return std::nullopt;
 }

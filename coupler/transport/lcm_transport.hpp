@@ -1,21 +1,28 @@
 #pragma once
 
 #include <lcm/lcm-cpp.hpp>
-#include <set>
+#include <string_view>
 #include <vector>
 
 #include "coupler/transport/transport.hpp"
 
 namespace dipper::transport {
 
-/// LCM over UDP multicast. ttl=0 in the URL keeps packets on this host. liblcm sends; we receive on
-/// a socket of our own, since liblcm's receiver trusts what comes in: a channel without its NUL or
-/// a fragment with a wild offset is the end of its process.
+/// Where the processes of a run meet: on this machine, in a network of the run's own.
+inline constexpr const char* kLcmUrl = "udpm://239.255.76.67:7667?ttl=0";
+
+/// What a datagram of LCM carries ("LC02", a number, the channel with its NUL, the message), or
+/// nothing when it is anything else. Our messages fit one packet, and fragments are not taken:
+/// putting strangers' pieces together is how a receiver is led to write where it must not.
+std::optional<Packet> read_lcm_packet(std::string_view datagram);
+
+/// LCM over UDP multicast, every message sealed. ttl=0 in the URL keeps packets on this host.
+/// liblcm sends; we receive on a socket of our own, since liblcm's receiver trusts what comes in: a
+/// channel without its NUL or a fragment with a wild offset is the end of its process.
 class LcmTransport final : public Transport {
  public:
-  /// `url` as "udpm://239.255.76.67:7667?ttl=0". Throws std::runtime_error, with the cure when
-  /// there is no multicast route.
-  LcmTransport(const std::string& url, const std::set<std::string>& channels);
+  /// Hears `channel`. Throws std::runtime_error, with the cure when there is no multicast route.
+  LcmTransport(const std::string& url, std::string channel, std::string secret);
   ~LcmTransport() override;
   LcmTransport(const LcmTransport&) = delete;
   LcmTransport& operator=(const LcmTransport&) = delete;
@@ -27,7 +34,7 @@ class LcmTransport final : public Transport {
 
  private:
   lcm::LCM lcm_;  // sends only: without a subscription it opens no receiver
-  std::set<std::string> channels_;
+  std::string channel_, secret_;
   int socket_ = -1;
   std::vector<char> buffer_;
   std::int64_t foreign_ = 0;

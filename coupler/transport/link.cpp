@@ -11,21 +11,51 @@ namespace dipper::transport {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr Clock::duration kFirstWait = 25ms;
-
-Link::Link(std::string side, Transport& transport, std::string to, std::string from,
-           core::Envelope identity, LinkOptions options)
+Link::Link(std::string side, Transport& transport, std::string to, core::Envelope identity,
+           LinkOptions options)
     : side_(std::move(side)),
       transport_(transport),
-      to_(std::move(to)),
-      from_(std::move(from)),
-      requester_(std::move(identity)),
-      options_(std::move(options)) {}
+      envelope_(std::move(identity)),
+      options_(std::move(options)),
+      request_{std::move(to), ""} {}
 
-core::LinkCounts Link::counts() const {
-  core::LinkCounts counts = requester_.counts();
-  counts.foreign = transport_.foreign();
-  return counts;
+void Link::publish() {
+  options_.record(request_);
+  transport_.publish(request_.channel, request_.bytes);
+}
+
+void Link::send(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
+  // Nothing that has come can be the answer yet, and a queue that is full would lose it.
+  for (int old = 0; old < 1000; ++old) {
+    const auto packet = transport_.receive(0us);
+    if (!packet) break;
+    take(*packet);  // counts it
+  }
+  envelope_.step_index = step_index;
+  envelope_.t_ns = t_ns;
+  envelope_.sequence = requester_.begin();
+  request_.bytes = encode({envelope_, std::move(request)});
+  publish();
+}
+
+core::Body Link::receive() {
+  const auto start = Clock::now();
+  const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
+  std::chrono::milliseconds interval = 25ms;
+  auto reply = wait(start + interval);
+  const auto starved = reply ? 0s : options_.starved();
+  while (!reply) {
+    if (Clock::now() - start - (options_.starved() - starved) >= limit) {
+      const auto seconds = std::chrono::duration<double>(limit).count();
+      throw PeerError(side_, fmt::format("no answer for {} s", seconds));
+    }
+    publish();
+    if (established_) requester_.sent_again();
+    interval = std::min<std::chrono::milliseconds>(2 * interval, established_ ? 1000ms : 100ms);
+    reply = wait(Clock::now() + interval);
+  }
+  established_ = true;
+  return std::move(*reply);
 }
 
 core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
@@ -33,64 +63,22 @@ core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t
   return receive();
 }
 
-void Link::send(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
-  // Nothing that has come can be the answer yet; a queue that is full would lose it.
-  const auto enough = Clock::now() + 10ms;
-  while (const auto old = transport_.receive(0us)) {
-    reply_in(*old);  // counts it
-    if (Clock::now() > enough) break;
-  }
-  request_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
-  transport_.publish(to_, request_);
-  sent_ = Clock::now();
-}
-
-core::Body Link::receive() {
-  const auto start = sent_;
-  const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
-  // Until the other side has answered once it may still be starting: that counts as no loss.
-  Clock::duration wait = established_ ? kFirstWait : 100ms;
-  std::chrono::milliseconds deadline = limit;
-  std::optional<std::chrono::duration<double>> starved_before;
-  while (true) {
+std::optional<core::Body> Link::wait(Clock::time_point until) {
+  std::optional<core::Body> reply;
+  do {
     options_.watch();
-    const auto left = std::chrono::duration_cast<std::chrono::microseconds>(sent_ + wait - Clock::now());
-    const auto packet = transport_.receive(std::clamp(left, 0us, std::chrono::microseconds(50ms)));
-    auto reply = packet ? reply_in(*packet) : std::nullopt;
-    if (reply) {
-      established_ = true;
-      return std::move(*reply);
-    }
-    const auto now = Clock::now();
-    if (!starved_before && now - start > deadline - 1s) starved_before = options_.starved();
-    if (now - start > deadline) {
-      const auto starved = options_.starved();
-      if (starved - *starved_before > 250ms) {
-        starved_before = starved;
-        deadline += 1s;
-        continue;
-      }
-      throw PeerError(side_,
-                      fmt::format("no answer for {} s", static_cast<double>(limit.count()) * 1e-3));
-    }
-    if (now - sent_ < wait) continue;
-    transport_.publish(to_, request_);
-    sent_ = now;
-    if (!established_) continue;
-    requester_.count_resend();
-    wait = std::min<Clock::duration>(2 * wait, 1s);
-  }
+    const auto left = std::clamp<Clock::duration>(until - Clock::now(), 0ms, 50ms);
+    const auto packet =
+        transport_.receive(std::chrono::duration_cast<std::chrono::microseconds>(left));
+    if (packet) reply = take(*packet);
+  } while (!reply && Clock::now() < until);
+  return reply;
 }
 
-std::optional<core::Body> Link::reply_in(const Packet& packet) {
-  if (packet.channel != from_) return std::nullopt;
-  core::Message reply;
-  try {
-    reply = decode(packet.bytes);
-  } catch (const DecodeError& e) {
-    throw PeerError(side_, e.what());  // under our own seal: another version
-  }
-  if (!requester_.accept(reply.envelope)) return std::nullopt;
+std::optional<core::Body> Link::take(const Packet& packet) {
+  options_.record(packet);
+  core::Message reply = decode(packet.bytes);
+  if (!requester_.accept(reply.envelope.sequence)) return std::nullopt;
   core::require_sound(reply, side_, bodies);
   const auto* status = std::get_if<core::Status>(&reply.body);
   if (status != nullptr && !status->ok) throw PeerError(side_, status->text);
@@ -98,9 +86,9 @@ std::optional<core::Body> Link::reply_in(const Packet& packet) {
 }
 
 void Link::tell(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
-  if (!told_) request_ = encode({requester_.begin(step_index, t_ns), std::move(request)});
+  if (told_) return publish();
   told_ = true;
-  transport_.publish(to_, request_);
+  send(std::move(request), step_index, t_ns);
 }
 
 }  // namespace dipper::transport

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupler/core/message.hpp"
 #include "coupler/core/protocol.hpp"
 #include "coupler/transport/transport.hpp"
 
@@ -23,54 +24,59 @@ struct LinkOptions {
   /// For the first answer of all: on a loaded machine a process takes its time to start, and one
   /// that ends is seen by `watch`.
   std::chrono::milliseconds start{300000};
-  /// How long the other side has waited for a core since it started. One that does so for a quarter
-  /// of the second before the time-out, and of each second after it, is not hung but on a loaded
-  /// machine; it is waited for.
+  /// How long the other side has waited for a core since it started: that time does not count. It
+  /// is not hung but on a loaded machine.
   std::function<std::chrono::duration<double>()> starved = [] {
     return std::chrono::duration<double>(0);
   };
   /// Called at least every 50 ms while waiting; throws when waiting has become pointless
   /// (a process ended, the user wants to stop).
   std::function<void()> watch = [] {};
+  /// Is given every message, both ways.
+  std::function<void(const Packet&)> record = [](const Packet&) {};
 };
 
-/// The asking end: sends a request until its reply comes, again after 25 ms, then after twice as
-/// long each time, up to 1 s.
+/// The asking end. A request without a reply is sent again after 25 ms, and then after twice as
+/// long each time, up to 1 s; up to 100 ms until the other side has answered once: it may be
+/// starting.
 class Link {
  public:
-  /// `transport` hears nothing but `from`: what is left over on it is counted here.
-  Link(std::string side, Transport& transport, std::string to, std::string from,
-       core::Envelope identity, LinkOptions options);
+  /// `transport` hears the other side, which listens on the channel `to`.
+  Link(std::string side, Transport& transport, std::string to, core::Envelope identity,
+       LinkOptions options);
 
-  /// Throws PeerError when the other side says it failed or says nothing until the timeout.
-  core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns);
-
-  /// The two halves of `ask`: the other side works between them.
+  /// Sends a request. The reply to the one before must have been received.
   void send(core::Body request, std::int64_t step_index, std::int64_t t_ns);
+  /// Waits for its reply. Throws PeerError when the other side says it failed or says nothing until
+  /// the timeout, which begins with this call.
   core::Body receive();
+  /// Both.
+  core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns);
 
   /// Sends the last request of all, without waiting: after "stop" the other side is gone. Again, as
   /// often as it is called.
   void tell(core::Body request, std::int64_t step_index, std::int64_t t_ns);
 
   const std::string& side() const { return side_; }
-  core::LinkCounts counts() const;
+  std::int64_t resends() const { return requester_.resends(); }
+  std::int64_t foreign() const { return transport_.foreign(); }
   /// Names for messages about bodies; known once the other side has said hello.
   std::vector<std::string> bodies;
 
  private:
-  /// The reply, if that is what the packet is.
-  std::optional<core::Body> reply_in(const Packet& packet);
+  void publish();
+  std::optional<core::Body> wait(std::chrono::steady_clock::time_point until);
+  /// The reply awaited, if that is what the packet is.
+  std::optional<core::Body> take(const Packet& packet);
 
   std::string side_;
   Transport& transport_;
-  std::string to_, from_;
-  core::Requester requester_;
+  core::Envelope envelope_;
   LinkOptions options_;
+  core::Requester requester_;
+  Packet request_;            ///< the last one, to the other side's channel
   bool established_ = false;  ///< the other side has answered once
   bool told_ = false;
-  std::string request_;  ///< the last one
-  std::chrono::steady_clock::time_point sent_;
 };
 
 }  // namespace dipper::transport

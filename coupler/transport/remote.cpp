@@ -1,6 +1,6 @@
 #include "coupler/transport/remote.hpp"
 
-#include "coupler/transport/info_json.hpp"
+#include "coupler/transport/codec.hpp"
 
 namespace dipper::transport {
 namespace {
@@ -63,12 +63,10 @@ void RemoteRock::save(const std::filesystem::path& file) {
   link_.ask(core::Command{core::Action::save, file}, step_index_, t_ns_);
 }
 std::string RemoteRock::state_hash() {
-  return take<core::Status>(
-             link_.ask(core::Command{core::Action::hash, ""}, step_index_, t_ns_), link_.side())
+  return take<core::Status>(link_.ask(core::Command{core::Action::hash, ""}, step_index_, t_ns_),
+                            link_.side())
       .text;
 }
-void RemoteRock::stop() {
-  link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_);
-}
+void RemoteRock::stop() { link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_); }
 
 }  // namespace dipper::transport

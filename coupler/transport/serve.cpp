@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "coupler/core/protocol.hpp"
 #include "coupler/transport/codec.hpp"
-#include "coupler/transport/info_json.hpp"
 
 namespace dipper::transport {
 namespace {
@@ -65,39 +65,31 @@ void require_in_checkpoints(const core::Message& request, const std::filesystem:
 
 }  // namespace
 
-void serve(Transport& transport, const std::string& in, const std::string& out,
-           const PeerConfig& config, const std::function<core::Body(const core::Message&)>& handle,
+void serve(Transport& transport, const std::string& out, const std::filesystem::path& checkpoints,
+           const std::function<core::Body(const core::Message&)>& handle,
            const std::function<bool()>& alive) {
-  core::Responder responder(config.identity);
-  while (alive()) {
+  using Handling = core::Responder::Handling;
+  core::Responder responder;
+  std::string reply;
+  for (bool stop = false; !stop && alive();) {
     const auto packet = transport.receive(std::chrono::milliseconds(50));
-    if (!packet || packet->channel != in) continue;
-    core::Message request;
-    try {
-      request = decode(packet->bytes);
-    } catch (const DecodeError&) {
-      continue;  // sealed by a program of another version
+    if (!packet) continue;
+    const core::Message request = decode(packet->bytes);
+    const Handling handling = responder.classify(request.envelope.sequence);
+    if (handling == Handling::ignore) continue;
+    if (handling == Handling::execute) {
+      try {
+        core::require_sound(request, "the coupler", {});
+        require_in_checkpoints(request, checkpoints);
+        reply = encode({request.envelope, handle(request)});
+      } catch (const std::exception& e) {
+        transport.publish(out, encode({request.envelope, core::Status{false, e.what()}}));
+        throw;
+      }
     }
-    switch (responder.classify(request.envelope)) {
-      case core::Responder::Handling::ignore:
-        continue;
-      case core::Responder::Handling::repeat:
-        transport.publish(out, responder.reply());
-        continue;
-      case core::Responder::Handling::execute:
-        break;
-    }
-    try {
-      core::require_sound(request, "the coupler", {});
-      require_in_checkpoints(request, config.checkpoints);
-      responder.remember(encode({request.envelope, handle(request)}));
-    } catch (const std::exception& e) {
-      transport.publish(out, encode({request.envelope, core::Status{false, e.what()}}));
-      throw;
-    }
-    transport.publish(out, responder.reply());
+    transport.publish(out, reply);
     const auto* c = std::get_if<core::Command>(&request.body);
-    if (c != nullptr && c->action == core::Action::stop) return;
+    stop = c != nullptr && c->action == core::Action::stop;
   }
 }
 

@@ -8,27 +8,22 @@
 
 namespace dipper::transport {
 
-/// A message as it came in.
+/// A message on its way.
 struct Packet {
   std::string channel;
   std::string bytes;
 };
 
-/// One endpoint. Delivery is not guaranteed, in neither number nor order.
+/// One endpoint, which hears one channel. Delivery is not guaranteed, in neither number nor order.
 class Transport {
  public:
   virtual ~Transport() = default;
   virtual void publish(const std::string& channel, const std::string& bytes) = 0;
-  /// The next message on a subscribed channel, or nothing after `timeout`.
+  /// The next message on the channel, or nothing after `timeout`.
   virtual std::optional<Packet> receive(std::chrono::microseconds timeout) = 0;
-  /// How many packets have come that are not what they should be, and were dropped.
-  virtual std::int64_t foreign() const { return 0; }
+  /// How many packets have come that are no message of this run, and were dropped.
+  virtual std::int64_t foreign() const = 0;
 };
-
-/// A receiver that drops packets looks at the clock after this many of them: some milliseconds'
-/// work. So a call with no time left still empties what has gathered, and a flood cannot hold it
-/// up.
-inline constexpr int kDropsPerLook = 1000;
 
 /// Channel names of a run: who is spoken to, who speaks.
 struct Channels {

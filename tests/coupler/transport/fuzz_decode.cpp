@@ -9,10 +9,8 @@
 #include <random>
 
 #include "coupler/transport/codec.hpp"
-#include "coupler/transport/info_json.hpp"
-#include "coupler/transport/lcm_packet.hpp"
+#include "coupler/transport/lcm_transport.hpp"
 #include "tests/coupler/transport/memory_transport.hpp"
-#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::transport {
 namespace {
@@ -134,13 +132,13 @@ int main(int argc, char** argv) {
 
   MemoryNetwork network;
   const auto stranger = network.connect({});
-  SealedTransport sealed(network.connect({"A"}), "secret");
+  const auto sealed = network.connect({"A"}, "secret");
   for (long k = 0; k < inputs; ++k) {
     const std::string input = damaged(seeds[below(random, seeds.size())], seeds, random);
     ++counts[fed(input, below(random, 4))];
     if (k % 8 != 0) continue;
     stranger->publish("A", input);
-    if (sealed.receive(std::chrono::microseconds(0))) std::abort();  // nobody knows the secret
+    if (sealed->receive(std::chrono::microseconds(0))) std::abort();  // nobody knows the secret
     ++counts["seal refused"];
   }
   for (const auto& [what, n] : counts) fmt::print("{:10}  {}\n", n, what);

@@ -14,25 +14,30 @@
 
 #include "coupler/launch/network.hpp"
 #include "coupler/transport/codec.hpp"
-#include "coupler/transport/sealed_transport.hpp"
 
 namespace dipper::transport {
 namespace {
 
 using namespace std::chrono_literals;
 
+std::string message(const std::string& text) {
+  core::Message m;
+  m.envelope.run_id = "run";
+  m.body = core::Status{true, text};
+  return encode(m);
+}
+
 TEST(LcmTransport, CarriesBytesBetweenEndpointsOnThePrivateNetwork) {
   ASSERT_TRUE(launch::enter_private_network());
-  const std::string url = "udpm://239.255.76.67:7667?ttl=0";
-  LcmTransport a(url, {"TO_A"}), b(url, {"TO_B"});
-  const std::string bytes("with\0a zero", 11);
+  LcmTransport a(kLcmUrl, "TO_A", "secret"), b(kLcmUrl, "TO_B", "secret");
+  const std::string bytes = message("with a text");
   for (int i = 0; i < 1000; ++i) {
     a.publish("TO_B", bytes);
     const auto at_b = b.receive(1000ms);
     ASSERT_TRUE(at_b) << i;
     EXPECT_EQ(at_b->bytes, bytes);
     EXPECT_EQ(at_b->channel, "TO_B");
-    b.publish("TO_A", "pong");
+    b.publish("TO_A", message("pong"));
     ASSERT_TRUE(a.receive(1000ms)) << i;
   }
   EXPECT_FALSE(a.receive(10ms));
@@ -65,8 +70,7 @@ std::string big_endian(std::uint32_t n) {
 // Each of these ends a process whose receiver is liblcm's.
 TEST(LcmTransport, PacketsThatAreNoneAreCountedAndDropped) {
   ASSERT_TRUE(launch::enter_private_network());
-  const std::string url = "udpm://239.255.76.67:7667?ttl=0";
-  LcmTransport a(url, {"TO_A"}), b(url, {"TO_B"});
+  LcmTransport a(kLcmUrl, "TO_A", "secret"), b(kLcmUrl, "TO_B", "secret");
   const Stranger stranger;
   const std::string no_nul = "LC02" + big_endian(1) + std::string(200, 'x');
   const std::string no_end = "LC02" + big_endian(1) + "TO_A";
@@ -77,17 +81,17 @@ TEST(LcmTransport, PacketsThatAreNoneAreCountedAndDropped) {
   for (int k = 0; k < 20; ++k) {
     for (const auto& bytes : {no_nul, no_end, empty, magic, wild}) stranger.send(bytes);
   }
-  b.publish("TO_A", "still there");
+  b.publish("TO_A", message("still there"));
   const auto packet = a.receive(1000ms);
   ASSERT_TRUE(packet);
-  EXPECT_EQ(packet->bytes, "still there");
+  EXPECT_EQ(packet->bytes, message("still there"));
   EXPECT_EQ(a.foreign(), 100);
 }
 
 TEST(LcmTransport, WhatDoesNotFitOnePacketIsNotSent) {
   ASSERT_TRUE(launch::enter_private_network());
-  LcmTransport a("udpm://239.255.76.67:7667?ttl=0", {"TO_A"});
-  const std::string most(65499 - 5, 'x');  // with "TO_A" and its NUL
+  LcmTransport a(kLcmUrl, "TO_A", "secret");
+  const std::string most(65499 - 5, '\0');  // with "TO_A" and its NUL
   a.publish("TO_A", most);
   const auto packet = a.receive(1000ms);
   ASSERT_TRUE(packet);
@@ -97,8 +101,7 @@ TEST(LcmTransport, WhatDoesNotFitOnePacketIsNotSent) {
 
 TEST(LcmTransport, AnswersComeThroughAFlood) {
   ASSERT_TRUE(launch::enter_private_network());
-  const std::string url = "udpm://239.255.76.67:7667?ttl=0";
-  const auto a = sealed_lcm(url, "secret", "TO_A"), b = sealed_lcm(url, "secret", "TO_B");
+  LcmTransport a(kLcmUrl, "TO_A", "secret"), b(kLcmUrl, "TO_B", "secret");
   std::atomic<bool> over{false};
   std::atomic<long> sent{0};
   std::thread flood([&] {  // 40,000 a second, on the channel itself
@@ -115,14 +118,13 @@ TEST(LcmTransport, AnswersComeThroughAFlood) {
       std::this_thread::sleep_for(1ms);
     }
   });
-  const std::string message = encode({{"run", "case", 0, 0, 0}, core::Status{true, "text"}});
   int heard = 0;
   const auto began = std::chrono::steady_clock::now();
   int asked = 0;
-  for (; asked < 500 || a->foreign() < 5000; ++asked) {
-    while (a->receive(0us)) ++heard;  // empties the queue, as Link does
-    b->publish("TO_A", message);
-    if (a->receive(200ms)) ++heard;
+  for (; asked < 500 || a.foreign() < 5000; ++asked) {
+    while (a.receive(0us)) ++heard;  // empties the queue, as Link does
+    b.publish("TO_A", message("text"));
+    if (a.receive(200ms)) ++heard;
   }
   const auto took = std::chrono::steady_clock::now() - began;
   over = true;
@@ -131,15 +133,30 @@ TEST(LcmTransport, AnswersComeThroughAFlood) {
   EXPECT_LT(took, 30s);
   // And silence ends when it should.
   const auto waited = std::chrono::steady_clock::now();
-  EXPECT_FALSE(b->receive(300ms));
+  EXPECT_FALSE(b.receive(300ms));
   EXPECT_LT(std::chrono::steady_clock::now() - waited, 600ms);
+}
+
+TEST(LcmPacket, ReadsWhatLcmSends) {
+  const auto packet = read_lcm_packet({"LC02\0\0\0\1CHANNEL\0bytes", 21});
+  ASSERT_TRUE(packet);
+  EXPECT_EQ(packet->channel, "CHANNEL");
+  EXPECT_EQ(packet->bytes, "bytes");
+}
+
+TEST(LcmPacket, RefusesEverythingElse) {
+  const std::string whole("LC02\0\0\0\1CHANNEL\0bytes", 21);
+  for (std::size_t n = 0; n < 16; ++n) EXPECT_FALSE(read_lcm_packet(whole.substr(0, n))) << n;
+  EXPECT_FALSE(read_lcm_packet("LC03" + whole.substr(4)));  // a fragment
+  EXPECT_FALSE(read_lcm_packet(whole.substr(0, 8) + std::string(64, 'x') + std::string(1, '\0')));
+  EXPECT_TRUE(read_lcm_packet(whole.substr(0, 8) + std::string(63, 'x') + std::string(1, '\0')));
 }
 
 TEST(LcmTransport, WithoutARouteNamesTheCommandThatMakesOne) {
   // A network with nothing in it: its loopback device is down.
   ASSERT_TRUE(unshare(CLONE_NEWNET) == 0 || unshare(CLONE_NEWUSER | CLONE_NEWNET) == 0);
   try {
-    LcmTransport t("udpm://239.255.76.67:7667?ttl=0", {"TO_A"});
+    LcmTransport t(kLcmUrl, "TO_A", "secret");
     FAIL();
   } catch (const std::runtime_error& e) {
     EXPECT_THAT(e.what(), testing::HasSubstr("ip route add 239.255.76.0/24 dev lo"));

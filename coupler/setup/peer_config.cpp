@@ -1,13 +1,11 @@
-#include "coupler/transport/peer_config.hpp"
+#include "coupler/setup/peer_config.hpp"
 
-#include <sys/prctl.h>
 #include <sys/stat.h>
 
-#include <csignal>
 #include <fstream>
 #include <stdexcept>
 
-namespace dipper::transport {
+namespace dipper::setup {
 
 using nlohmann::json;
 
@@ -40,6 +38,4 @@ PeerConfig read_peer_config(const std::filesystem::path& file) {
   return c;
 }
 
-void die_with_parent() { prctl(PR_SET_PDEATHSIG, SIGKILL); }
-
-}  // namespace dipper::transport
+}  // namespace dipper::setup

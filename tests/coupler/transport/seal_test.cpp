@@ -1,9 +1,8 @@
-#include "coupler/transport/sealed_transport.hpp"
+#include "coupler/transport/seal.hpp"
 
 #include <gtest/gtest.h>
 
 #include "coupler/transport/codec.hpp"
-#include "coupler/transport/lcm_packet.hpp"
 #include "tests/coupler/transport/memory_transport.hpp"
 
 namespace dipper::transport {
@@ -18,7 +17,7 @@ std::string message() {
 class Sealed : public testing::Test {
  protected:
   std::unique_ptr<Transport> with(const std::string& secret) {
-    return std::make_unique<SealedTransport>(network.connect({"A"}), secret);
+    return network.connect({"A"}, secret);
   }
   MemoryNetwork network;
 };
@@ -60,9 +59,9 @@ TEST_F(Sealed, AnotherSecretAnotherChannelAndACutAreNotHeard) {
   ASSERT_TRUE(a->receive(0us));
   tap->receive(0us);
   const std::string wire = tap->receive(0us)->bytes;
-  SealedTransport b(network.connect({"B"}), "secret");
+  const auto b = network.connect({"B"}, "secret");
   other->publish("B", wire);
-  EXPECT_FALSE(b.receive(0us));
+  EXPECT_FALSE(b->receive(0us));
   for (std::size_t n = 0; n < wire.size(); ++n) {
     tap->publish("A", wire.substr(0, n));
     EXPECT_FALSE(a->receive(0us)) << n;
@@ -91,21 +90,6 @@ TEST_F(Sealed, TheSealIsHmacSha256OfChannelAndMessageWithoutIt) {
 TEST(RandomSecret, IsNewEachTime) {
   EXPECT_EQ(random_secret().size(), 64u);
   EXPECT_NE(random_secret(), random_secret());
-}
-
-TEST(LcmPacket, ReadsWhatLcmSends) {
-  const auto packet = read_lcm_packet({"LC02\0\0\0\1CHANNEL\0bytes", 21});
-  ASSERT_TRUE(packet);
-  EXPECT_EQ(packet->channel, "CHANNEL");
-  EXPECT_EQ(packet->bytes, "bytes");
-}
-
-TEST(LcmPacket, RefusesEverythingElse) {
-  const std::string whole("LC02\0\0\0\1CHANNEL\0bytes", 21);
-  for (std::size_t n = 0; n < 16; ++n) EXPECT_FALSE(read_lcm_packet(whole.substr(0, n))) << n;
-  EXPECT_FALSE(read_lcm_packet("LC03" + whole.substr(4)));  // a fragment
-  EXPECT_FALSE(read_lcm_packet(whole.substr(0, 8) + std::string(64, 'x') + std::string(1, '\0')));
-  EXPECT_TRUE(read_lcm_packet(whole.substr(0, 8) + std::string(63, 'x') + std::string(1, '\0')));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "coupler/core/message.hpp"
 
-namespace dipper::transport {
+namespace dipper::setup {
 
 /// What the launcher tells a side: where to listen, who it is, and the side's own settings. Written
 /// to a file that only its owner can read, because of the secret; a command line is for all to see.
@@ -22,7 +22,4 @@ void write_peer_config(const std::filesystem::path& file, const PeerConfig& conf
 /// Throws std::runtime_error naming the file.
 PeerConfig read_peer_config(const std::filesystem::path& file);
 
-/// Ties this process to its parent: when the launcher goes, however it goes, so do we.
-void die_with_parent();
-
-}  // namespace dipper::transport
+}  // namespace dipper::setup
