@@ -45,7 +45,8 @@ struct Shovel::Impl {
     const machine::ShovelKinematics rigid(machine, X_W0, rake);
     // The drives stand still; an acceleration in the motion's first interval must not tilt the
     // equilibrium.
-    committed.numbers = system.find_equilibrium(start, rigid.saddle_angle(start.hoist, start.crowd));
+    committed.numbers =
+        system.find_equilibrium(start, rigid.saddle_angle(start.hoist, start.crowd));
     if (path) committed.path = {0, 1, 0, 0};
     restore();
     const ShovelInstant i = system.instant();
@@ -55,8 +56,8 @@ struct Shovel::Impl {
   /// Puts the system where it is committed to be.
   void restore() {
     if (path) {
-      path->stand(seconds(committed.t_ns), {committed.path[0], committed.path[1],
-                                            committed.path[2], committed.path[3]});
+      path->stand(seconds(committed.t_ns),
+                  {committed.path[0], committed.path[1], committed.path[2], committed.path[3]});
     }
     system.set(seconds(committed.t_ns), committed.numbers);
     system.hold(committed.F_Bo_W);
@@ -184,8 +185,8 @@ core::MachineState Shovel::Impl::report(const Snapshot& at, std::int64_t t_next_
     const auto yes = [](bool is) { return is ? 1.0 : 0.0; };
     out.channels.insert(out.channels.end(),
                         {way.time, way.rate, way.relief, yes(i.loads.motors->hoist.saturated()),
-                         yes(i.loads.motors->crowd.saturated()), yes(i.loads.motors->swing.saturated()),
-                         yes(i.loads.rope.tension == 0)});
+                         yes(i.loads.motors->crowd.saturated()),
+                         yes(i.loads.motors->swing.saturated()), yes(i.loads.rope.tension == 0)});
   }
   return out;
 }
@@ -202,8 +203,8 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
                     step.t_end_ns));
   }
   if (step.F_Bo_W.size() != kBodies) {
-    throw std::invalid_argument(fmt::format(
-        "shovel: {} wrenches; there must be {}: dipper, door", step.F_Bo_W.size(), kBodies));
+    throw std::invalid_argument(fmt::format("shovel: {} wrenches; there must be {}: dipper, door",
+                                            step.F_Bo_W.size(), kBodies));
   }
   for (std::size_t i = 0; i < kBodies; ++i) {
     if (!is_finite(step.F_Bo_W[i])) {

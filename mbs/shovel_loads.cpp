@@ -153,8 +153,8 @@ DriveReport ShovelLoadLaws::report(const ShovelLoads& now, const Joints& q, cons
 
 void ShovelLoadLaws::hold(const Joints& reaction) {
   if (!motors_) return;
-  motors_->set_trims({reaction[kSheaves] / machine_.boom.sheave_radius, reaction[kCrowd],
-                      reaction[kSwing], 0});
+  motors_->set_trims(
+      {reaction[kSheaves] / machine_.boom.sheave_radius, reaction[kCrowd], reaction[kSwing], 0});
 }
 
 }  // namespace dipper::mbs

@@ -153,10 +153,10 @@ ShovelSystem::ShovelSystem(const machine::MachineData& m, machine::DriveMode mod
       SimTK::Body::Rigid(
           solid(m.boom.sheave_mass, Vec3(0), Vec3(m.boom.sheave_inertia + laws_.drum_inertia()))),
       Transform(z_to_y()));
-  saddle_ = MobilizedBody::Pin(
-      house_, Transform(z_to_minus_y(), vec(m.saddle.position)),
-      SimTK::Body::Rigid(solid(m.saddle.mass, Vec3(0), Vec3(m.saddle.inertia))),
-      Transform(z_to_minus_y()));
+  saddle_ =
+      MobilizedBody::Pin(house_, Transform(z_to_minus_y(), vec(m.saddle.position)),
+                         SimTK::Body::Rigid(solid(m.saddle.mass, Vec3(0), Vec3(m.saddle.inertia))),
+                         Transform(z_to_minus_y()));
   // The handle's dipper end, whose axes are the handle's, in B.
   const Transform X_BE(Rotation(rake, SimTK::YAxis), vec(m.dipper.handle_end));
   const MassProperties handle =
@@ -176,7 +176,8 @@ ShovelSystem::ShovelSystem(const machine::MachineData& m, machine::DriveMode mod
     prescribe(sheaves_, &machine::Drives::hoist, 1 / m.boom.sheave_radius);
     prescribe(dipper_, &machine::Drives::crowd, 1);
   }
-  SimTK::Force::Custom(forces_, loads_ = new Forces(*this));
+  loads_ = new Forces(*this);
+  const SimTK::Force::Custom added(forces_, loads_);
   blank_ = system_.realizeTopology();
   system_.realizeModel(blank_);
   ahead_ = blank_;
@@ -185,7 +186,7 @@ ShovelSystem::ShovelSystem(const machine::MachineData& m, machine::DriveMode mod
 ShovelSystem::~ShovelSystem() = default;
 
 void ShovelSystem::prescribe(MobilizedBody& body, double machine::Drives::*drive, double scale) {
-  SimTK::Motion::Custom(body, new DriveMotion(*target_, drive, scale));
+  const SimTK::Motion::Custom added(body, new DriveMotion(*target_, drive, scale));
 }
 
 ShovelPlace ShovelSystem::place(const State& state) const {
@@ -209,8 +210,7 @@ Joints ShovelSystem::reaction(const State& state) const {
 
 double ShovelSystem::rock_power(const State& state) const {
   double sum = 0;
-  for (const auto& [body, F] :
-       {std::pair(&dipper_, &rock_[0]), std::pair(&door_, &rock_[1])}) {
+  for (const auto& [body, F] : {std::pair(&dipper_, &rock_[0]), std::pair(&door_, &rock_[1])}) {
     const SpatialVec& V = body->getBodyVelocity(state);
     sum += SimTK::dot(V[0], vec(F->torque)) + SimTK::dot(V[1], vec(F->force));
   }
@@ -237,7 +237,8 @@ ShovelNumbers ShovelSystem::find_equilibrium(const machine::Drives& position, do
   double high = saddle, low = saddle - 1e-3;
   while (!rises(low)) {  // until the stretched rope pulls it up
     low -= 1e-3;
-    if (high - low > 0.2) throw std::runtime_error("the hoist ropes do not hold the dipper at t = 0");
+    if (high - low > 0.2)
+      throw std::runtime_error("the hoist ropes do not hold the dipper at t = 0");
   }
   double middle = 0.5 * (low + high);
   while (middle > low && middle < high) {

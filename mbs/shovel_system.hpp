@@ -70,8 +70,8 @@ class ShovelSystem {
   /// The set points after now have changed.
   void set_points_changed();
 
-  /// Integrates to a time with Simbody's Runge-Kutta 3, in the fewest equal steps within the longest
-  /// step. A jump of the prescribed accelerations at the end belongs to what comes after.
+  /// Integrates to a time with Simbody's Runge-Kutta 3, in the fewest equal steps within the
+  /// longest step. A jump of the prescribed accelerations at the end belongs to what comes after.
   void step_to(double t_s);
 
   ShovelNumbers numbers() const;

@@ -94,7 +94,8 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
     // last.
     const std::size_t late = changed.coupling.scheme == core::Scheme::serial ? 1 : 0;
     for (std::size_t i = 1; i < time_s.size(); ++i) {
-      core::MachineStep step{std::llround(time_s[i] * 1e9), {dipper.at(i - late), door.at(i - late)}};
+      core::MachineStep step{std::llround(time_s[i] * 1e9),
+                             {dipper.at(i - late), door.at(i - late)}};
       step.step_index = static_cast<std::int64_t>(i) - 1;
       put(time_s[i], lone.machine().step(step));
     }

@@ -17,8 +17,8 @@ TEST_F(ShovelTest, TheCrowdEndsAtItsStops) {
       // Through the handle's end, so that it does not turn the dipper.
       const Vector3d end =
           Eigen::AngleAxisd(-pitch - rake, Vector3d::UnitY()) * machine.dipper.handle_end;
-      c = named(shovel, shovel.step({2 * i * kMillisecond,
-                                    {Wrench{end.cross(force), force}, Wrench{}}}));
+      c = named(shovel,
+                shovel.step({2 * i * kMillisecond, {Wrench{end.cross(force), force}, Wrench{}}}));
       traded = std::max({traded, std::abs(c["drive_work"]), std::abs(c["interface_work"])});
       ASSERT_LT(std::abs(c["energy_residual"]), 1e-3 * std::max(traded, 1e5)) << i;
       beyond = std::max(

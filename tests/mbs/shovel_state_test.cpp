@@ -118,13 +118,18 @@ TEST_P(ShovelState, RefusesWhatIsNotFinite) {
   std::vector<Wrench> bad = load(1);
   bad[1].force.y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(
-      [&] { shovel.step({window(2), bad}); },
+      [&] {
+        shovel.step({window(2), bad});
+      },
       ThrowsMessage<std::runtime_error>(testing::AllOf(
           HasSubstr("the wrench on the door is not finite"), HasSubstr("0.001700 to 0.003400 s"))));
   bad = load(1);
   bad[0].force.z() = 1e300;
-  EXPECT_THAT([&] { shovel.step({window(2), bad}); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("while stepping from 0.001700")));
+  EXPECT_THAT(
+      [&] {
+        shovel.step({window(2), bad});
+      },
+      ThrowsMessage<std::runtime_error>(HasSubstr("while stepping from 0.001700")));
   // And it is still usable.
   EXPECT_EQ(shovel.step({window(2), load(2)}).t_ns, window(2));
 }

@@ -43,7 +43,8 @@ TEST_F(ShovelTest, SimbodysAccelerationsAreThoseByHand) {
       const ShovelTree::Placement place = tree.place(at.q, at.u);
       const ShovelTree::Equations e = tree.equations(place, rock, now.loads.pull);
       const Joints force = e.force + now.loads.applied;
-      EXPECT_LT((e.mass * now.acceleration - force - now.reaction).norm(), 1e-10 * force.norm()) << i;
+      EXPECT_LT((e.mass * now.acceleration - force - now.reaction).norm(), 1e-10 * force.norm())
+          << i;
       EXPECT_EQ(now.reaction[kSaddle], 0);
       EXPECT_NEAR(now.kinetic, 0.5 * at.u.dot(e.mass * at.u), 1e-10 * now.kinetic);
       EXPECT_NEAR(now.potential - now.loads.potential, e.potential, 1e-9 * std::abs(e.potential));
