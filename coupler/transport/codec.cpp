@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
@@ -171,30 +170,6 @@ core::Message decode(const std::string& bytes) {
   core::Message m;
   if (read(fields, type, m.envelope, m.body)) return m;
   throw DecodeError("a message of a type this version does not know");
-}
-
-std::string to_json(const core::ServerInfo& info) {
-  auto channels = nlohmann::json::array();
-  for (const auto& c : info.channels) {
-    channels.push_back({{"name", c.name}, {"unit", c.unit}, {"frame", c.frame}});
-  }
-  return nlohmann::json{{"version", info.version},
-                        {"bodies", info.bodies},
-                        {"timestep_s", info.timestep_s},
-                        {"channels", channels}}
-      .dump();
-}
-
-core::ServerInfo info_from_json(const std::string& text) {
-  const auto j = nlohmann::json::parse(text);
-  core::ServerInfo info;
-  info.version = j.at("version");
-  info.bodies = j.at("bodies").get<std::vector<std::string>>();
-  info.timestep_s = j.at("timestep_s");
-  for (const auto& c : j.at("channels")) {
-    info.channels.push_back({c.at("name"), c.at("unit"), c.at("frame")});
-  }
-  return info;
 }
 
 }  // namespace dipper::transport

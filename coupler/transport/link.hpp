@@ -24,11 +24,8 @@ struct LinkOptions {
   /// For the first answer of all: on a loaded machine a process takes its time to start, and one
   /// that ends is seen by `watch`.
   std::chrono::milliseconds start{300000};
-  /// How long the other side has waited for a core since it started: that time does not count. It
-  /// is not hung but on a loaded machine.
-  std::function<std::chrono::duration<double>()> starved = [] {
-    return std::chrono::duration<double>(0);
-  };
+  /// How long the other side has waited for a core since it started: such time does not count.
+  std::function<std::chrono::duration<double>()> starved = [] { return std::chrono::seconds(0); };
   /// Called at least every 50 ms while waiting; throws when waiting has become pointless
   /// (a process ended, the user wants to stop).
   std::function<void()> watch = [] {};
