@@ -11,8 +11,6 @@
 namespace dipper::analysis::metrics {
 namespace {
 
-constexpr double kLoadCell_m = 0.05;
-
 /// Of the run and its case what the figures of its passes need.
 PassFigureMaker::Known known_of(const run::RunData& run, const rock::StruckVolume& struck) {
   PassFigureMaker::Known known;

@@ -34,7 +34,7 @@ def test_the_page_says_what_was_found(page, width, phone):
         browser.drawn()
         text = lambda selector: browser.run("return document.querySelector(arguments[0]).textContent", selector)
         assert "18 runs of" in text(".masthead") and "6 runs failed" in text("#failures h2")
-        assert browser.run("return document.querySelectorAll('#curves canvas').length") == 7
+        assert browser.run("return document.querySelectorAll('#curves canvas').length") == 8
         assert "bucket: wide against plain" in text("#comparisons") and "more" in text("#comparisons")
         assert "rises" in text("#trends")
         assert browser.run("return document.querySelectorAll('#points tbody tr').length") == 6

@@ -53,7 +53,7 @@ TEST(PhasesCommand, OfReadingsAreThoseOfTheLibraryToTheBit) {
   const json& phases = answer["passes"][0]["phases"];
   ASSERT_EQ(phases.size(), wanted.size());
   for (std::size_t k = 0; k < wanted.size(); ++k) {
-    EXPECT_EQ(phases[k]["phase"], wanted[k].name);
+    EXPECT_EQ(phases[k]["phase"], word(wanted[k].name));
     EXPECT_EQ(phases[k]["t_start_s"].get<double>(), wanted[k].t_start_s);
     EXPECT_EQ(phases[k]["t_end_s"].get<double>(), wanted[k].t_end_s);
   }
