@@ -50,8 +50,8 @@ struct MessageCheck {
   void operator()(const RockPlace& m) const { all(m.X_WB); }
   void operator()(const RockStep& m) const { all(m.X_WB_target); }
   void operator()(const RockState& m) const { all(m.bodies); }
-  void operator()(const Command&) const {}
-  void operator()(const Status&) const {}
+  template <class Words>
+  void operator()(const Words&) const {}
 };
 
 }  // namespace

@@ -126,24 +126,24 @@ class Fields {
   std::string written_;
 };
 
-// LCM puts a type's fingerprint in front.
-std::int64_t type_of(const core::MachineStep&) { return dipper_msg::machine_step_t::getHash(); }
-std::int64_t type_of(const core::MachineState&) { return dipper_msg::machine_state_t::getHash(); }
-std::int64_t type_of(const core::RockPlace&) { return dipper_msg::rock_place_t::getHash(); }
-std::int64_t type_of(const core::RockStep&) { return dipper_msg::rock_step_t::getHash(); }
-std::int64_t type_of(const core::RockState&) { return dipper_msg::rock_state_t::getHash(); }
-std::int64_t type_of(const core::Command&) { return dipper_msg::command_t::getHash(); }
-std::int64_t type_of(const core::Status&) { return dipper_msg::status_t::getHash(); }
+/// What LCM puts in front of each type of core::Body.
+std::int64_t fingerprint(const core::Body& body) {
+  using namespace dipper_msg;
+  const std::array<std::int64_t, std::variant_size_v<core::Body>> of = {
+      machine_step_t::getHash(), machine_state_t::getHash(), rock_place_t::getHash(),
+      rock_step_t::getHash(),    rock_state_t::getHash(),    command_t::getHash(),
+      status_t::getHash()};
+  return of.at(body.index());
+}
 
-/// Reads the rest of a message, as the type of body that it is.
+/// The rest of a message, as the type of body that it is.
 template <class... Body>
-bool read(Fields fields, std::int64_t type, core::Envelope& envelope,
-          std::variant<Body...>& message) {
-  const auto read_as = [&](auto body) {
-    if (type != type_of(body)) return false;
-    fields(envelope, body);
+bool read(Fields fields, std::int64_t type, core::Envelope& header, std::variant<Body...>& body) {
+  const auto read_as = [&](auto empty) {
+    body = std::move(empty);
+    if (fingerprint(body) != type) return false;
+    fields(header, std::get<decltype(empty)>(body));
     if (!fields.at_end()) throw DecodeError("a message is too long");
-    message = std::move(body);
     return true;
   };
   return (read_as(Body{}) || ...);
@@ -154,12 +154,8 @@ bool read(Fields fields, std::int64_t type, core::Envelope& envelope,
 std::string encode(const core::Message& message) {
   core::Message m = message;  // Fields may change what it is given
   Fields fields;
-  std::visit(
-      [&](auto& body) {
-        auto type = type_of(body);
-        fields(type, m.envelope, body);
-      },
-      m.body);
+  std::int64_t type = fingerprint(m.body);
+  std::visit([&](auto& body) { fields(type, m.envelope, body); }, m.body);
   return fields.written();
 }
 

@@ -33,9 +33,8 @@ struct LinkOptions {
   std::function<void(const Packet&)> record = [](const Packet&) {};
 };
 
-/// The asking end. A request without a reply is sent again after 25 ms, and then after twice as
-/// long each time, up to 1 s; up to 100 ms until the other side has answered once: it may be
-/// starting.
+/// The asking end. Without a reply it sends again after 10 ms, then after twice as long each time,
+/// up to 1 s; up to 100 ms until the first reply: the other side may still be starting.
 class Link {
  public:
   /// `transport` hears the other side, which listens on the channel `to`.
@@ -48,7 +47,10 @@ class Link {
   /// the timeout, which begins with this call.
   core::Body receive();
   /// Both.
-  core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns);
+  core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
+    send(std::move(request), step_index, t_ns);
+    return receive();
+  }
 
   /// Sends the last request of all, without waiting: after "stop" the other side is gone. Again, as
   /// often as it is called.

@@ -1,7 +1,5 @@
 #include "coupler/transport/serve.hpp"
 
-#include <algorithm>
-
 #include "coupler/core/protocol.hpp"
 #include "coupler/setup/info_json.hpp"
 #include "coupler/transport/codec.hpp"
@@ -52,24 +50,22 @@ namespace {
 void require_in_checkpoints(const core::Message& request, const std::filesystem::path& folder) {
   const auto* c = std::get_if<core::Command>(&request.body);
   if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load)) return;
-  const auto root = std::filesystem::weakly_canonical(folder);
   const auto file = std::filesystem::weakly_canonical(c->file);
-  const auto [at, _] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
-  if (at == root.end()) return;
+  const auto below = file.lexically_relative(std::filesystem::weakly_canonical(folder));
+  if (!below.empty() && *below.begin() != "..") return;
   throw std::runtime_error("refused to save or load " + file.string() + ": it is not below " +
-                           root.string());
+                           folder.string());
 }
 
 }  // namespace
 
 void serve(Transport& transport, const std::string& out, const std::filesystem::path& checkpoints,
-           const std::function<core::Body(const core::Message&)>& handle,
-           const std::function<bool()>& alive) {
+           const std::function<core::Body(const core::Message&)>& handle) {
   using Handling = core::Responder::Handling;
   core::Responder responder;
   std::string reply;
-  for (bool stop = false; !stop && alive();) {
-    const auto packet = transport.receive(std::chrono::milliseconds(50));
+  for (bool stop = false; !stop;) {
+    const auto packet = transport.receive(std::chrono::seconds(1));
     if (!packet) continue;
     const core::Message request = decode(packet->bytes);
     const Handling handling = responder.classify(request.envelope.sequence);
