@@ -49,7 +49,7 @@ class Coupling {
   /// Puts the walls where the machine is.
   Window start();
 
-  /// Continues from a checkpoint: the machine has loaded its own, the rock was started from its
+  /// Continues from a checkpoint. The machine has loaded its own; the rock was started from its
   /// own.
   void resume(CouplingState state);
 

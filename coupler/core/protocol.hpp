@@ -34,8 +34,8 @@ class Requester {
     return true;
   }
 
-  /// How often a request was sent again because a message was lost. When the other side is only
-  /// slow, each copy has its reply, and all of them come before the reply to the next request.
+  /// Requests sent again because a message was lost. When the other side is only slow, each copy
+  /// has its reply, before the next request has one.
   std::int64_t resends() const { return resends_; }
 
  private:

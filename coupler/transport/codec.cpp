@@ -138,7 +138,7 @@ std::int64_t fingerprint(const core::Body& body) {
 
 /// The rest of a message, as the type of body that it is.
 template <class... Body>
-bool read(Fields fields, std::int64_t type, core::Envelope& header, std::variant<Body...>& body) {
+bool read(Fields& fields, std::int64_t type, core::Envelope& header, std::variant<Body...>& body) {
   const auto read_as = [&](auto empty) {
     body = std::move(empty);
     if (fingerprint(body) != type) return false;

@@ -21,8 +21,7 @@ struct PeerError : std::runtime_error {
 /// How long to wait, and what to look after meanwhile.
 struct LinkOptions {
   std::chrono::milliseconds timeout{60000};
-  /// For the first answer of all: on a loaded machine a process takes its time to start, and one
-  /// that ends is seen by `watch`.
+  /// For the first answer of all: a process takes its time to start; `watch` sees one that ends.
   std::chrono::milliseconds start{300000};
   /// How long the other side has waited for a core since it started: such time does not count.
   std::function<std::chrono::duration<double>()> starved = [] { return std::chrono::seconds(0); };

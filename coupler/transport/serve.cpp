@@ -18,6 +18,16 @@ core::Body execute(Side& side, const core::Command& c) {
   return core::Status{};
 }
 
+void require_in_checkpoints(const core::Message& request, const std::filesystem::path& folder) {
+  const auto* c = std::get_if<core::Command>(&request.body);
+  if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load)) return;
+  const auto file = std::filesystem::weakly_canonical(c->file);
+  const auto below = file.lexically_relative(std::filesystem::weakly_canonical(folder));
+  if (!below.empty() && *below.begin() != "..") return;
+  throw std::runtime_error("refused to save or load " + file.string() + ": it is not below " +
+                           folder.string());
+}
+
 }  // namespace
 
 core::Body answer(core::Machine& machine, const core::Message& request) {
@@ -44,20 +54,6 @@ core::Body answer(core::Rock& rock, const core::Message& request) {
   }
   throw std::runtime_error("a rock answers its place, its steps and commands only");
 }
-
-namespace {
-
-void require_in_checkpoints(const core::Message& request, const std::filesystem::path& folder) {
-  const auto* c = std::get_if<core::Command>(&request.body);
-  if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load)) return;
-  const auto file = std::filesystem::weakly_canonical(c->file);
-  const auto below = file.lexically_relative(std::filesystem::weakly_canonical(folder));
-  if (!below.empty() && *below.begin() != "..") return;
-  throw std::runtime_error("refused to save or load " + file.string() + ": it is not below " +
-                           folder.string());
-}
-
-}  // namespace
 
 void serve(Transport& transport, const std::string& out, const std::filesystem::path& checkpoints,
            const std::function<core::Body(const core::Message&)>& handle) {

@@ -68,7 +68,7 @@ class LossyPair {
     return network_.connect({channel}, kSecret);
   }
   std::thread answering(const char* in, const char* out,
-                        std::function<core::Body(const core::Message&)> handle) {
+                        const std::function<core::Body(const core::Message&)>& handle) {
     return std::thread([t = std::shared_ptr<Transport>(connect(in)), out, handle] {
       try {
         serve(*t, out, kCheckpoints, handle);
