@@ -9,10 +9,6 @@
 
 namespace dipper::core {
 
-struct ProtocolError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// The asking end.
 class Requester {
  public:
@@ -38,8 +34,8 @@ class Requester {
     return true;
   }
 
-  /// How often a request was sent again because a message was lost. When the other side is only
-  /// slow, each copy has its reply, and all of them come before the reply to the next request.
+  /// Requests sent again because a message was lost. When the other side is only slow, each copy
+  /// has its reply, before the next request has one.
   std::int64_t resends() const { return resends_; }
 
  private:
@@ -58,9 +54,9 @@ class Responder {
     repeat,   ///< already carried out: send the same reply again
     ignore    ///< older than that
   };
-  /// Throws ProtocolError when a request has been skipped: it can never be served in order.
+  /// Throws std::runtime_error when a request has been skipped: it can never be served in order.
   Handling classify(std::int64_t number) {
-    if (number > last_ + 1) throw ProtocolError("a request between two is lost");
+    if (number > last_ + 1) throw std::runtime_error("a request between two is lost");
     if (number <= last_) return number == last_ ? Handling::repeat : Handling::ignore;
     last_ = number;
     return Handling::execute;

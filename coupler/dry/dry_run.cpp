@@ -25,7 +25,6 @@
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
 #include "coupler/transport/lcm_transport.hpp"
-#include "coupler/transport/seal.hpp"
 
 namespace dipper::dry {
 namespace fs = std::filesystem;
@@ -38,7 +37,7 @@ constexpr double kSummaryTrim = 1e-3;  // m: of the faces' points, a page draws 
 setup::PeerConfig machine_config(const cases::Case& c, const run::RunFolder& folder) {
   setup::PeerConfig config;
   config.lcm_url = transport::kLcmUrl;
-  config.secret = transport::random_secret();
+  config.secret = setup::random_secret();
   config.identity.run_id = folder.root().filename().string();
   config.identity.case_hash = cases::case_hash(c);
   config.checkpoints = folder.checkpoints();

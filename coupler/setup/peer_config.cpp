@@ -1,13 +1,26 @@
 #include "coupler/setup/peer_config.hpp"
 
+#include <fmt/core.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 
+#include <array>
 #include <fstream>
 #include <stdexcept>
 
 namespace dipper::setup {
 
 using nlohmann::json;
+
+std::string random_secret() {
+  std::array<unsigned char, 32> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    throw std::runtime_error("the kernel gives no random bytes for the run's secret");
+  }
+  std::string hex;
+  for (const auto b : bytes) hex += fmt::format("{:02x}", b);
+  return hex;
+}
 
 void write_peer_config(const std::filesystem::path& file, const PeerConfig& config) {
   const mode_t old = umask(077);

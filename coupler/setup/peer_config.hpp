@@ -18,6 +18,9 @@ struct PeerConfig {
   nlohmann::json settings;
 };
 
+/// 256 random bits, as hex digits. Throws std::runtime_error when the kernel has none to give.
+std::string random_secret();
+
 void write_peer_config(const std::filesystem::path& file, const PeerConfig& config);
 /// Throws std::runtime_error naming the file.
 PeerConfig read_peer_config(const std::filesystem::path& file);

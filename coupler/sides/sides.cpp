@@ -12,7 +12,6 @@
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/setup/peer_config.hpp"
 #include "coupler/transport/lcm_transport.hpp"
-#include "coupler/transport/seal.hpp"
 
 namespace dipper::sides {
 namespace {
@@ -45,7 +44,7 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   identity.run_id = setup.run_id;
   identity.case_hash = setup.case_hash;
 
-  const std::string secret = transport::random_secret();
+  const std::string secret = setup::random_secret();
   const auto listen = [&](const char* channel) {
     return std::make_unique<transport::LcmTransport>(url, channel, secret);
   };

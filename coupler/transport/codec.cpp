@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
@@ -127,24 +126,24 @@ class Fields {
   std::string written_;
 };
 
-// LCM puts a type's fingerprint in front.
-std::int64_t type_of(const core::MachineStep&) { return dipper_msg::machine_step_t::getHash(); }
-std::int64_t type_of(const core::MachineState&) { return dipper_msg::machine_state_t::getHash(); }
-std::int64_t type_of(const core::RockPlace&) { return dipper_msg::rock_place_t::getHash(); }
-std::int64_t type_of(const core::RockStep&) { return dipper_msg::rock_step_t::getHash(); }
-std::int64_t type_of(const core::RockState&) { return dipper_msg::rock_state_t::getHash(); }
-std::int64_t type_of(const core::Command&) { return dipper_msg::command_t::getHash(); }
-std::int64_t type_of(const core::Status&) { return dipper_msg::status_t::getHash(); }
+/// What LCM puts in front of each type of core::Body.
+std::int64_t fingerprint(const core::Body& body) {
+  using namespace dipper_msg;
+  const std::array<std::int64_t, std::variant_size_v<core::Body>> of = {
+      machine_step_t::getHash(), machine_state_t::getHash(), rock_place_t::getHash(),
+      rock_step_t::getHash(),    rock_state_t::getHash(),    command_t::getHash(),
+      status_t::getHash()};
+  return of.at(body.index());
+}
 
-/// Reads the rest of a message, as the type of body that it is.
+/// The rest of a message, as the type of body that it is.
 template <class... Body>
-bool read(Fields fields, std::int64_t type, core::Envelope& envelope,
-          std::variant<Body...>& message) {
-  const auto read_as = [&](auto body) {
-    if (type != type_of(body)) return false;
-    fields(envelope, body);
+bool read(Fields& fields, std::int64_t type, core::Envelope& header, std::variant<Body...>& body) {
+  const auto read_as = [&](auto empty) {
+    body = std::move(empty);
+    if (fingerprint(body) != type) return false;
+    fields(header, std::get<decltype(empty)>(body));
     if (!fields.at_end()) throw DecodeError("a message is too long");
-    message = std::move(body);
     return true;
   };
   return (read_as(Body{}) || ...);
@@ -155,12 +154,8 @@ bool read(Fields fields, std::int64_t type, core::Envelope& envelope,
 std::string encode(const core::Message& message) {
   core::Message m = message;  // Fields may change what it is given
   Fields fields;
-  std::visit(
-      [&](auto& body) {
-        auto type = type_of(body);
-        fields(type, m.envelope, body);
-      },
-      m.body);
+  std::int64_t type = fingerprint(m.body);
+  std::visit([&](auto& body) { fields(type, m.envelope, body); }, m.body);
   return fields.written();
 }
 
@@ -171,30 +166,6 @@ core::Message decode(const std::string& bytes) {
   core::Message m;
   if (read(fields, type, m.envelope, m.body)) return m;
   throw DecodeError("a message of a type this version does not know");
-}
-
-std::string to_json(const core::ServerInfo& info) {
-  auto channels = nlohmann::json::array();
-  for (const auto& c : info.channels) {
-    channels.push_back({{"name", c.name}, {"unit", c.unit}, {"frame", c.frame}});
-  }
-  return nlohmann::json{{"version", info.version},
-                        {"bodies", info.bodies},
-                        {"timestep_s", info.timestep_s},
-                        {"channels", channels}}
-      .dump();
-}
-
-core::ServerInfo info_from_json(const std::string& text) {
-  const auto j = nlohmann::json::parse(text);
-  core::ServerInfo info;
-  info.version = j.at("version");
-  info.bodies = j.at("bodies").get<std::vector<std::string>>();
-  info.timestep_s = j.at("timestep_s");
-  for (const auto& c : j.at("channels")) {
-    info.channels.push_back({c.at("name"), c.at("unit"), c.at("frame")});
-  }
-  return info;
 }
 
 }  // namespace dipper::transport

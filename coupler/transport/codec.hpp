@@ -19,8 +19,4 @@ std::string encode(const core::Message& m);
 /// `require_sound` judges them once it is known whose message it is.
 core::Message decode(const std::string& bytes);
 
-/// A server's description as the JSON text of the status that answers "hello", and back.
-std::string to_json(const core::ServerInfo& info);
-core::ServerInfo info_from_json(const std::string& text);
-
 }  // namespace dipper::transport

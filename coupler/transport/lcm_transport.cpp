@@ -19,8 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The largest channel and message, the channel's NUL counted, that LCM sends in one packet
-/// [bytes].
+/// Channel, its NUL and message that LCM sends in one packet [bytes].
 constexpr std::size_t kLargestPacket = 65499;
 
 /// A call that drops packets looks at the clock after this many of them: some milliseconds' work.
@@ -68,8 +67,8 @@ LcmTransport::LcmTransport(const std::string& url, std::string channel, std::str
     : lcm_(url), channel_(std::move(channel)), secret_(std::move(secret)), buffer_(1 << 16) {
   if (!lcm_.good()) {
     throw std::runtime_error("LCM cannot open " + url +
-                             ": no multicast route. As root, once: `"
-                             "ip route add 239.255.76.0/24 dev lo`");
+                             ": no multicast route. As root, once: "
+                             "`ip route add 239.255.76.0/24 dev lo`");
   }
   socket_ = listen(url);
 }
@@ -77,15 +76,14 @@ LcmTransport::LcmTransport(const std::string& url, std::string channel, std::str
 LcmTransport::~LcmTransport() { close(socket_); }
 
 void LcmTransport::publish(const std::string& channel, const std::string& bytes) {
-  if (channel.size() + 1 + bytes.size() > kLargestPacket) {
+  const std::size_t size = channel.size() + 1 + bytes.size();
+  if (size > kLargestPacket) {
     throw std::runtime_error(
-        fmt::format("a message of {} bytes on {} does not fit one packet of {}", bytes.size(),
-                    channel, kLargestPacket));
+        fmt::format("a packet of {} bytes for {}: {} fit one", size, channel, kLargestPacket));
   }
   Packet packet{channel, bytes};
   seal(secret_, packet);
-  const auto size = static_cast<unsigned>(packet.bytes.size());
-  if (lcm_.publish(channel, packet.bytes.data(), size) != 0) {
+  if (lcm_.publish(channel, packet.bytes.data(), static_cast<unsigned>(bytes.size())) != 0) {
     throw std::runtime_error("LCM cannot send on " + channel);
   }
 }
@@ -104,11 +102,10 @@ std::optional<Packet> LcmTransport::receive(std::chrono::microseconds timeout) {
     if (errno != EAGAIN && errno != EINTR) {
       throw std::runtime_error(std::string("LCM cannot receive: ") + std::strerror(errno));
     }
-    const auto left = std::max(Clock::duration::zero(), deadline - Clock::now());
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     pollfd wait{socket_, POLLIN, 0};
     // A signal, Ctrl-C say, cuts the wait short.
-    const auto ms = std::chrono::ceil<std::chrono::milliseconds>(left);
-    if (poll(&wait, 1, static_cast<int>(ms.count())) <= 0) return std::nullopt;
+    if (poll(&wait, 1, std::max(0, static_cast<int>(left))) <= 0) return std::nullopt;
   }
   return std::nullopt;
 }

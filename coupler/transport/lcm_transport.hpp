@@ -11,9 +11,9 @@ namespace dipper::transport {
 /// Where the processes of a run meet: on this machine, in a network of the run's own.
 inline constexpr const char* kLcmUrl = "udpm://239.255.76.67:7667?ttl=0";
 
-/// What a datagram of LCM carries ("LC02", a number, the channel with its NUL, the message), or
-/// nothing when it is anything else. Our messages fit one packet, and fragments are not taken:
-/// putting strangers' pieces together is how a receiver is led to write where it must not.
+/// What a datagram of LCM carries ("LC02", a number, the channel with its NUL, the message).
+/// Nothing of a fragment: our messages fit one packet, and putting strangers' pieces together is
+/// how a receiver is led to write where it must not.
 std::optional<Packet> read_lcm_packet(std::string_view datagram);
 
 /// LCM over UDP multicast, every message sealed. ttl=0 in the URL keeps packets on this host.

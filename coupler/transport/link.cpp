@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "coupler/transport/codec.hpp"
 
@@ -41,13 +42,13 @@ void Link::send(core::Body request, std::int64_t step_index, std::int64_t t_ns) 
 core::Body Link::receive() {
   const auto start = Clock::now();
   const auto limit = established_ ? options_.timeout : std::max(options_.start, options_.timeout);
-  std::chrono::milliseconds interval = 25ms;
+  std::chrono::milliseconds interval = 10ms;
   auto reply = wait(start + interval);
   const auto starved = reply ? 0s : options_.starved();
   while (!reply) {
     if (Clock::now() - start - (options_.starved() - starved) >= limit) {
-      const auto seconds = std::chrono::duration<double>(limit).count();
-      throw PeerError(side_, fmt::format("no answer for {} s", seconds));
+      const std::chrono::duration<double> said = limit;
+      throw PeerError(side_, fmt::format("no answer for {} s", said.count()));
     }
     publish();
     if (established_) requester_.sent_again();
@@ -56,11 +57,6 @@ core::Body Link::receive() {
   }
   established_ = true;
   return std::move(*reply);
-}
-
-core::Body Link::ask(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
-  send(std::move(request), step_index, t_ns);
-  return receive();
 }
 
 std::optional<core::Body> Link::wait(Clock::time_point until) {
@@ -86,8 +82,7 @@ std::optional<core::Body> Link::take(const Packet& packet) {
 }
 
 void Link::tell(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
-  if (told_) return publish();
-  told_ = true;
+  if (std::exchange(told_, true)) return publish();
   send(std::move(request), step_index, t_ns);
 }
 

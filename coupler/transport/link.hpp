@@ -21,14 +21,10 @@ struct PeerError : std::runtime_error {
 /// How long to wait, and what to look after meanwhile.
 struct LinkOptions {
   std::chrono::milliseconds timeout{60000};
-  /// For the first answer of all: on a loaded machine a process takes its time to start, and one
-  /// that ends is seen by `watch`.
+  /// For the first answer of all: a process takes its time to start; `watch` sees one that ends.
   std::chrono::milliseconds start{300000};
-  /// How long the other side has waited for a core since it started: that time does not count. It
-  /// is not hung but on a loaded machine.
-  std::function<std::chrono::duration<double>()> starved = [] {
-    return std::chrono::duration<double>(0);
-  };
+  /// How long the other side has waited for a core since it started: such time does not count.
+  std::function<std::chrono::duration<double>()> starved = [] { return std::chrono::seconds(0); };
   /// Called at least every 50 ms while waiting; throws when waiting has become pointless
   /// (a process ended, the user wants to stop).
   std::function<void()> watch = [] {};
@@ -36,9 +32,8 @@ struct LinkOptions {
   std::function<void(const Packet&)> record = [](const Packet&) {};
 };
 
-/// The asking end. A request without a reply is sent again after 25 ms, and then after twice as
-/// long each time, up to 1 s; up to 100 ms until the other side has answered once: it may be
-/// starting.
+/// The asking end. Without a reply it sends again after 10 ms, then after twice as long each time,
+/// up to 1 s; up to 100 ms until the first reply: the other side may still be starting.
 class Link {
  public:
   /// `transport` hears the other side, which listens on the channel `to`.
@@ -51,7 +46,10 @@ class Link {
   /// the timeout, which begins with this call.
   core::Body receive();
   /// Both.
-  core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns);
+  core::Body ask(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
+    send(std::move(request), step_index, t_ns);
+    return receive();
+  }
 
   /// Sends the last request of all, without waiting: after "stop" the other side is gone. Again, as
   /// often as it is called.

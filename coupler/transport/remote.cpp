@@ -1,52 +1,45 @@
 #include "coupler/transport/remote.hpp"
 
-#include "coupler/transport/codec.hpp"
+#include "coupler/setup/info_json.hpp"
 
 namespace dipper::transport {
 namespace {
 
 template <class Expected>
-Expected take(core::Body body, const std::string& side) {
+Expected take(core::Body body, const Link& link) {
   if (auto* expected = std::get_if<Expected>(&body)) return std::move(*expected);
-  throw PeerError(side, "answered with the wrong kind of message");
-}
-
-core::ServerInfo hello(Link& link) {
-  const core::Body answer = link.ask(core::Command{core::Action::hello, ""}, 0, 0);
-  core::ServerInfo info = info_from_json(take<core::Status>(answer, link.side()).text);
-  link.bodies = info.bodies;
-  return info;
+  throw PeerError(link.side(), "answered with the wrong kind of message");
 }
 
 }  // namespace
 
-RemoteMachine::RemoteMachine(Link& link) : link_(link), info_(hello(link)) {}
+template <class Side>
+Remote<Side>::Remote(Link& link)
+    : link_(link), info_(setup::info_from_json(command(core::Action::hello))) {
+  link_.bodies = info_.bodies;
+}
+
+template <class Side>
+std::string Remote<Side>::command(core::Action action, const std::string& file) {
+  return take<core::Status>(link_.ask(core::Command{action, file}, step_index_, t_ns_), link_).text;
+}
+
+template class Remote<core::Machine>;
+template class Remote<core::Rock>;
 
 core::MachineState RemoteMachine::state(std::int64_t t_next_ns) {
   return take<core::MachineState>(
-      link_.ask(core::Command{core::Action::state, ""}, step_index_, t_next_ns), link_.side());
+      link_.ask(core::Command{core::Action::state, ""}, step_index_, t_next_ns), link_);
 }
 
 core::MachineState RemoteMachine::step(const core::MachineStep& step) {
   step_index_ = step.step_index + 1;
   t_ns_ = step.t_end_ns;
-  return take<core::MachineState>(link_.ask(step, step.step_index, step.t_end_ns), link_.side());
+  return take<core::MachineState>(link_.ask(step, step.step_index, step.t_end_ns), link_);
 }
-
-void RemoteMachine::save(const std::filesystem::path& file) {
-  link_.ask(core::Command{core::Action::save, file}, step_index_, t_ns_);
-}
-void RemoteMachine::load(const std::filesystem::path& file) {
-  link_.ask(core::Command{core::Action::load, file}, step_index_, t_ns_);
-}
-void RemoteMachine::stop() {
-  link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_);
-}
-
-RemoteRock::RemoteRock(Link& link) : link_(link), info_(hello(link)) {}
 
 core::RockState RemoteRock::place(const std::vector<Pose>& X_WB) {
-  return take<core::RockState>(link_.ask(core::RockPlace{X_WB}, 0, 0), link_.side());
+  return take<core::RockState>(link_.ask(core::RockPlace{X_WB}, 0, 0), link_);
 }
 
 void RemoteRock::start(const core::RockStep& step) {
@@ -55,18 +48,6 @@ void RemoteRock::start(const core::RockStep& step) {
   link_.send(step, step.step_index, step.t_end_ns);
 }
 
-core::RockState RemoteRock::finish() {
-  return take<core::RockState>(link_.receive(), link_.side());
-}
-
-void RemoteRock::save(const std::filesystem::path& file) {
-  link_.ask(core::Command{core::Action::save, file}, step_index_, t_ns_);
-}
-std::string RemoteRock::state_hash() {
-  return take<core::Status>(link_.ask(core::Command{core::Action::hash, ""}, step_index_, t_ns_),
-                            link_.side())
-      .text;
-}
-void RemoteRock::stop() { link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_); }
+core::RockState RemoteRock::finish() { return take<core::RockState>(link_.receive(), link_); }
 
 }  // namespace dipper::transport

@@ -6,37 +6,40 @@
 
 namespace dipper::transport {
 
-class RemoteMachine final : public core::Machine {
+/// What both have in common. They say hello when they are made.
+template <class Side>
+class Remote : public Side {
  public:
-  explicit RemoteMachine(Link& link);
+  explicit Remote(Link& link);
   core::ServerInfo info() const override { return info_; }
-  core::MachineState state(std::int64_t t_next_ns) override;
-  core::MachineState step(const core::MachineStep& step) override;
-  void save(const std::filesystem::path& file) override;
-  void load(const std::filesystem::path& file) override;
-  void stop();  ///< may be called again until the process has ended
+  void save(const std::filesystem::path& file) override { command(core::Action::save, file); }
+  /// May be called again until the process has ended.
+  void stop() { link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_); }
 
- private:
+ protected:
+  /// The text of the reply.
+  std::string command(core::Action action, const std::string& file = "");
+
   Link& link_;
-  core::ServerInfo info_;
   std::int64_t step_index_ = 0, t_ns_ = 0;  ///< of the last window, for the headers of commands
+  core::ServerInfo info_;
 };
 
-class RemoteRock final : public core::Rock {
+class RemoteMachine final : public Remote<core::Machine> {
  public:
-  explicit RemoteRock(Link& link);
-  core::ServerInfo info() const override { return info_; }
+  using Remote::Remote;
+  core::MachineState state(std::int64_t t_next_ns) override;
+  core::MachineState step(const core::MachineStep& step) override;
+  void load(const std::filesystem::path& file) override { command(core::Action::load, file); }
+};
+
+class RemoteRock final : public Remote<core::Rock> {
+ public:
+  using Remote::Remote;
   core::RockState place(const std::vector<Pose>& X_WB) override;
   void start(const core::RockStep& step) override;
   core::RockState finish() override;
-  void save(const std::filesystem::path& file) override;
-  std::string state_hash() override;
-  void stop();  ///< may be called again until the process has ended
-
- private:
-  Link& link_;
-  core::ServerInfo info_;
-  std::int64_t step_index_ = 0, t_ns_ = 0;  ///< of the last window, for the headers of commands
+  std::string state_hash() override { return command(core::Action::hash); }
 };
 
 }  // namespace dipper::transport

@@ -1,11 +1,5 @@
 #include "coupler/transport/seal.hpp"
 
-#include <fmt/core.h>
-#include <sys/random.h>
-
-#include <array>
-#include <stdexcept>
-
 #include "common/sha256.hpp"
 
 namespace dipper::transport {
@@ -33,16 +27,6 @@ bool unseal(const std::string& secret, Packet& packet) {
   for (std::size_t k = 0; k < kMacSize; ++k) off |= mac[k] ^ packet.bytes[kMacAt + k];
   packet.bytes.replace(kMacAt, kMacSize, kMacSize, '\0');
   return off == 0;
-}
-
-std::string random_secret() {
-  std::array<unsigned char, 32> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("the kernel gives no random bytes for the run's secret");
-  }
-  std::string hex;
-  for (const auto b : bytes) hex += fmt::format("{:02x}", b);
-  return hex;
 }
 
 }  // namespace dipper::transport

@@ -16,7 +16,4 @@ void seal(const std::string& secret, Packet& packet);
 /// Whether the seal is right; `header.mac` is zero then, as before it was sealed.
 bool unseal(const std::string& secret, Packet& packet);
 
-/// 256 random bits, as hex digits. Throws std::runtime_error when the kernel has none to give.
-std::string random_secret();
-
 }  // namespace dipper::transport

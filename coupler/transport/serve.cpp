@@ -1,8 +1,7 @@
 #include "coupler/transport/serve.hpp"
 
-#include <algorithm>
-
 #include "coupler/core/protocol.hpp"
+#include "coupler/setup/info_json.hpp"
 #include "coupler/transport/codec.hpp"
 
 namespace dipper::transport {
@@ -10,17 +9,23 @@ namespace {
 
 template <class Side>
 core::Body execute(Side& side, const core::Command& c) {
-  switch (c.action) {
-    case core::Action::hello:
-      return core::Status{true, to_json(side.info())};
-    case core::Action::save:
-      side.save(c.file);
-      return core::Status{};
-    case core::Action::stop:
-      return core::Status{};
-    default:
-      throw core::ProtocolError("a command this side does not know");
+  if (c.action == core::Action::hello) return core::Status{true, setup::to_json(side.info())};
+  if (c.action == core::Action::save) {
+    side.save(c.file);
+  } else if (c.action != core::Action::stop) {
+    throw std::runtime_error("a command this side does not know");
   }
+  return core::Status{};
+}
+
+void require_in_checkpoints(const core::Message& request, const std::filesystem::path& folder) {
+  const auto* c = std::get_if<core::Command>(&request.body);
+  if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load)) return;
+  const auto file = std::filesystem::weakly_canonical(c->file);
+  const auto below = file.lexically_relative(std::filesystem::weakly_canonical(folder));
+  if (!below.empty() && *below.begin() != "..") return;
+  throw std::runtime_error("refused to save or load " + file.string() + ": it is not below " +
+                           folder.string());
 }
 
 }  // namespace
@@ -33,7 +38,7 @@ core::Body answer(core::Machine& machine, const core::Message& request) {
     machine.load(c->file);
     return core::Status{};
   }
-  throw core::ProtocolError("a machine answers its steps and commands only");
+  throw std::runtime_error("a machine answers its steps and commands only");
 }
 
 core::Body answer(core::Rock& rock, const core::Message& request) {
@@ -47,32 +52,16 @@ core::Body answer(core::Rock& rock, const core::Message& request) {
     return c->action == core::Action::hash ? core::Body{core::Status{true, rock.state_hash()}}
                                            : execute(rock, *c);
   }
-  throw core::ProtocolError("a rock answers its place, its steps and commands only");
+  throw std::runtime_error("a rock answers its place, its steps and commands only");
 }
-
-namespace {
-
-void require_in_checkpoints(const core::Message& request, const std::filesystem::path& folder) {
-  const auto* c = std::get_if<core::Command>(&request.body);
-  if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load)) return;
-  const auto root = std::filesystem::weakly_canonical(folder);
-  const auto file = std::filesystem::weakly_canonical(c->file);
-  const auto [at, _] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
-  if (at == root.end()) return;
-  throw core::ProtocolError("refused to save or load " + file.string() + ": it is not below " +
-                            root.string());
-}
-
-}  // namespace
 
 void serve(Transport& transport, const std::string& out, const std::filesystem::path& checkpoints,
-           const std::function<core::Body(const core::Message&)>& handle,
-           const std::function<bool()>& alive) {
+           const std::function<core::Body(const core::Message&)>& handle) {
   using Handling = core::Responder::Handling;
   core::Responder responder;
   std::string reply;
-  for (bool stop = false; !stop && alive();) {
-    const auto packet = transport.receive(std::chrono::milliseconds(50));
+  for (bool stop = false; !stop;) {
+    const auto packet = transport.receive(std::chrono::seconds(1));
     if (!packet) continue;
     const core::Message request = decode(packet->bytes);
     const Handling handling = responder.classify(request.envelope.sequence);

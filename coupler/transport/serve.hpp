@@ -12,13 +12,10 @@ namespace dipper::transport {
 core::Body answer(core::Machine& machine, const core::Message& request);
 core::Body answer(core::Rock& rock, const core::Message& request);
 
-/// Answers the requests that `transport` hears, on the channel `out`, until "stop" or until `alive`
-/// says no. An exception from `handle` goes to the other side as a failed status and then to the
-/// caller, and so does a request to save or load outside of the folder of
-/// `checkpoints`.
-void serve(
-    Transport& transport, const std::string& out, const std::filesystem::path& checkpoints,
-    const std::function<core::Body(const core::Message&)>& handle,
-    const std::function<bool()>& alive = [] { return true; });
+/// Answers the requests that `transport` hears, on the channel `out`, until "stop". An exception
+/// from `handle` goes to the other side as a failed status and then to the caller, and so does a
+/// request to save or load outside of the folder `checkpoints`.
+void serve(Transport& transport, const std::string& out, const std::filesystem::path& checkpoints,
+           const std::function<core::Body(const core::Message&)>& handle);
 
 }  // namespace dipper::transport

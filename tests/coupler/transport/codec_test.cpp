@@ -226,17 +226,5 @@ TEST(Codec, GarbageIsAnErrorNotACrash) {
   }
 }
 
-TEST(InfoJson, RoundTrip) {
-  core::ServerInfo info;
-  info.version = "Simbody 3.7";
-  info.bodies = {"dipper", "door"};
-  info.channels = {{"crowd_force", "N", "-"}};
-  info.timestep_s = 2e-4;
-  const core::ServerInfo back = info_from_json(to_json(info));
-  EXPECT_EQ(back.bodies, info.bodies);
-  EXPECT_EQ(back.channels[0].unit, "N");
-  EXPECT_EQ(back.timestep_s, 2e-4);
-}
-
 }  // namespace
 }  // namespace dipper::transport

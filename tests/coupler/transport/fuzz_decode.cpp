@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "coupler/setup/info_json.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/lcm_transport.hpp"
 #include "tests/coupler/transport/memory_transport.hpp"
@@ -41,10 +42,10 @@ std::vector<std::string> whole_messages() {
         core::Body{core::MachineStep{0, {{}, {}}}}, core::Body{core::RockPlace{poses}},
         core::Body{core::RockStep{1, poses}},
         core::Body{core::Command{core::Action::save, "checkpoints/000000600/rock.restart"}},
-        core::Body{core::Status{true, to_json(info)}}}) {
+        core::Body{core::Status{true, setup::to_json(info)}}}) {
     all.push_back(encode({envelope, body}));
   }
-  all.push_back(to_json(info));
+  all.push_back(setup::to_json(info));
   return all;
 }
 
@@ -108,7 +109,7 @@ std::string fed(const std::string& input, std::size_t reader) {
       case 2:
         return read_lcm_packet(input) ? "packet read" : "packet refused";
       default:
-        info_from_json(input);
+        setup::info_from_json(input);
         return "description understood";
     }
   } catch (const DecodeError&) {

@@ -29,33 +29,19 @@ class LossyPair {
   explicit LossyPair(const Faults& faults) : network_(faults) {
     from_dem_ = connect(Channels::from_dem);
     from_mbs_ = connect(Channels::from_mbs);
-    auto dem = connect(Channels::to_dem);
-    auto mbs = connect(Channels::to_mbs);
-    const auto alive = [this] { return !over_; };
-    dem_thread_ = std::thread([this, alive, t = std::shared_ptr<Transport>(std::move(dem))] {
-      try {
-        serve(
-            *t, Channels::from_dem, kCheckpoints,
-            [this](const core::Message& m) {
-              std::this_thread::sleep_for(rock_takes.load());
-              return answer(rock, m);
-            },
-            alive);
-      } catch (const std::exception&) {  // told to the master as a status
-      }
+    dem_thread_ = answering(Channels::to_dem, Channels::from_dem, [this](const core::Message& m) {
+      std::this_thread::sleep_for(rock_takes.load());
+      return answer(rock, m);
     });
-    mbs_thread_ = std::thread([this, alive, t = std::shared_ptr<Transport>(std::move(mbs))] {
-      serve(
-          *t, Channels::from_mbs, kCheckpoints,
-          [this](const core::Message& m) { return answer(machine, m); }, alive);
-    });
+    mbs_thread_ = answering(Channels::to_mbs, Channels::from_mbs,
+                            [this](const core::Message& m) { return answer(machine, m); });
     LinkOptions options;
     options.timeout = 20s;
     dem_link = std::make_unique<Link>("dem", *from_dem_, Channels::to_dem, identity(), options);
     mbs_link = std::make_unique<Link>("mbs", *from_mbs_, Channels::to_mbs, identity(), options);
   }
   ~LossyPair() {
-    over_ = true;
+    network_.close();
     dem_thread_.join();
     mbs_thread_.join();
   }
@@ -81,9 +67,17 @@ class LossyPair {
   std::unique_ptr<Transport> connect(const char* channel) {
     return network_.connect({channel}, kSecret);
   }
+  std::thread answering(const char* in, const char* out,
+                        const std::function<core::Body(const core::Message&)>& handle) {
+    return std::thread([t = std::shared_ptr<Transport>(connect(in)), out, handle] {
+      try {
+        serve(*t, out, kCheckpoints, handle);
+      } catch (const std::exception&) {  // told to the master as a status; or the network is closed
+      }
+    });
+  }
   MemoryNetwork network_;
   std::unique_ptr<Transport> from_dem_, from_mbs_;
-  std::atomic<bool> over_{false};
   std::thread dem_thread_, mbs_thread_;
 };
 
@@ -129,7 +123,7 @@ TEST(LossyLink, TheMachineAnswersWhileTheRockComputes) {
 }
 
 TEST(LossyLink, DropsDuplicatesAndSwapsChangeNothing) {
-  constexpr int kWindows = 60;
+  constexpr int kWindows = 30;
   for (const unsigned seed : {1u, 2u, 3u}) {
     LossyPair pair({0.1, 0.2, 0.2, seed});
     EXPECT_EQ(pair.run(kWindows), reference(kWindows)) << "seed " << seed;
@@ -264,7 +258,7 @@ TEST(Answer, OnlyTheMachineLoads) {
   FakeRock rock;
   const core::Message load{identity(), core::Command{core::Action::load, "checkpoint"}};
   EXPECT_TRUE(std::get<core::Status>(answer(machine, load)).ok);
-  EXPECT_THROW(answer(rock, load), core::ProtocolError);
+  EXPECT_THROW(answer(rock, load), std::runtime_error);
 }
 
 }  // namespace

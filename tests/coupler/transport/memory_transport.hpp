@@ -6,6 +6,7 @@
 #include <mutex>
 #include <random>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 #include "coupler/transport/seal.hpp"
@@ -34,6 +35,13 @@ class MemoryNetwork {
     inboxes_.push_back(std::make_shared<Inbox>());
     inboxes_.back()->channels = channels;
     return std::make_unique<Endpoint>(*this, inboxes_.back(), secret);
+  }
+
+  /// From then on every receive throws.
+  void close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    arrived_.notify_all();
   }
 
  private:
@@ -92,15 +100,16 @@ class MemoryNetwork {
 
   std::optional<Packet> receive(Inbox& inbox, std::chrono::microseconds timeout) {
     std::unique_lock lock(mutex_);
-    if (!arrived_.wait_for(lock, timeout, [&] { return !inbox.packets.empty(); })) {
-      return std::nullopt;
-    }
+    const auto ready = [&] { return closed_ || !inbox.packets.empty(); };
+    if (!arrived_.wait_for(lock, timeout, ready)) return std::nullopt;
+    if (closed_) throw std::runtime_error("the network is closed");
     Packet packet = std::move(inbox.packets.front());
     inbox.packets.pop_front();
     return packet;
   }
 
   Faults faults_;
+  bool closed_ = false;
   std::mt19937 random_;
   std::mutex mutex_;
   std::condition_variable arrived_;

@@ -87,10 +87,5 @@ TEST_F(Sealed, TheSealIsHmacSha256OfChannelAndMessageWithoutIt) {
   EXPECT_EQ(hex, "8cb5e14e75c4669d20ffedf7680bd8e347a02f6fe812ae62a5e31009b114a027");
 }
 
-TEST(RandomSecret, IsNewEachTime) {
-  EXPECT_EQ(random_secret().size(), 64u);
-  EXPECT_NE(random_secret(), random_secret());
-}
-
 }  // namespace
 }  // namespace dipper::transport
