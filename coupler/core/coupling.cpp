@@ -14,12 +14,6 @@ std::vector<Pose> poses(const MachineState& s) {
 
 }  // namespace
 
-Scheme scheme_from(const std::string& word) {
-  if (word == "serial") return Scheme::serial;
-  if (word == "corrected") return Scheme::corrected;
-  throw std::invalid_argument("scheme '" + word + "': corrected or serial");
-}
-
 Coupling::Coupling(Machine& machine, Rock& rock, Scheme scheme)
     : machine_(machine),
       rock_(rock),

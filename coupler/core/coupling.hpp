@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "coupler/core/server.hpp"
@@ -14,8 +13,6 @@ enum class Scheme {
   corrected  ///< the rock follows where the machine is heading; the machine takes the window with
              ///< the rock's answer
 };
-/// Throws std::invalid_argument for another word.
-Scheme scheme_from(const std::string& word);
 
 /// What one window did.
 struct Window {
