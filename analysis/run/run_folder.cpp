@@ -38,9 +38,11 @@ json json_of(const fs::path& file) {
   return j;
 }
 
-/// The regions the rock side has weighed in. Runs made before there was scales.json have them in
-/// what it was told, which its owner alone may read.
-void read_scales(const fs::path& folder, rock::LoadRegions& regions) {
+/// The regions the rock side has weighed in, and what the dipper holds. Runs made before there was
+/// scales.json have the regions in what it was told, which its owner alone may read.
+void read_scales(RunData& run) {
+  const fs::path& folder = run.folder;
+  rock::LoadRegions& regions = run.regions;
   const bool apart = fs::exists(folder / "scales.json");
   const fs::path file = apart ? folder / "scales.json" : folder / "logs" / "dem.json";
   const json told = json_of(file);
@@ -52,6 +54,7 @@ void read_scales(const fs::path& folder, rock::LoadRegions& regions) {
       regions.truck = region;
       regions.X_WT = {quaternion_from(s.at("R_WS")), vector_from(s.at("p_WS"))};
     }
+    run.struck_given_m3 = told.value("struck_volume_m3", 0.0);  // 0: a run made before it was there
   } catch (const json::exception& e) {
     throw io::input_error(file, 0, e.what());
   }
@@ -180,7 +183,7 @@ RunData read_run_folder(const fs::path& folder) {
                rock = run.number("rock.density_kg_m3");
   run.bulk_density_kg_m3 =
       with_fines(pile, run.number("rock.fines_fraction"), std::max(0.0, 1 - pile / rock));
-  read_scales(folder, run.regions);
+  read_scales(run);
   run.clumps = rock::read_clump_masses(folder / "deck" / "rocks.in");
   read_meshes(run, folder / "deck" / "case.in");
   if (run.meshes.count("dipper") != 0) run.vessel = vessel_of(run);

@@ -50,9 +50,11 @@ setup::PeerConfig machine_config(const cases::Case& c, const run::RunFolder& fol
 /// bench, and the regions in which rock is weighed.
 void write_scene(const cases::Case& c, const run::RunFolder& folder) {
   deck::write_deck(c, c.rock.shape_folder, folder.deck());
+  const sides::MeshFacts facts = sides::read_mesh_facts(c);
   run::write_scales(folder,
-                    sides::dem_settings(c, sides::read_mesh_facts(c), folder.deck(), folder.dumps(),
-                                        folder.logs(), fs::path(), std::nullopt));
+                    sides::dem_settings(c, facts, folder.deck(), folder.dumps(), folder.logs(),
+                                        fs::path(), std::nullopt),
+                    facts.dipper.struck_volume_m3);
 }
 
 /// Steps to the end of the motion, or until interrupted. Whether the end is reached.

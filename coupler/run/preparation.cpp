@@ -82,8 +82,11 @@ std::map<std::string, std::string> record_attributes(const cases::Case& c,
           {"rock_version", rock.version}};
 }
 
-void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings) {
-  write_text(folder.scales(), nlohmann::json{{"scales", dem_settings.at("scales")}}.dump() + "\n");
+void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings,
+                  double struck_volume_m3) {
+  const nlohmann::json kept = {{"scales", dem_settings.at("scales")},
+                               {"struck_volume_m3", struck_volume_m3}};
+  write_text(folder.scales(), kept.dump() + "\n");
 }
 
 sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
@@ -123,7 +126,7 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   setup.message_log = folder.root() / ("events" + setup.segment + ".lcmlog");
   setup.dem = sides::dem_settings(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
                                   from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
-  write_scales(folder, setup.dem);
+  write_scales(folder, setup.dem, shovel.dipper.struck_volume_m3);
   setup.mbs = sides::mbs_settings(c, layers);
   return setup;
 }

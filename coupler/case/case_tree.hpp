@@ -1,0 +1,17 @@
+// The keys of a case before they are values: those of its file, of what it includes, of --set.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "common/yaml_tree.hpp"
+#include "coupler/case/case.hpp"
+
+namespace dipper::cases {
+
+/// Puts what `include` names and the overrides into the tree of a case.yaml in `folder`. What is
+/// then wrong with it, the schema tells.
+void complete_tree(YamlTree& root, const std::filesystem::path& folder,
+                   const std::vector<Override>& overrides, std::vector<Finding>& findings);
+
+}  // namespace dipper::cases
