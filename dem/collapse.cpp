@@ -16,18 +16,18 @@ namespace dipper::dem {
 Collapse::Collapse(LAMMPS_NS::LAMMPS& lmp, RockFall fall) : lmp_(lmp), fall_(std::move(fall)) {}
 
 /// Told from the step alone, so that a resumed run can tell whether the rock has come.
-bool Collapse::needs_all_rock(const Window& window) const {
+bool Collapse::needs_all_rock(const RockWindow& window) const {
   return window.first_step <= fall_.at_step && fall_.at_step < window.first_step + window.n_steps;
 }
 
-void Collapse::before_window(const Window& window) {
+void Collapse::before_window(const RockWindow& window) {
   if (!needs_all_rock(window)) return;
   mass_before_kg_ = rock_mass(lmp_);
   lmp_.input->file(fall_.deck.c_str());
   set_up_time_loop(lmp_);
 }
 
-void Collapse::after_window(const Window& window) {
+void Collapse::after_window(const RockWindow& window) {
   if (!needs_all_rock(window)) return;
   const double came = rock_mass(lmp_) - mass_before_kg_;
   if (lmp_.comm->me == 0)

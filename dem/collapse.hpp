@@ -19,9 +19,9 @@ class Collapse final : public RockFeature {
  public:
   Collapse(LAMMPS_NS::LAMMPS& lmp, RockFall fall);
 
-  bool needs_all_rock(const Window& window) const override;
-  void before_window(const Window& window) override;
-  void after_window(const Window& window) override;
+  bool needs_all_rock(const RockWindow& window) const override;
+  void before_window(const RockWindow& window) override;
+  void after_window(const RockWindow& window) override;
 
  private:
   LAMMPS_NS::LAMMPS& lmp_;

@@ -48,11 +48,11 @@ void ContactPause::measure(const std::vector<Pose>&, std::vector<double>& parts)
   parts.insert(parts.end(), {mine ? overlap_kg_ : 0, mine ? floor_kg_ : 0});
 }
 
-bool ContactPause::needs_all_rock(const Window& window) const {
+bool ContactPause::needs_all_rock(const RockWindow& window) const {
   return !touches_ && window.contact;
 }
 
-void ContactPause::before_window(const Window& window) {
+void ContactPause::before_window(const RockWindow& window) {
   if (window.contact == touches_) return;
   let_touch(window.contact);
   if (touches_) clear();

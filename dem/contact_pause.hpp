@@ -32,8 +32,8 @@ class ContactPause final : public RockFeature {
 
   std::vector<core::Channel> channels() const override;
   void measure(const std::vector<Pose>& X_WB, std::vector<double>& parts) const override;
-  bool needs_all_rock(const Window& window) const override;
-  void before_window(const Window& window) override;
+  bool needs_all_rock(const RockWindow& window) const override;
+  void before_window(const RockWindow& window) override;
   void save(ByteWriter& out) const override;
   void load(ByteReader& in) override;
 

@@ -47,7 +47,7 @@ void Holding::release() {
   hold_.reset();  // it counts the rock when it begins
 }
 
-void Holding::before_window(const Window& window) {
+void Holding::before_window(const RockWindow& window) {
   if (window.all_rock_in) return;
   if (!hold_) hold_ = std::make_unique<HoldRock>(lmp_, settings_of(setup_), lmp_.world);
   if (boxes_.empty()) measure_boxes();

@@ -22,7 +22,7 @@ class Holding final : public RockFeature {
   void measure(const std::vector<Pose>& X_WB, std::vector<double>& parts) const override;
   void before_set_up() override;
   void release() override;
-  void before_window(const Window& window) override;
+  void before_window(const RockWindow& window) override;
   void save(ByteWriter& out) const override;
   void load(ByteReader& in) override;
 

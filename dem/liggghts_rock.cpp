@@ -90,7 +90,7 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
 core::RockState LiggghtsRock::step(const core::RockStep& step) {
   if (!step.contact && !setup_.pauses)
     throw std::runtime_error("the bodies' contact is to pause, which the set-up has not asked for");
-  Window window{lmp_->update->ntimestep, step.n_steps, X_WB_, step.X_WB_target, step.contact};
+  RockWindow window{lmp_->update->ntimestep, step.n_steps, X_WB_, step.X_WB_target, step.contact};
   window.all_rock_in = std::any_of(features_.begin(), features_.end(), [&](const auto& feature) {
     return feature->needs_all_rock(window);
   });

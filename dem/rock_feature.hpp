@@ -11,7 +11,7 @@
 namespace dipper::dem {
 
 /// The window that is about to run.
-struct Window {
+struct RockWindow {
   std::int64_t first_step = 0;  ///< DEM steps done when it begins
   std::int64_t n_steps = 0;
   const std::vector<Pose>& X_WB;         ///< of the bodies when it begins
@@ -44,7 +44,7 @@ class RockFeature {
   virtual bool after_set_up() { return false; }
 
   /// Whether all rock must be in LIGGGHTS through the window.
-  virtual bool needs_all_rock(const Window& window) const {
+  virtual bool needs_all_rock(const RockWindow& window) const {
     static_cast<void>(window);
     return false;
   }
@@ -52,8 +52,8 @@ class RockFeature {
   /// next window.
   virtual void release() {}
 
-  virtual void before_window(const Window& window) { static_cast<void>(window); }
-  virtual void after_window(const Window& window) { static_cast<void>(window); }
+  virtual void before_window(const RockWindow& window) { static_cast<void>(window); }
+  virtual void after_window(const RockWindow& window) { static_cast<void>(window); }
 
   /// What a checkpoint must know of it, and back, once LIGGGHTS's rock is as it was. Saving changes
   /// nothing.

@@ -51,8 +51,8 @@ std::string motion_rows(const MotionPlan& plan, const ShovelKinematics& shovel) 
         std::min(static_cast<std::size_t>((t + 1e-9) / plan.cycle_s), plan.passes.size() - 1);
     const double tau = t - static_cast<double>(pass) * plan.cycle_s;
     const bool homeward = plan.returns && tau >= plan.back.start_s;
-    const Vector2d tip = homeward ? at_share(ways[pass].back, plan.back.share(tau))
-                                  : at_share(ways[pass].out, plan.dig.share(tau));
+    const Vector2d tip = homeward ? at_fraction(ways[pass].back, plan.back.share(tau))
+                                  : at_fraction(ways[pass].out, plan.dig.share(tau));
     const double heading = plan.passes[pass].heading_rad;
     double swing = heading + (plan.dump_rad - heading) * plan.swing_out.share(tau);
     double door = plan.door_rad * plan.door_open.share(tau);

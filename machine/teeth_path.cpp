@@ -118,7 +118,7 @@ double length(const TeethPath& path) {
   return length;
 }
 
-Vector2d at_share(const TeethPath& path, double share) {
+Vector2d at_fraction(const TeethPath& path, double share) {
   const double place = std::clamp(share, 0.0, 1.0) * static_cast<double>(path.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(place), path.size() - 2);
   return path[i] + (place - static_cast<double>(i)) * (path[i + 1] - path[i]);

@@ -24,7 +24,7 @@ std::vector<TeethPath> legs_through(const TeethPath& points);
 double length(const TeethPath& path);
 
 /// The point at a share 0 ... 1 of the way along points at equal steps.
-Vector2d at_share(const TeethPath& path, double share);
+Vector2d at_fraction(const TeethPath& path, double share);
 
 /// One dig: how the teeth go through a face.
 struct Cut {

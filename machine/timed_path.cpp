@@ -110,7 +110,7 @@ std::string motion_rows(const TimedPath& path, const ShovelKinematics& shovel) {
         mean > 0 ? share * (from.speed_m_s + share * (to.speed_m_s - from.speed_m_s) / 2) / mean
                  : 0;
     const Drives turned = house_and_door.at(t).position;
-    rows += motion_row(t, at_share(path.legs[leg], gone), turned.swing, turned.door, shovel);
+    rows += motion_row(t, at_fraction(path.legs[leg], gone), turned.swing, turned.door, shovel);
   }
   return rows;
 }

@@ -6,11 +6,11 @@ namespace dipper::mbs {
 namespace {
 
 constexpr double kReaction_s = 0.2;     // of a hand on a lever
-constexpr double kFull = 1.5;           // overload at which he has eased off as far as he does
-constexpr double kStalledCrowd = 0.25;  // rate at which he lifts on
-constexpr double kComesAlong = 1.4;     // overload from which the crowd comes along
+constexpr double kFull = 1.5;           // overload of the slowest rate
+constexpr double kStalledCrowd = 0.25;  // rate along the motion with a stalled crowd
+constexpr double kComesAlong = 1.4;     // overload from which the crowd retracts
 constexpr double kAlong_m_s = 0.5;      // at kFull - kComesAlong more; about the crowd's speed
-constexpr double kNearlyStands = 0.2;
+constexpr double kNearlyStopped = 0.2;
 constexpr double kLetBack_m_s = 0.1;  // a tenth of the crowd's speed: a short stall changes little
 constexpr double kGiveOut_s = 2.0;
 
@@ -26,20 +26,20 @@ machine::Drives sum(double a, const machine::Drives& x, double b, const machine:
 Operator::Operator(std::shared_ptr<const machine::Motion> motion, double crowd_min)
     : motion_(std::move(motion)), crowd_min_(crowd_min) {}
 
-void Operator::stand(double t_s, const PathState& state) {
-  looked_s_ = t_s;
+void Operator::reset(double t_s, const PathState& state) {
+  updated_s_ = t_s;
   then_ = state;
   rate_slope_ = relief_slope_ = 0;
 }
 
-void Operator::look(double t_s, const std::function<Overload()>& overload) {
-  stand(t_s, at(t_s));
+void Operator::update(double t_s, const std::function<Overload()>& overload) {
+  reset(t_s, at(t_s));
   const Overload r = overload();
   const double crowd = eased(r.crowd);
   const double wanted = std::min(1 - eased(r.others), 1 - (1 - kStalledCrowd) * crowd);
   rate_slope_ = (wanted - then_.rate) / kReaction_s;
   const double along = std::clamp((r.crowd - kComesAlong) / (kFull - kComesAlong), 0.0, 1.0);
-  const double back = std::max(0.0, 1 - then_.rate / kNearlyStands);
+  const double back = std::max(0.0, 1 - then_.rate / kNearlyStopped);
   const double let_back = std::max(kAlong_m_s * along, kLetBack_m_s * back);
   const bool at_stop = motion_->at(then_.time).position.crowd - then_.relief <= crowd_min_;
   double relief_rate = at_stop ? 0.0 : let_back;
@@ -48,14 +48,14 @@ void Operator::look(double t_s, const std::function<Overload()>& overload) {
 }
 
 PathState Operator::at(double t_s) const {
-  const double since = t_s - looked_s_;
+  const double since = t_s - updated_s_;
   return {then_.time + since * (then_.rate + 0.5 * since * rate_slope_),
           then_.rate + since * rate_slope_,
           then_.relief + since * (then_.relief_rate + 0.5 * since * relief_slope_),
           then_.relief_rate + since * relief_slope_};
 }
 
-machine::DriveState Operator::sent(double t_s) const {
+machine::DriveState Operator::setpoint(double t_s) const {
   const PathState now = at(t_s);
   const machine::DriveState m = motion_->at(now.time);
   machine::DriveState s{m.position, sum(now.rate, m.rate, 0, m.rate),

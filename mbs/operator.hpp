@@ -1,4 +1,4 @@
-// Who sends the drives where: along the motion as it stands, or an operator who eases off.
+// The operator of limited drives: follows the motion, and slows down when a drive stalls.
 #pragma once
 
 #include <functional>
@@ -22,42 +22,42 @@ struct Overload {
   double others = 0;  ///< the larger of hoist's and swing's
 };
 
-/// Watches the drives and slows the way along the motion while one of them cannot follow, so that
-/// the dipper goes where it was sent, later. He looks once a sub-step; in between his rates change
-/// evenly, so that where he sends the drives has no jump of speed.
+/// Slows down along the motion while a drive cannot follow, so that the dipper takes the planned
+/// way, later. Updates once a sub-step; in between, rates change linearly, so that the setpoints
+/// have no jump of speed.
 ///
-/// With r the overload, e = 0 for r <= 1, rising to 1 at r = 1.5, and T = 0.2 s his reaction,
-/// with which rates go to what he wants, he wants
+/// r is the overload; e = 0 for r <= 1 and rises to 1 at r = 1.5. Rates approach their targets with
+/// the reaction time 0.2 s. The target of the rate along the motion is
 ///   rate = min(1 - e_others, 1 - 0.75 e_crowd):
-/// for a hoist or swing that cannot follow he waits, while a crowd that stalls is what digging is
-/// like: he lifts on, at a quarter of the rate, and lets the crowd come along as far as it gets:
+/// the operator waits for a hoist or swing that cannot follow. A crowd that stalls is normal in a
+/// dig: he keeps hoisting, at a quarter of the rate, and retracts the crowd as it is pushed back,
 ///   relief_rate = 0.5 m/s (r_crowd - 1.4) / 0.1, within 0 ... 0.5 m/s.
-/// Where the way nearly stands all the same (rate < 0.2) he lets the crowd back for a shallower
+/// Where the motion nearly stops all the same (rate < 0.2), he retracts the crowd for a shallower
 /// cut,
 ///   relief_rate = 0.1 m/s (1 - rate / 0.2),
-/// and where neither is so he gives it out again, relief_rate = -(1 - e_crowd) relief / 2 s. The
-/// way is never gone back, and the crowd not let back beyond its stop.
+/// and otherwise extends it again, relief_rate = -(1 - e_crowd) relief / 2 s. The motion never runs
+/// backwards, and the crowd does not retract beyond its stop.
 class Operator {
  public:
   /// \param crowd_min  m, the crowd's stop
   Operator(std::shared_ptr<const machine::Motion> motion, double crowd_min);
 
-  /// Where he stands at a time; nothing changes before he looks.
-  void stand(double t_s, const PathState& state);
+  /// Sets the state at a time; rates stay constant until the next update.
+  void reset(double t_s, const PathState& state);
 
-  /// He looks at a time. \param overload  then, as he stands there
-  void look(double t_s, const std::function<Overload()>& overload);
+  /// Sets new rates at a time. \param overload  of the drives at that time, after the reset
+  void update(double t_s, const std::function<Overload()>& overload);
 
-  /// Where he is at a time after the last look, and at most a sub-step later.
+  /// The state at a time after the last update, at most a sub-step later.
   PathState at(double t_s) const;
 
-  /// Where he sends the drives then: position, rate and acceleration against the clock.
-  machine::DriveState sent(double t_s) const;
+  /// The drives' setpoints at a time: positions [m, rad], rates and accelerations per second.
+  machine::DriveState setpoint(double t_s) const;
 
  private:
   std::shared_ptr<const machine::Motion> motion_;
   double crowd_min_;
-  double looked_s_ = 0;
+  double updated_s_ = 0;
   PathState then_;
   double rate_slope_ = 0, relief_slope_ = 0;  ///< 1/s, m/s^2, since then
 };

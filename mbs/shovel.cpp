@@ -35,7 +35,7 @@ struct Shovel::Impl {
                                       : machine::return_legs(*motion)),
         max_substep_ns(max_substep),
         system(machine, mode, X_W0, rake, seconds(max_substep),
-               [this](double t_s) { return path ? path->sent(t_s) : motion->at(t_s); }) {
+               [this](double t_s) { return path ? path->setpoint(t_s) : motion->at(t_s); }) {
     if (max_substep_ns <= 0) throw std::invalid_argument("shovel: the sub-step must be positive");
     if (motion->start_ns() != 0) {
       throw std::invalid_argument(fmt::format(
@@ -56,7 +56,7 @@ struct Shovel::Impl {
   /// Puts the system where it is committed to be.
   void restore() {
     if (path) {
-      path->stand(seconds(committed.t_ns),
+      path->reset(seconds(committed.t_ns),
                   {committed.path[0], committed.path[1], committed.path[2], committed.path[3]});
     }
     system.set(seconds(committed.t_ns), committed.numbers);
@@ -74,7 +74,7 @@ struct Shovel::Impl {
       const std::int64_t next_ns =
           std::min(t1_ns, path ? t0_ns + (t1_ns - t0_ns) * k / looks : motion->next_row_ns(t_ns));
       if (path) {
-        path->look(seconds(t_ns), [&] { return system.loads().motors->overload(); });
+        path->update(seconds(t_ns), [&] { return system.loads().motors->overload(); });
         system.set_points_changed();
       }
       if (k == 1) system.hold(to.F_Bo_W);

@@ -44,7 +44,7 @@ PassFigures PassFigureMaker::figures(const signals::PassPhases& pass,
   if (load) f.fill_factor_load = fill(load->bulk_density_kg_m3());
   if (const auto dig = pass.dig()) {
     f.dig_demand = demand(*dig);
-    f.dig_rattle_share = rattle_.share(*dig, kJump * pass.pass.dig_force_mean_N);
+    f.dig_rattle_fraction = rattle_.share(*dig, kJump * pass.pass.dig_force_mean_N);
   }
   f.dig_energy = signals::dig_energy(signals_.drive, pass);
   if (monitor_) f.monitor = read_monitor(*monitor_, signals_, pass);
@@ -54,7 +54,7 @@ PassFigures PassFigureMaker::figures(const signals::PassPhases& pass,
 
 PhaseFigures PassFigureMaker::of_phase(const signals::Phase& phase) const {
   return {phase, effort(signals_, phase.t_start_s, phase.t_end_s),
-          signals::slack_share(signals_.pass, phase.t_start_s, phase.t_end_s), demand(phase)};
+          signals::slack_fraction(signals_.pass, phase.t_start_s, phase.t_end_s), demand(phase)};
 }
 
 std::optional<signals::Demand> PassFigureMaker::demand(const signals::TimeSpan& time) const {

@@ -20,7 +20,7 @@ namespace dipper::analysis::metrics {
 struct PhaseFigures {
   signals::Phase phase;
   Effort effort;
-  double slack_share = 0;                 ///< of its time, in which the hoist ropes are slack
+  double slack_fraction = 0;              ///< of its time, in which the hoist ropes are slack
   std::optional<signals::Demand> demand;  ///< none: the machine's data are not known
 };
 
@@ -39,7 +39,7 @@ struct PassFigures {
   std::optional<LoadInDipper> load;
   std::optional<signals::DigEnergy> dig_energy;
   std::optional<signals::Demand> dig_demand;
-  std::optional<double> dig_rattle_share;
+  std::optional<double> dig_rattle_fraction;
   std::optional<MonitorFigures> monitor;
   std::vector<PhaseFigures> phases;  ///< as found.phases
 };

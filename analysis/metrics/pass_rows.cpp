@@ -16,8 +16,8 @@ void put(json& row, const char* key, const std::optional<double>& value) {
 void put_demand(json& row, const std::optional<signals::Demand>& demand) {
   if (!demand) return;
   row["teeth_deviation_m"] = demand->teeth_deviation_m;
-  row["hoist_beyond_share"] = demand->hoist_beyond_share;
-  row["crowd_beyond_share"] = demand->crowd_beyond_share;
+  row["hoist_beyond_fraction"] = demand->hoist_beyond_fraction;
+  row["crowd_beyond_fraction"] = demand->crowd_beyond_fraction;
 }
 
 }  // namespace
@@ -38,9 +38,9 @@ json pass_row(const PassFigures& f) {
   row["dig_force_peak_N"] = p.dig_force_peak_N;
   row["dig_force_peak_t_s"] = p.dig_force_peak_t_s;
   put(row, "dig_phases_force_mean_N", f.found.dig_phases_force_mean_N);
-  put(row, "dig_slack_share", f.found.dig_slack_share);
+  put(row, "dig_slack_fraction", f.found.dig_slack_fraction);
   put_demand(row, f.dig_demand);
-  put(row, "dig_rattle_share", f.dig_rattle_share);
+  put(row, "dig_rattle_fraction", f.dig_rattle_fraction);
   if (f.dig_energy) {
     row["dig_work_J"] = f.dig_energy->work_J;
     put(row, "specific_dig_energy_J_kg", f.dig_energy->specific_J_kg);
@@ -63,7 +63,7 @@ json phase_row(const PhaseFigures& f) {
               {"dig_force_peak_N", f.effort.dig_force_peak_N},
               {"rock_work_J", f.effort.rock_work_J},
               {"mass_gain_kg", f.effort.mass_gain_kg},
-              {"slack_share", f.slack_share}};
+              {"slack_fraction", f.slack_fraction}};
   put_demand(row, f.demand);
   const signals::DrivesWork& work = f.effort.drives;
   for (const auto& [name, drive] :

@@ -34,9 +34,9 @@ double MachineDemand::teeth_off_m(const DriveSignals& s, std::size_t i) const {
 
 Demand MachineDemand::over(const DriveSignals& s, double t_start_s, double t_end_s) const {
   Demand d;
-  d.hoist_beyond_share =
+  d.hoist_beyond_fraction =
       share_beyond(s.time_s, s.hoist_force_N, drives_.hoist.stall, t_start_s, t_end_s);
-  d.crowd_beyond_share =
+  d.crowd_beyond_fraction =
       share_beyond(s.time_s, s.crowd_force_N, drives_.crowd.stall, t_start_s, t_end_s);
   // A record that is being written may have rows of the one more than of the other.
   for (std::size_t i = 0; i < std::min(s.time_s.size(), saddle_rad_.size()); ++i)

@@ -13,8 +13,9 @@ struct Demand {
   /// The tooth tips from where taut ropes that do not stretch, as long as they are, would have
   /// them, at most [m]: some centimetres under load, more where the dipper rides on rock.
   double teeth_deviation_m = 0;
-  double hoist_beyond_share = 0;  ///< the ropes pull with more than the machine's hoist_stall
-  double crowd_beyond_share = 0;  ///< the handle is held with more than the machine's crowd_stall
+  double hoist_beyond_fraction = 0;  ///< the ropes pull with more than the machine's hoist_stall
+  double crowd_beyond_fraction =
+      0;  ///< the handle is held with more than the machine's crowd_stall
 };
 
 class MachineDemand {

@@ -63,7 +63,7 @@ std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instrument
   const auto last =
       std::find_if(passes.rbegin(), passes.rend(), [](const Pass& p) { return p.truck_kg > 0; });
   for (const Pass& p : passes) {
-    const double kept = last != passes.rend() && &p == &*last ? 1 - instruments.truck_spill : 1;
+    const double kept = last != passes.rend() && &p == &*last ? 1 - instruments.truck_spillage : 1;
     out.push_back(
         {p.pass, p.t_start_s, p.t_end_s, 1e-3 * p.truck_kg * kept * (1 + instruments.scale_gain)});
   }

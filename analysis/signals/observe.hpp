@@ -13,7 +13,7 @@ struct Instruments {
   double rate_Hz = 1;
   double lag_s = 0;  ///< the force logged at t was there at t - lag
   double scale_gain = 0;
-  double truck_spill = 0;
+  double truck_spillage = 0;
 };
 
 /// One line of signals.csv. Each value is the mean over the 1/rate up to time_s, as a logger that
@@ -36,7 +36,7 @@ struct WeighedPass {
 /// different lengths.
 std::vector<LoggedSample> log_signals(const DriveSignals& signals, const Instruments& instruments);
 
-/// The scale reads (1 + scale_gain) times what a pass brought; of the last pass truck_spill is
+/// The scale reads (1 + scale_gain) times what a pass brought; of the last pass truck_spillage is
 /// lost.
 std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instruments& instruments);
 

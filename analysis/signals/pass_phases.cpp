@@ -27,7 +27,7 @@ std::optional<TimeSpan> PassPhases::dig() const {
   return TimeSpan{first->t_start_s, last->t_end_s};
 }
 
-double slack_share(const PassSignals& s, double t_start_s, double t_end_s) {
+double slack_fraction(const PassSignals& s, double t_start_s, double t_end_s) {
   return time_mean(s.time_s, t_start_s, t_end_s,
                    [&](std::size_t i) { return s.hoist_force_N[i] < kSlack_N ? 1.0 : 0.0; })
       .value_or(0);
@@ -46,7 +46,7 @@ std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignal
           s.time_s, dig->t_start_s, dig->t_end_s,
           [&](std::size_t i) { return std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]); });
       if (p.dig_phases_force_mean_N)
-        p.dig_slack_share = slack_share(s, dig->t_start_s, dig->t_end_s);
+        p.dig_slack_fraction = slack_fraction(s, dig->t_start_s, dig->t_end_s);
     }
     out.push_back(std::move(p));
   }

@@ -17,7 +17,7 @@ struct PassPhases {
   /// pass's own mean (paper, Eq. 11) goes on over the swing. None: there is no such phase.
   std::optional<double> dig_phases_force_mean_N;
   /// The part of that time in which the hoist ropes are slack: the dipper rides on rock.
-  std::optional<double> dig_slack_share;
+  std::optional<double> dig_slack_fraction;
 
   /// Null when the pass has no such phase.
   const Phase* phase(PhaseName name) const;
@@ -31,7 +31,7 @@ struct PassPhases {
 inline constexpr double kSlack_N = 10e3;
 
 /// The part of a time in which the hoist ropes are slack; 0 when there is no reading in it.
-double slack_share(const PassSignals& s, double t_start_s, double t_end_s);
+double slack_fraction(const PassSignals& s, double t_start_s, double t_end_s);
 
 /// Both signals are of one run, a value a sync step. Throws std::invalid_argument when lengths
 /// differ.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,32 +74,32 @@ struct RockCase {
   SieveCase sieve;  ///< what the classes were made from, when they were
 };
 
-/// contact: Eqs. 3-8 of the paper; one number a kind of pair.
+/// contact: Eqs. 3-8 of the paper; one number a kind of pair. One that is not given follows
+/// another, by of_every_pair.
 struct ContactCase {
-  static constexpr double kAsAnother = -1;   ///< not given: `of_every_pair` has the number
-  double normal_scale = 0;                   ///< C_norm, Eq. 4
-  double tangential_scale = 0;               ///< C_tan: K_t = C_tan K_n
-  double normal_damping = 0;                 ///< D_n, of critical, Eq. 6; spheres with spheres
-  double tangential_damping = 0;             ///< D_t
-  double normal_damping_other = kAsAnother;  ///< of every other pair
-  double tangential_damping_other = kAsAnother;
+  double normal_scale = 0;                     ///< C_norm, Eq. 4
+  double tangential_scale = 0;                 ///< C_tan: K_t = C_tan K_n
+  double normal_damping = 0;                   ///< D_n, of critical, Eq. 6; spheres with spheres
+  double tangential_damping = 0;               ///< D_t
+  std::optional<double> normal_damping_other;  ///< of every other pair
+  std::optional<double> tangential_damping_other;
   double friction_sphere_sphere = 0;  ///< Eq. 7
   double friction_sphere_rock = 0;
   double friction_rock_rock = 0;
   double friction_dipper = 0;
   double friction_ground = 0;
   double friction_truck = 0;
-  double friction_truck_sphere = kAsAnother;    ///< spheres on the truck; else friction_truck
-  double rolling_friction_sphere = 0;           ///< Eq. 8; spheres with spheres
-  double rolling_friction_rock = kAsAnother;    ///< spheres on rocks; else as with spheres
-  double rolling_friction_dipper = kAsAnother;  ///< spheres on bodies; else as with spheres
-  double rolling_friction_ground = 0;           ///< spheres on the ground
-  double rolling_friction_truck = kAsAnother;   ///< spheres on the truck; else as on the ground
-  double cohesion_Pa = 0;                       ///< tensile strength of the moist pile
-  double adhesion_Pa = 0;                       ///< the same against bodies and truck
+  std::optional<double> friction_truck_sphere;    ///< spheres on the truck; else friction_truck
+  double rolling_friction_sphere = 0;             ///< Eq. 8; spheres with spheres
+  std::optional<double> rolling_friction_rock;    ///< spheres on rocks; else as with spheres
+  std::optional<double> rolling_friction_dipper;  ///< spheres on bodies; else as with spheres
+  double rolling_friction_ground = 0;             ///< spheres on the ground
+  std::optional<double> rolling_friction_truck;   ///< spheres on the truck; else as on the ground
+  double cohesion_Pa = 0;                         ///< tensile strength of the moist pile
+  double adhesion_Pa = 0;                         ///< the same against bodies and truck
 };
 
-/// The same with the numbers of the pairs that a case says nothing of.
+/// The same with every number given.
 ContactCase of_every_pair(ContactCase contact);
 
 /// crust: rock that is frozen or compacted together until it breaks.
@@ -174,10 +175,11 @@ struct OutputCase {
 
 /// observation: how the mine's instruments see a run (analysis/signals/observe.hpp).
 struct ObservationCase {
-  double rate_Hz = 1;      ///< of the drives' logger; a sample is the mean over its interval
-  double lag_s = 0;        ///< by which the forces are logged late against the motion
-  double scale_gain = 0;   ///< the truck scale reads 1 + this times the mass
-  double truck_spill = 0;  ///< part of the last pass that falls off the truck before it is weighed
+  double rate_Hz = 1;     ///< of the drives' logger; a sample is the mean over its interval
+  double lag_s = 0;       ///< by which the forces are logged late against the motion
+  double scale_gain = 0;  ///< the truck scale reads 1 + this times the mass
+  double truck_spillage =
+      0;  ///< part of the last pass that falls off the truck before it is weighed
 };
 
 /// The whole case, as it will run (after --set).

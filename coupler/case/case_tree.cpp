@@ -14,20 +14,20 @@ namespace {
 constexpr const char* kInclude = "include";
 
 // Adds to a section what it lacks of another: a list is had as it is or not at all.
-void complete(YamlTree& section, const YamlTree& other) {
+void fill_missing_from(YamlTree& section, const YamlTree& other) {
   for (const auto& [name, theirs] : other.children) {
     YamlTree* mine = section.find(name);
     if (mine == nullptr) {
       section.children.emplace_back(name, theirs);
     } else if (mine->kind == YamlTree::Kind::map && theirs.kind == YamlTree::Kind::map) {
-      complete(*mine, theirs);
+      fill_missing_from(*mine, theirs);
     }
   }
 }
 
 // `include: FILE`: sections of cases that have something in common, in a file of their own. What
 // the case says itself goes before it.
-void take_in_include(YamlTree& root, const fs::path& folder, std::vector<Finding>& findings) {
+void merge_include(YamlTree& root, const fs::path& folder, std::vector<Finding>& findings) {
   const auto at = std::find_if(root.children.begin(), root.children.end(),
                                [](const auto& child) { return child.first == kInclude; });
   if (at == root.children.end()) return;
@@ -42,7 +42,7 @@ void take_in_include(YamlTree& root, const fs::path& folder, std::vector<Finding
   if (!fs::is_regular_file(file)) return fault(file.string() + " is no file");
   const YamlTree other = read_yaml(file, findings);
   if (other.find(kInclude) != nullptr) return fault(file.string() + " has an include of its own");
-  complete(root, other);
+  fill_missing_from(root, other);
 }
 
 // Puts an override into the tree.
@@ -102,7 +102,7 @@ void drop_sieve_for_set_classes(YamlTree& root) {
 
 void complete_tree(YamlTree& root, const fs::path& folder, const std::vector<Override>& overrides,
                    std::vector<Finding>& findings) {
-  take_in_include(root, folder, findings);
+  merge_include(root, folder, findings);
   for (const Override& set : overrides) apply(root, set, findings);
   drop_sieve_for_set_classes(root);
 }

@@ -297,8 +297,8 @@ void check_between_keys(const Case& c, std::vector<Finding>& findings) {
 }  // namespace
 
 ContactCase of_every_pair(ContactCase k) {
-  const auto as = [](double& value, double another) {
-    if (value == ContactCase::kAsAnother) value = another;
+  const auto as = [](std::optional<double>& value, double another) {
+    value = value.value_or(another);
   };
   as(k.normal_damping_other, k.normal_damping);
   as(k.tangential_damping_other, k.tangential_damping);

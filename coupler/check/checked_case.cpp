@@ -13,7 +13,7 @@
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_parts.hpp"
 #include "coupler/check/cost_estimate.hpp"
-#include "coupler/check/doubts.hpp"
+#include "coupler/check/warnings.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/stable_timestep.hpp"
@@ -126,7 +126,7 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
   reporter.line(c.name + " is sound: " + summary(c));
   reporter.line(to_string(cost_estimate(c)));
   tell_digs(c, reporter);
-  for (const Finding& doubt : doubts(c)) reporter.line("warning: " + to_string(doubt));
+  for (const Finding& warning : warnings(c)) reporter.line("warning: " + to_string(warning));
   return c;
 }
 
@@ -142,7 +142,7 @@ bool check_as_json(const std::filesystem::path& folder,
   for (const Finding& f : findings) said["findings"].push_back(as_json(f));
   if (findings.empty()) {
     said["warnings"] = json::array();
-    for (const Finding& doubt : doubts(c)) said["warnings"].push_back(as_json(doubt));
+    for (const Finding& warning : warnings(c)) said["warnings"].push_back(as_json(warning));
     const CaseSize s = size_of(c);
     said["case_hash"] = cases::case_hash(c);
     said["size"] = {{"rocks", s.rocks},

@@ -19,7 +19,7 @@ cases::Case read_case(const std::filesystem::path& folder,
 
 /// Reads a case and tells the reporter a line a finding, `file:line: key: message`, and
 /// "N errors"; or "CASE is sound: ..." with what a run of it will take, and "warning: " and a line
-/// for every doubt (doubts.hpp). The case when it is sound.
+/// for every warning (warnings.hpp). The case when it is sound.
 std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
                                         const std::vector<cases::Override>& overrides,
                                         Reporter& reporter);

@@ -96,7 +96,7 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   auto sound = check::checked_case(o.folder, set, reporter);
   if (!sound) return 2;
   const fs::path page = o.page.empty() ? fs::path(sound->name + "-motion.html") : fs::path(o.page);
-  const int status = write_dry_page(*sound, dry::Rock::estimate, page, reporter);
+  const int status = write_dry_page(*sound, dry::RockModel::estimate, page, reporter);
   if (status != 0) return status;
   draft.keep();
   reporter.line(fmt::format("{}: {:.1f} s", out.string(), seconds(motion.end_ns())));

@@ -30,14 +30,14 @@ int preview(const PreviewOptions& o, Reporter& reporter) {
   const auto c = check::checked_case(
       o.folder, overrides_of(o.set, "machine.base_position_m=[0,0,0]"), reporter);
   if (!c) return 2;
-  return write_dry_page(*c, dry::Rock::none,
+  return write_dry_page(*c, dry::RockModel::none,
                         o.out.empty() ? fs::path(c->name + "-preview.html") : fs::path(o.out),
                         reporter);
 }
 
 }  // namespace
 
-int write_dry_page(cases::Case c, dry::Rock rock, const fs::path& page, Reporter& reporter) {
+int write_dry_page(cases::Case c, dry::RockModel rock, const fs::path& page, Reporter& reporter) {
   c.coupling.sync_steps = std::max(c.coupling.sync_steps,
                                    static_cast<int>(std::lround(kDryWindow_s / c.dem.timestep_s)));
   const TemporaryFolder scratch("dipper-preview");

@@ -11,7 +11,7 @@ namespace dipper::cli {
 
 /// A dry run of a sound case, in windows as long as the machine alone can take, of which the page
 /// alone is left; tells what the run tells, and the page's name. The exit status.
-int write_dry_page(cases::Case c, dry::Rock rock, const std::filesystem::path& page,
+int write_dry_page(cases::Case c, dry::RockModel rock, const std::filesystem::path& page,
                    Reporter& reporter);
 
 Command add_preview_command(CLI::App& app, Reporter& reporter);

@@ -137,7 +137,7 @@ int run(const RunOptions& o, Reporter& reporter) {
     if (!places.several_hosts && enter_own_network(reporter) && o.no_rock.empty())
       reporter.line("network: the run's own, as all ranks are on this host");
     if (!o.no_rock.empty()) {
-      const auto rock = o.no_rock == "none" ? dry::Rock::none : dry::Rock::estimate;
+      const auto rock = o.no_rock == "none" ? dry::RockModel::none : dry::RockModel::estimate;
       const run::RunStatus status = dry::dry_run(*c, rock, folder, reporter);
       if (status == run::RunStatus::complete) reporter.line(folder.summary().string());
       return static_cast<int>(status);

@@ -67,8 +67,9 @@ ContactTable contact_table(const cases::Case& c) {
     for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, a}}) {
       t.kn(i, j) = p.kn;
       t.kt(i, j) = k.tangential_scale * p.kn;
-      t.gamman(i, j) = damping(p.spheres ? k.normal_damping : k.normal_damping_other, p.kn, p.meff);
-      t.gammat(i, j) = damping(p.spheres ? k.tangential_damping : k.tangential_damping_other,
+      t.gamman(i, j) =
+          damping(p.spheres ? k.normal_damping : *k.normal_damping_other, p.kn, p.meff);
+      t.gammat(i, j) = damping(p.spheres ? k.tangential_damping : *k.tangential_damping_other,
                                k.tangential_scale * p.kn, p.meff);
       t.friction(i, j) = p.friction;
       t.rolling(i, j) = p.rolling;
@@ -89,7 +90,7 @@ ContactTable contact_table(const cases::Case& c) {
         p.rolling = k.rolling_friction_sphere * (1 + std::min(r1, r2) / std::max(r1, r2));
       } else if (a.is_sphere || b.is_sphere) {
         p.friction = k.friction_sphere_rock;
-        p.rolling = k.rolling_friction_rock * (a.is_sphere ? 1 + r1 / r2 : 1 + r2 / r1);
+        p.rolling = *k.rolling_friction_rock * (a.is_sphere ? 1 + r1 / r2 : 1 + r2 / r1);
       }
       set(i, j, p);
     }
@@ -97,10 +98,10 @@ ContactTable contact_table(const cases::Case& c) {
     const auto wall = [&](int type, double friction, double rolling) {
       set(i, type - 1, {kn, a.mass_kg, friction, a.is_sphere ? rolling : 0});
     };
-    wall(types.dipper(), k.friction_dipper, k.rolling_friction_dipper);
+    wall(types.dipper(), k.friction_dipper, *k.rolling_friction_dipper);
     wall(types.ground(), k.friction_ground, k.rolling_friction_ground);
-    wall(types.truck(), a.is_sphere ? k.friction_truck_sphere : k.friction_truck,
-         k.rolling_friction_truck);
+    wall(types.truck(), a.is_sphere ? *k.friction_truck_sphere : k.friction_truck,
+         *k.rolling_friction_truck);
     wall(types.sides(), 0, 0);
   }
 

@@ -19,7 +19,7 @@ double stable_timestep(const cases::Case& c) {
   const ContactTable t = contact_table(c);
   const double n = std::sqrt(static_cast<double>(kContacts));
   const cases::ContactCase k = cases::of_every_pair(c.contact);
-  const double damping = std::max(k.normal_damping, k.normal_damping_other);
+  const double damping = std::max(k.normal_damping, *k.normal_damping_other);
   double step = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < t.kn.size(); ++i)
     if (t.kn(i) > 0)
@@ -30,7 +30,7 @@ double stable_timestep(const cases::Case& c) {
 double pressed_timestep(const cases::Case& c) {
   const ContactTable t = contact_table(c);
   const std::vector<RockClass> rocks = rock_classes(c);
-  const double damping = cases::of_every_pair(c.contact).normal_damping_other;
+  const double damping = *cases::of_every_pair(c.contact).normal_damping_other;
   const double n = std::sqrt(2.0 * spheres_a_rock(c.rock.shape_resolution));
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < rocks.size(); ++i) {

@@ -123,7 +123,7 @@ void tell_limits(const std::vector<LimitUse>& uses, Reporter& reporter) {
                       u.name, u.most, u.unit, u.at_s, u.limit, u.over_s));
 }
 
-json summarise(const cases::Case& c, Rock rock, const run::RunFolder& folder,
+json summarise(const cases::Case& c, RockModel rock, const run::RunFolder& folder,
                const std::vector<LimitUse>& limits, double mbs_cpu_s) {
   const auto time_s = record::read_channel(folder.record(), "time_s");
   const double sim_s = time_s.empty() ? 0 : time_s.back();
@@ -132,7 +132,7 @@ json summarise(const cases::Case& c, Rock rock, const run::RunFolder& folder,
       {"case", c.name},
       {"seed", c.seed},
       {"version", version()},
-      {"rock_model", rock == Rock::none ? "none" : "estimate"},
+      {"rock_model", rock == RockModel::none ? "none" : "estimate"},
       {"passes", passes},
       {"limits", describe(limits)},
       {"faces", faces(c, passes, folder.record())},
@@ -143,10 +143,10 @@ json summarise(const cases::Case& c, Rock rock, const run::RunFolder& folder,
 
 }  // namespace
 
-run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& folder,
+run::RunStatus dry_run(const cases::Case& c, RockModel rock, const run::RunFolder& folder,
                        Reporter& reporter) {
   DiggingEstimate estimate = digging_estimate(c);
-  estimate.there_is_rock = rock == Rock::estimate;
+  estimate.there_is_rock = rock == RockModel::estimate;
   run::write_identity(folder.root(), c);
   write_scene(c, folder);
   bool complete = false;
@@ -173,7 +173,7 @@ run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& fo
   summary["status"] = "complete";
   run::tell_drives(c, folder.record(), summary, reporter);
   write_text(folder.summary(), summary.dump(2) + '\n');
-  if (rock == Rock::estimate) run::tell_passes(summary.at("passes"), reporter);
+  if (rock == RockModel::estimate) run::tell_passes(summary.at("passes"), reporter);
   tell_limits(limits, reporter);
   return run::RunStatus::complete;
 }

@@ -8,7 +8,7 @@
 
 namespace dipper::dry {
 
-enum class Rock {
+enum class RockModel {
   none,     ///< the machine moves in the air
   estimate  ///< as EstimatedRock
 };
@@ -16,7 +16,7 @@ enum class Rock {
 /// Runs the machine's process through the case's motion and leaves record.h5 and summary.json,
 /// which `dipper report` makes a page of. Tells the passes, and what of the machine's limits was
 /// reached. A run that was interrupted cannot go on: it is begun anew. Throws InputError.
-run::RunStatus dry_run(const cases::Case& c, Rock rock, const run::RunFolder& folder,
+run::RunStatus dry_run(const cases::Case& c, RockModel rock, const run::RunFolder& folder,
                        Reporter& reporter);
 
 }  // namespace dipper::dry

@@ -4,11 +4,11 @@
 
 namespace dipper::run {
 
-Checkpointer::Checkpointer(std::filesystem::path checkpoints, double every_s, Of of)
+Checkpointer::Checkpointer(std::filesystem::path checkpoints, double every_s, Sources sources)
     : folder_(std::move(checkpoints)),
       every_s_(every_s),
-      of_(std::move(of)),
-      saved_ns_(of_.coupling.t_ns()) {}
+      sources_(std::move(sources)),
+      saved_ns_(sources_.coupling.t_ns()) {}
 
 bool Checkpointer::needs_rest(const core::Window& w) const {
   const double since_s = static_cast<double>(w.rock.t_ns - saved_ns_) * 1e-9;
@@ -22,9 +22,10 @@ void Checkpointer::window(const core::Window& w) {
 }
 
 void Checkpointer::save() {
-  of_.record.flush();
-  save_checkpoint(folder_, {{}, of_.coupling.state(), of_.record.position(), of_.cost()}, of_.rock,
-                  of_.machine);
+  sources_.record.flush();
+  save_checkpoint(folder_,
+                  {{}, sources_.coupling.state(), sources_.record.position(), sources_.cost()},
+                  sources_.rock, sources_.machine);
 }
 
 }  // namespace dipper::run

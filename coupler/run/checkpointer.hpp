@@ -11,7 +11,7 @@ namespace dipper::run {
 /// Saves a checkpoint every so often and at the end, with the record flushed up to it.
 class Checkpointer final : public Observer {
  public:
-  struct Of {  ///< what a checkpoint is made of
+  struct Sources {  ///< what a checkpoint is made of
     const core::Coupling& coupling;
     core::Machine& machine;
     core::Rock& rock;
@@ -20,7 +20,7 @@ class Checkpointer final : public Observer {
   };
 
   /// \param every_s  simulated time between two; 0: only at the end
-  Checkpointer(std::filesystem::path checkpoints, double every_s, Of of);
+  Checkpointer(std::filesystem::path checkpoints, double every_s, Sources sources);
 
   bool needs_rest(const core::Window& w) const override;
   void window(const core::Window& w) override;
@@ -31,7 +31,7 @@ class Checkpointer final : public Observer {
 
   std::filesystem::path folder_;
   double every_s_;
-  Of of_;
+  Sources sources_;
   std::int64_t saved_ns_;  ///< when the last one was due
 };
 

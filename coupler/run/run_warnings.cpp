@@ -6,7 +6,7 @@
 
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
-#include "coupler/check/doubts.hpp"
+#include "coupler/check/warnings.hpp"
 #include "coupler/deck/stable_timestep.hpp"
 #include "machine/motion.hpp"
 
@@ -27,7 +27,7 @@ void warn_of_pass(const cases::Case& c, const json& p, bool whole,
                   std::vector<std::string>& warnings) {
   const int pass = p.at("pass").get<int>();
   const auto number = [&](const char* key) { return p.value(key, 0.0); };
-  if (const double slack = number("dig_slack_share"); slack > kMuchSlack)
+  if (const double slack = number("dig_slack_fraction"); slack > kMuchSlack)
     warnings.push_back(fmt::format(
         "pass {}: the hoist ropes are slack in {:.0f} % of the dig, the teeth up to {:.1f} m off "
         "their way: the dipper rides on rock (docs/motion.md)",
@@ -40,13 +40,13 @@ void warn_of_pass(const cases::Case& c, const json& p, bool whole,
         pass, peak * 1e-6, peak / mean, number("dig_force_peak_t_s")));
   const bool prescribed = c.machine.drives == machine::DriveMode::prescribed;
   for (const auto& [drive, key] :
-       {std::pair{"hoist", "hoist_beyond_share"}, std::pair{"crowd", "crowd_beyond_share"}})
+       {std::pair{"hoist", "hoist_beyond_fraction"}, std::pair{"crowd", "crowd_beyond_fraction"}})
     if (const double beyond = number(key); beyond > kMuchBeyond && prescribed)
       warnings.push_back(fmt::format(
           "pass {}: the {} takes more force than the machine has in {:.0f} % of the dig; "
           "machine.drives: limited stalls instead (docs/drives.md)",
           pass, drive, 100 * beyond));
-  if (const double rattle = number("dig_rattle_share"); rattle > kMuchRattle)
+  if (const double rattle = number("dig_rattle_fraction"); rattle > kMuchRattle)
     warnings.push_back(fmt::format(
         "pass {}: in {:.0f} % of the dig the rock's force jumps from step to step: rocks pressed "
         "between walls rattle, and press too hard; a dem.timestep_s below {:.1e} s has none of it, "
@@ -69,7 +69,7 @@ void warn_of_pass(const cases::Case& c, const json& p, bool whole,
 std::vector<std::string> run_warnings(const cases::Case& c, const json& summary) {
   std::vector<std::string> warnings;
   try {
-    for (const Finding& doubt : check::doubts(c)) warnings.push_back(to_string(doubt));
+    for (const Finding& warning : check::warnings(c)) warnings.push_back(to_string(warning));
   } catch (const InputError&) {  // a file has gone since the run began
   }
   const bool whole = summary.value("status", "complete") == "complete";

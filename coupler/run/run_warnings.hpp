@@ -9,8 +9,8 @@
 
 namespace dipper::run {
 
-/// The doubts about the case (coupler/check/doubts.hpp) and about its figures: a residual of the
-/// energy, masses below nothing, peaks, slack ropes and forces that jump, as no dig's do.
+/// The warnings about the case (coupler/check/warnings.hpp) and about its figures: a residual of
+/// the energy, masses below nothing, peaks, slack ropes and forces that jump, as no dig's do.
 /// \param summary  passes and coupling of summary.json
 std::vector<std::string> run_warnings(const cases::Case& c, const nlohmann::ordered_json& summary);
 

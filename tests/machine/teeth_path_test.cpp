@@ -82,7 +82,7 @@ TEST(TeethPath, ASplineIsEvenAndKeepsItsEnds) {
   const double step = (path[1] - path[0]).norm();
   for (std::size_t i = 1; i < path.size(); i += 100)
     EXPECT_NEAR((path[i] - path[i - 1]).norm(), step, 1e-3 * step);
-  EXPECT_LT((at_share(path, 0.5) - path[path.size() / 2]).norm(), step);
+  EXPECT_LT((at_fraction(path, 0.5) - path[path.size() / 2]).norm(), step);
 }
 
 }  // namespace

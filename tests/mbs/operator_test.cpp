@@ -42,7 +42,7 @@ class OperatorTest : public testing::Test {
   /// Goes on with an overload; where he then is.
   PathState go(double& t_s, double for_s, const Overload& overload) {
     const double end = t_s + for_s;
-    for (; t_s < end - h / 2; t_s += h) path.look(t_s, [&] { return overload; });
+    for (; t_s < end - h / 2; t_s += h) path.update(t_s, [&] { return overload; });
     return path.at(t_s);
   }
 };
@@ -53,7 +53,7 @@ TEST_F(OperatorTest, KeepsTheMotionsTimeWhileTheDrivesFollow) {
   EXPECT_NEAR(at.time, 5, 1e-12);
   EXPECT_EQ(at.rate, 1);
   EXPECT_EQ(at.relief, 0);
-  const machine::DriveState sent = path.sent(t), told = motion->at(5);
+  const machine::DriveState sent = path.setpoint(t), told = motion->at(5);
   EXPECT_NEAR(sent.position.crowd, told.position.crowd, 1e-12);
   EXPECT_NEAR(sent.rate.hoist, told.rate.hoist, 1e-12);
 }
@@ -77,12 +77,12 @@ TEST_F(OperatorTest, LetsTheCrowdBackWhereItStandsAndOutAgainWhenItGoesOn) {
   const double early = go(t, 3, {0, 9}).relief;
   EXPECT_NEAR(go(t, 2, {0, 9}).relief - early, 0.2, 1e-3);
   const machine::DriveState told = motion->at(path.at(t).time);
-  EXPECT_NEAR(path.sent(t).position.crowd, told.position.crowd - path.at(t).relief, 1e-12);
+  EXPECT_NEAR(path.setpoint(t).position.crowd, told.position.crowd - path.at(t).relief, 1e-12);
   go(t, 2, {});
   const double then = path.at(t).relief;
   EXPECT_NEAR(go(t, 2, {}).relief, then * std::exp(-1.0), 0.2 * then);
   go(t, 60, {0, 9});  // not beyond the crowd's stop
-  EXPECT_NEAR(path.sent(t).position.crowd, -1.7, 0.03);
+  EXPECT_NEAR(path.setpoint(t).position.crowd, -1.7, 0.03);
 }
 
 TEST_F(OperatorTest, LiftsOnWithACrowdThatStalls) {
@@ -98,15 +98,16 @@ TEST_F(OperatorTest, LiftsOnWithACrowdThatStalls) {
 TEST_F(OperatorTest, WhatHeSendsIsOneCurve) {
   double t = 0;
   go(t, 4, {1.2, 0.5});
-  path.look(t, [] { return Overload{3, 3}; });
+  path.update(t, [] { return Overload{3, 3}; });
   constexpr double d = 1e-6;
   const double at = t + 1e-3;
-  const machine::DriveState now = path.sent(at);
+  const machine::DriveState now = path.setpoint(at);
   for (double machine::Drives::*which : {&machine::Drives::hoist, &machine::Drives::crowd,
                                          &machine::Drives::swing, &machine::Drives::door}) {
-    const double a = path.sent(at - d).position.*which, b = path.sent(at + d).position.*which;
+    const double a = path.setpoint(at - d).position.*which,
+                 b = path.setpoint(at + d).position.*which;
     EXPECT_NEAR((b - a) / (2 * d), now.rate.*which, 1e-7);
-    const double u = path.sent(at - d).rate.*which, v = path.sent(at + d).rate.*which;
+    const double u = path.setpoint(at - d).rate.*which, v = path.setpoint(at + d).rate.*which;
     EXPECT_NEAR((v - u) / (2 * d), now.acceleration.*which, 1e-5);
   }
 }

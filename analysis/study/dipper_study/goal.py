@@ -25,7 +25,7 @@ class Objective:
     how: str = None
     second: str = None
 
-    def of(self, row):
+    def value_in(self, row):
         """Its value in a row of a study; nan where a column is missing."""
         a = row.get(self.first, float("nan"))
         if self.how is None:
@@ -38,7 +38,7 @@ class Objective:
 
 @dataclass(frozen=True)
 class Constraint:
-    of: Objective
+    objective: Objective
     at_most: float = None
     at_least: float = None
 
@@ -48,7 +48,7 @@ class Constraint:
 
     def __str__(self):
         bound = f"at most {self.at_most:g}" if self.at_least is None else f"at least {self.at_least:g}"
-        return f"{self.of.text} {bound}"
+        return f"{self.objective.text} {bound}"
 
 
 def read_objective(section, key, text=None):

@@ -183,8 +183,8 @@ def _rows(session, points, seeds):
 def _figures(how, rows):
     """(seeds,) of the objective, to be made large, and (constraints, seeds) of the margins."""
     sign = 1.0 if how.maximise else -1.0
-    margins = [[c.margin(c.of.of(row)) for row in rows] for c in how.constraints]
-    return np.array([sign * how.objective.of(row) for row in rows]), np.array(margins).reshape(-1, len(rows))
+    margins = [[c.margin(c.objective.value_in(row)) for row in rows] for c in how.constraints]
+    return np.array([sign * how.objective.value_in(row) for row in rows]), np.array(margins).reshape(-1, len(rows))
 
 
 def _raw(how, goal):
@@ -198,11 +198,11 @@ def _answer(session, found, base, best, say):
     points = [study.point_at(base)] if best is base else [study.point_at(base), study.point_at(best)]
     rows = _rows(session, points, how.confirm_seeds)
     at_base, at_best = rows[0], rows[-1]
-    of_base, of_best = ({row["seed"]: how.objective.of(row) for row in rows} for rows in (at_base, at_best))
+    of_base, of_best = ({row["seed"]: how.objective.value_in(row) for row in rows} for rows in (at_base, at_best))
     compared = compare(of_base, of_best)
     better = compared.shown and (compared.difference.mean > 0) == how.maximise
-    held = [{"text": str(c), "held": bool(np.mean([c.margin(c.of.of(r)) for r in at_best]) >= 0),
-             **vars(summary([c.of.of(r) for r in at_best]))} for c in how.constraints]
+    held = [{"text": str(c), "held": bool(np.mean([c.margin(c.objective.value_in(r)) for r in at_best]) >= 0),
+             **vars(summary([c.objective.value_in(r) for r in at_best]))} for c in how.constraints]
     improved = bool(better and all(c["held"] for c in held))
     answer = {"improved": improved, "objective": how.objective.text, "maximise": how.maximise,
               "parameters": study.names, "best": [float(x) for x in best], "base_at": [float(x) for x in base],

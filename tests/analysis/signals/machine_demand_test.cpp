@@ -37,12 +37,12 @@ TEST(MachineDemand, TellsHowFarTheTeethAreOffAndForHowLongDrivesGiveMoreThanThey
   const MachineDemand demand(stand.machine, stand.rake, stand.saddle_rad);
   const Demand all = demand.over(stand.s, 0, 10);
   EXPECT_NEAR(all.teeth_deviation_m, 0.05 * stand.shovel.teeth_reach(1), 1e-6);
-  EXPECT_NEAR(all.hoist_beyond_share, 0.25, 1e-6);
-  EXPECT_NEAR(all.crowd_beyond_share, 0.5, 1e-6) << "pulled back or pushed out";
+  EXPECT_NEAR(all.hoist_beyond_fraction, 0.25, 1e-6);
+  EXPECT_NEAR(all.crowd_beyond_fraction, 0.5, 1e-6) << "pulled back or pushed out";
   const Demand after = demand.over(stand.s, 7, 10);
   EXPECT_NEAR(after.teeth_deviation_m, 0, 1e-6);
-  EXPECT_EQ(after.hoist_beyond_share, 0);
-  EXPECT_EQ(after.crowd_beyond_share, 0);
+  EXPECT_EQ(after.hoist_beyond_fraction, 0);
+  EXPECT_EQ(after.crowd_beyond_fraction, 0);
 }
 
 TEST(MachineDemand, ARopeLongerThanAnyTautOneSaysNothingOfTheTeeth) {

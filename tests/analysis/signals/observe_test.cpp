@@ -60,7 +60,7 @@ TEST(Observe, TheScaleReadsItsGainAndTheLastPassSpills) {
   }
   Instruments instruments;
   instruments.scale_gain = 0.05;
-  instruments.truck_spill = 0.25;
+  instruments.truck_spillage = 0.25;
   const auto weighed = weigh(passes, instruments);
   ASSERT_EQ(weighed.size(), 3U);
   EXPECT_NEAR(weighed[0].truck_mass_t, 84, 1e-9);

@@ -43,17 +43,17 @@ TEST(PassPhases, TellTheDigsForceAndWhatPartOfItTheRopesAreSlack) {
   ASSERT_TRUE(p.dig());
   EXPECT_NEAR(p.dig()->t_start_s, 3, 1e-6);
   EXPECT_NEAR(p.dig()->t_end_s, 15.5, 1e-6);
-  ASSERT_TRUE(p.dig_slack_share);
-  EXPECT_NEAR(*p.dig_slack_share, 0.2, 1e-6);
+  ASSERT_TRUE(p.dig_slack_fraction);
+  EXPECT_NEAR(*p.dig_slack_fraction, 0.2, 1e-6);
   EXPECT_NEAR(*p.dig_phases_force_mean_N, 0.8 * 5e6 + 0.2 * 4e6, 10);
-  EXPECT_NEAR(slack_share(cycle.pass, 4, 9), 0.5, 1e-6);
-  EXPECT_EQ(slack_share(cycle.pass, 100, 200), 0) << "nothing there";
+  EXPECT_NEAR(slack_fraction(cycle.pass, 4, 9), 0.5, 1e-6);
+  EXPECT_EQ(slack_fraction(cycle.pass, 100, 200), 0) << "nothing there";
 }
 
 TEST(PassPhases, ADipperOnItsRopesIsNotSlack) {
   Cycle cycle;
   for (double& f : cycle.pass.hoist_force_N) f = std::max(f, 5e5);
-  EXPECT_EQ(find_pass_phases(cycle.pass, cycle.drive).at(0).dig_slack_share, 0.0);
+  EXPECT_EQ(find_pass_phases(cycle.pass, cycle.drive).at(0).dig_slack_fraction, 0.0);
 }
 
 }  // namespace

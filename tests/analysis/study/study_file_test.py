@@ -97,7 +97,7 @@ optimise:
 
 def test_an_optimisation(folder):
     o = read(folder, OPTIMISE).optimise
-    assert o.objective.of({"payload_t": 60.0, "dig_work_MJ": 20.0}) == 3 and o.maximise
+    assert o.objective.value_in({"payload_t": 60.0, "dig_work_MJ": 20.0}) == 3 and o.maximise
     assert o.constraints[0].margin(9) == 1 and str(o.constraints[0]) == "dig_force_peak_MN at most 10"
     assert (o.start, o.points, o.batch, o.confirm_seeds) == (4, 12, 2, (11, 12))
 

@@ -25,7 +25,7 @@ std::vector<std::string> warnings(const std::vector<std::pair<std::string, json>
               {"dig_force_mean_N", 3e6},
               {"dig_force_peak_N", 12e6},
               {"dig_force_peak_t_s", 5.5},
-              {"dig_slack_share", 0.01}};
+              {"dig_slack_fraction", 0.01}};
   for (const auto& [key, value] : pass) row[key] = value;
   return run_warnings(
       c, {{"status", status},
@@ -37,13 +37,13 @@ std::vector<std::string> warnings(const std::vector<std::pair<std::string, json>
 TEST(RunWarnings, SoundRunHasNone) { EXPECT_THAT(warnings({}), ElementsAre()); }
 
 TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
-  EXPECT_THAT(warnings({{"dig_slack_share", 0.2}, {"teeth_deviation_m", 0.8}}),
+  EXPECT_THAT(warnings({{"dig_slack_fraction", 0.2}, {"teeth_deviation_m", 0.8}}),
               ElementsAre(HasSubstr("slack in 20 % of the dig, the teeth up to 0.8 m")));
   EXPECT_THAT(warnings({{"dig_force_peak_N", 343e6}}),
               ElementsAre(HasSubstr("peaks at 343 MN, 114 times its mean, at 5.50 s")));
-  EXPECT_THAT(warnings({{"dig_rattle_share", 0.12}}),
+  EXPECT_THAT(warnings({{"dig_rattle_fraction", 0.12}}),
               ElementsAre(HasSubstr("in 12 % of the dig the rock's force jumps")));
-  EXPECT_THAT(warnings({{"crowd_beyond_share", 0.4}, {"hoist_beyond_share", 0.2}}),
+  EXPECT_THAT(warnings({{"crowd_beyond_fraction", 0.4}, {"hoist_beyond_fraction", 0.2}}),
               ElementsAre(HasSubstr("the crowd takes more force than the machine has in 40 %")));
   EXPECT_THAT(warnings({{"truck_kg", -28e3}}),
               ElementsAre(HasSubstr("28.0 t more leave the truck")));

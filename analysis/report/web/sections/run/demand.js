@@ -5,7 +5,7 @@ import { table } from '../../parts/table.js';
 
 const percent = (share) => fixed(100 * share, 1);
 
-/// passes: [{pass, phases: [{phase, slack_share, teeth_deviation_m, hoist_beyond_share, crowd_beyond_share}]}]
+/// passes: [{pass, phases: [{phase, slack_fraction, teeth_deviation_m, hoist_beyond_fraction, crowd_beyond_fraction}]}]
 export function demand(passes) {
   const told = passes.filter((p) => p.phases.some((row) => Number.isFinite(row.teeth_deviation_m)));
   if (!told.length) return null;
@@ -17,9 +17,9 @@ export function demand(passes) {
 function byPhase(phases) {
   return table(null, [
     { name: 'Phase', cell: (row) => row.phase },
-    { name: 'ropes slack', unit: '%', cell: (row) => percent(row.slack_share) },
+    { name: 'ropes slack', unit: '%', cell: (row) => percent(row.slack_fraction) },
     { name: 'teeth off', unit: 'm', cell: (row) => fixed(row.teeth_deviation_m, 2) },
-    { name: 'hoist beyond', unit: '%', cell: (row) => percent(row.hoist_beyond_share) },
-    { name: 'crowd beyond', unit: '%', cell: (row) => percent(row.crowd_beyond_share) },
+    { name: 'hoist beyond', unit: '%', cell: (row) => percent(row.hoist_beyond_fraction) },
+    { name: 'crowd beyond', unit: '%', cell: (row) => percent(row.crowd_beyond_fraction) },
   ], phases, { compact: true });
 }

@@ -7,7 +7,7 @@
 
 namespace dipper::check {
 
-/// Every doubt about a case that check_case found nothing wrong with.
-std::vector<Finding> doubts(const cases::Case& c);
+/// Every warning about a case that check_case found nothing wrong with.
+std::vector<Finding> warnings(const cases::Case& c);
 
 }  // namespace dipper::check

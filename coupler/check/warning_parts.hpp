@@ -1,4 +1,4 @@
-// The parts of doubts(), and what they look at. Internal to it.
+// The parts of warnings(), and what they look at. Internal to it.
 #pragma once
 
 #include <vector>
@@ -26,13 +26,13 @@ struct CaseParts {
 /// Where things are: machine and truck against the bench at the start, the dipper's way against the
 /// truck, the truck against the dump, the way back against the next dig, the heel against the
 /// teeth's way.
-void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts);
+void warn_of_places(const CaseParts& parts, std::vector<Finding>& warnings);
 
 /// What the mesh holds against what its YAML and the machine say; of a mesh that has no other
 /// fault.
-void doubt_volume(const CaseParts& parts, std::vector<Finding>& doubts);
+void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings);
 
 /// Numbers that look as if in another unit, or of no such machine, mesh or pile.
-void doubt_numbers(const CaseParts& parts, std::vector<Finding>& doubts);
+void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings);
 
 }  // namespace dipper::check

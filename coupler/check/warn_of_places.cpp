@@ -8,7 +8,7 @@
 #include "common/seconds.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/case/outline_file.hpp"
-#include "coupler/check/doubt_parts.hpp"
+#include "coupler/check/warning_parts.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "machine/door.hpp"
 #include "machine/return_legs.hpp"
@@ -49,7 +49,7 @@ double deepest_in(const Bench& bench, const mesh::TriangleMesh& mesh, const Pose
 }
 
 /// A body goes down into rock that is there already, and shoots it out.
-void doubt_the_start(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_the_start(const CaseParts& parts, std::vector<Finding>& warnings) {
   const cases::Case& c = parts.c;
   if (c.pile.clear_machine) return;  // the rock there is removed, and told
   const Bench bench(c);
@@ -57,13 +57,13 @@ void doubt_the_start(const CaseParts& parts, std::vector<Finding>& doubts) {
   const double dipper = std::max(deepest_in(bench, parts.dipper, at_start.X_WB),
                                  deepest_in(bench, parts.door, at_start.X_WD));
   if (dipper > kDeep_m)
-    doubts.push_back(cases::finding_at(
+    warnings.push_back(cases::finding_at(
         c, "machine.motion",
         fmt::format("the dipper stands {:.1f} m deep in the pile at the start, which throws the "
                     "rock out; begin in front of the toe, or write pile.clear_machine: on",
                     dipper)));
   if (const double truck = deepest_in(bench, parts.truck, Pose{}); truck > kDeep_m)
-    doubts.push_back(cases::finding_at(
+    warnings.push_back(cases::finding_at(
         c, "truck.position_m",
         fmt::format("the truck stands {:.1f} m deep in the pile, and its bed counts rock that was "
                     "never dumped; move it, or the pile",
@@ -71,7 +71,7 @@ void doubt_the_start(const CaseParts& parts, std::vector<Finding>& doubts) {
 }
 
 /// The corners of the dipper against the truck's solid parts, all along the motion.
-void doubt_the_way(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_the_way(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Box near = mesh::bounding_box(parts.truck);
   double deepest = 0, at_s = 0;
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
@@ -84,7 +84,7 @@ void doubt_the_way(const CaseParts& parts, std::vector<Finding>& doubts) {
     }
   }
   if (deepest > kDeep_m)
-    doubts.push_back(cases::finding_at(
+    warnings.push_back(cases::finding_at(
         parts.c, "truck.position_m",
         fmt::format("the dipper goes {:.1f} m deep through the truck at {:.1f} s; move the truck, "
                     "or lift the dipper higher",
@@ -92,7 +92,7 @@ void doubt_the_way(const CaseParts& parts, std::vector<Finding>& doubts) {
 }
 
 /// Where the door is when it opens.
-void doubt_the_dump(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_the_dump(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Box bed = mesh::bounding_box(parts.truck);
   bool open = machine::door_is_open(parts.motion.value(0).door);
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
@@ -104,7 +104,7 @@ void doubt_the_dump(const CaseParts& parts, std::vector<Finding>& doubts) {
     if (p.x() > bed.min_m.x() && p.x() < bed.max_m.x() && p.y() > bed.min_m.y() &&
         p.y() < bed.max_m.y())
       continue;
-    doubts.push_back(cases::finding_at(
+    warnings.push_back(cases::finding_at(
         parts.c, "truck.position_m",
         fmt::format("no truck is under the dipper as its door opens at {:.1f} s: the door is at x "
                     "= {:.1f}, y = {:.1f} m, the truck between x = {:.1f} and {:.1f}, y = {:.1f} "
@@ -116,12 +116,12 @@ void doubt_the_dump(const CaseParts& parts, std::vector<Finding>& doubts) {
 }
 
 /// Where rock is felt again on the way back.
-void doubt_the_return(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_the_return(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (parts.c.machine.contact_on_return) return;
   for (const machine::ReturnLeg& leg : machine::return_legs(parts.motion)) {
     const double turns_rad_s = std::abs(parts.motion.rate(leg.end_ns).swing);
     if (turns_rad_s <= kTurning_rad_s) continue;
-    doubts.push_back(cases::finding_at(
+    warnings.push_back(cases::finding_at(
         parts.c, "machine.motion",
         fmt::format("the dipper swings into the rock: it is felt again at {:.1f} s, where the "
                     "crowd is all in, and the house still turns by {:.0f} deg/s; bring the crowd "
@@ -132,7 +132,7 @@ void doubt_the_return(const CaseParts& parts, std::vector<Finding>& doubts) {
 }
 
 /// The heel against the way that the teeth have gone.
-void doubt_the_heel(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_the_heel(const CaseParts& parts, std::vector<Finding>& warnings) {
   double most = kClosed_m, at_s = 0, above_m = 0;
   machine::TeethPath way;  // out, of this dig
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
@@ -148,7 +148,7 @@ void doubt_the_heel(const CaseParts& parts, std::vector<Finding>& doubts) {
     most = closed, at_s = seconds(t), above_m = heel.y();
   }
   if (most <= kClosed_m) return;
-  doubts.push_back(cases::finding_at(
+  warnings.push_back(cases::finding_at(
       parts.c, "machine.motion",
       fmt::format("the dipper closes on the ground: at {:.1f} s its heel is {:.2f} m above it, "
                   "{:.2f} m lower than the teeth went there, and jams what has gone under the lip; "
@@ -158,12 +158,12 @@ void doubt_the_heel(const CaseParts& parts, std::vector<Finding>& doubts) {
 
 }  // namespace
 
-void doubt_places(const CaseParts& parts, std::vector<Finding>& doubts) {
-  doubt_the_start(parts, doubts);
-  doubt_the_way(parts, doubts);
-  doubt_the_dump(parts, doubts);
-  doubt_the_return(parts, doubts);
-  doubt_the_heel(parts, doubts);
+void warn_of_places(const CaseParts& parts, std::vector<Finding>& warnings) {
+  warn_of_the_start(parts, warnings);
+  warn_of_the_way(parts, warnings);
+  warn_of_the_dump(parts, warnings);
+  warn_of_the_return(parts, warnings);
+  warn_of_the_heel(parts, warnings);
 }
 
 }  // namespace dipper::check

@@ -5,7 +5,7 @@
 
 #include "analysis/rock/struck_volume.hpp"
 #include "coupler/case/mesh_facts.hpp"
-#include "coupler/check/doubt_parts.hpp"
+#include "coupler/check/warning_parts.hpp"
 
 namespace dipper::check {
 namespace {
@@ -29,7 +29,7 @@ mesh::TriangleMesh vessel_of(const CaseParts& parts) {
 
 }  // namespace
 
-void doubt_volume(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings) {
   std::vector<Finding> unread;
   const cases::DipperFacts facts = cases::read_dipper_facts(parts.c, unread);
   if (!unread.empty()) return;
@@ -39,7 +39,7 @@ void doubt_volume(const CaseParts& parts, std::vector<Finding>& doubts) {
   const double held_m3 = analysis::rock::struck_volume(vessel, {kCell * longest_m}).volume_m3;
   const double given_m3 = facts.struck_volume_m3;
   const auto say = [&](const std::string& what) {
-    doubts.push_back(cases::finding_at(parts.c, "bodies.dipper", what));
+    warnings.push_back(cases::finding_at(parts.c, "bodies.dipper", what));
   };
   if (held_m3 < kMuch * given_m3)
     say(fmt::format(
@@ -53,7 +53,7 @@ void doubt_volume(const CaseParts& parts, std::vector<Finding>& doubts) {
                     held_m3, given_m3));
   const double of_machine_m3 = parts.machine.dipper.struck_volume;
   if (std::abs(of_machine_m3 - given_m3) > kMuch * given_m3)
-    doubts.push_back(
+    warnings.push_back(
         {parts.c.machine.model, 0, "dipper.struck_volume",
          fmt::format("{:g} m3, where the dipper's mesh has {:g}", of_machine_m3, given_m3)});
   const double out_m = std::max((box.min_m - facts.cavity.min_m).maxCoeff(),

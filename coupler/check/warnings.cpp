@@ -1,11 +1,11 @@
-#include "coupler/check/doubts.hpp"
+#include "coupler/check/warnings.hpp"
 
 #include <algorithm>
 
 #include "common/angles.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/check/check_parts.hpp"
-#include "coupler/check/doubt_parts.hpp"
+#include "coupler/check/warning_parts.hpp"
 
 namespace dipper::check {
 CaseParts::CaseParts(const cases::Case& the_case)
@@ -20,13 +20,13 @@ CaseParts::CaseParts(const cases::Case& the_case)
     door = mesh::read_stl(found->second);
 }
 
-std::vector<Finding> doubts(const cases::Case& c) {
+std::vector<Finding> warnings(const cases::Case& c) {
   std::vector<Finding> found;
   const CaseParts parts(c);
-  doubt_numbers(parts, found);
-  const auto of_the_mesh = [](const Finding& doubt) { return doubt.key == "bodies.dipper"; };
-  if (std::none_of(found.begin(), found.end(), of_the_mesh)) doubt_volume(parts, found);
-  doubt_places(parts, found);
+  warn_of_numbers(parts, found);
+  const auto of_the_mesh = [](const Finding& warning) { return warning.key == "bodies.dipper"; };
+  if (std::none_of(found.begin(), found.end(), of_the_mesh)) warn_of_volume(parts, found);
+  warn_of_places(parts, found);
   return found;
 }
 

@@ -1,4 +1,4 @@
-#include "coupler/check/doubts.hpp"
+#include "coupler/check/warnings.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -21,13 +21,13 @@ using testing::HasSubstr;
 
 std::vector<std::string> told(const cases::Case& c) {
   std::vector<std::string> said;
-  for (const Finding& doubt : doubts(c)) said.push_back(doubt.key + ": " + doubt.message);
+  for (const Finding& warning : warnings(c)) said.push_back(warning.key + ": " + warning.message);
   return said;
 }
 
-/// "key: message" of every doubt about `quick` with changes, whose own rock bridges its dipper.
-std::vector<std::string> doubts_of(const Checkout& checkout, std::vector<cases::Override> set = {},
-                                   bool limited = true) {
+/// "key: message" of every warning about `quick` with changes, whose own rock bridges its dipper.
+std::vector<std::string> warnings_of(const Checkout& checkout,
+                                     std::vector<cases::Override> set = {}, bool limited = true) {
   if (limited) set.push_back({"rock.coarse_graining_limit_m", "1"});
   std::vector<Finding> findings;
   const cases::Case c = cases::load_case(checkout.folder(), set, findings);
@@ -54,35 +54,35 @@ std::vector<std::string> with_dipper(const Change& change, const std::string& fa
   return told(c);
 }
 
-TEST(Doubts, SoundCaseHasNone) { EXPECT_THAT(doubts_of(Checkout(true)), ElementsAre()); }
+TEST(Warnings, SoundCaseHasNone) { EXPECT_THAT(warnings_of(Checkout(true)), ElementsAre()); }
 
-TEST(Doubts, MachineAndTruckInThePile) {
+TEST(Warnings, MachineAndTruckInThePile) {
   const Checkout checkout;
-  EXPECT_THAT(doubts_of(checkout, {{"pile.toe_x_m", "8"}}),
+  EXPECT_THAT(warnings_of(checkout, {{"pile.toe_x_m", "8"}}),
               ElementsAre(HasSubstr("m deep in the pile at the start")));
-  EXPECT_THAT(doubts_of(checkout, {{"pile.toe_x_m", "8"}, {"pile.clear_machine", "on"}}),
+  EXPECT_THAT(warnings_of(checkout, {{"pile.toe_x_m", "8"}, {"pile.clear_machine", "on"}}),
               ElementsAre());
-  EXPECT_THAT(doubts_of(checkout, {{"truck.position_m", "[16, 0, 0]"}}),
+  EXPECT_THAT(warnings_of(checkout, {{"truck.position_m", "[16, 0, 0]"}}),
               testing::Contains(HasSubstr("the truck stands")));
 }
 
-TEST(Doubts, TruckThatIsHitOrMissed) {
+TEST(Warnings, TruckThatIsHitOrMissed) {
   const Checkout checkout(true);
-  EXPECT_THAT(doubts_of(checkout, {{"truck.position_m", "[3.3, 18.6, 7]"}}),
+  EXPECT_THAT(warnings_of(checkout, {{"truck.position_m", "[3.3, 18.6, 7]"}}),
               ElementsAre(HasSubstr("deep through the truck at ")));
-  EXPECT_THAT(doubts_of(checkout, {{"truck.position_m", "[3.3, -18.6, 0]"}}),
+  EXPECT_THAT(warnings_of(checkout, {{"truck.position_m", "[3.3, -18.6, 0]"}}),
               ElementsAre(HasSubstr("no truck is under the dipper")));
 }
 
-TEST(Doubts, NumbersInAnotherUnit) {
+TEST(Warnings, NumbersInAnotherUnit) {
   const Checkout checkout;
-  EXPECT_THAT(doubts_of(checkout, {{"machine.rake_angle_deg", "1.0786"}}),
+  EXPECT_THAT(warnings_of(checkout, {{"machine.rake_angle_deg", "1.0786"}}),
               testing::Contains(HasSubstr("is it in rad? 61.8 degrees are")));
-  EXPECT_THAT(doubts_of(checkout, {{"coupling.sync_steps", "200"}}),
+  EXPECT_THAT(warnings_of(checkout, {{"coupling.sync_steps", "200"}}),
               ElementsAre(HasSubstr("steps or fewer keep the coupling stable")));
-  EXPECT_THAT(doubts_of(checkout, {{"pile.width_m", "4"}}),
+  EXPECT_THAT(warnings_of(checkout, {{"pile.width_m", "4"}}),
               ElementsAre(HasSubstr("narrower than the dipper")));
-  EXPECT_THAT(doubts_of(checkout, {}, false),
+  EXPECT_THAT(warnings_of(checkout, {}, false),
               ElementsAre(HasSubstr("a third of the dipper's mouth")));
 }
 
@@ -94,24 +94,25 @@ std::vector<std::string> with_text(const std::string& file, const std::string& f
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   test::write_text(checkout.root / file, text.replace(at, from.size(), to));
-  return doubts_of(checkout);
+  return warnings_of(checkout);
 }
 
-TEST(Doubts, MassesThatNoBodyHas) {
+TEST(Warnings, MassesThatNoBodyHas) {
   const std::string machine = "mbs/bucyrus495.yaml";
   EXPECT_THAT(with_text(machine, "mass: {value: 42000.0", "mass: {value: 42"),  // t
               ElementsAre(HasSubstr("dipper.mass: 42 kg with an inertia of")));
 }
 
-TEST(Doubts, MotionWithAHole) {
+TEST(Warnings, MotionWithAHole) {
   const Checkout checkout;
   test::write_text(checkout.folder() / "motion.csv",
                    "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,-4,0.5,0,0\n1,-4,0.5,0,0\n"
                    "9,-6,0.5,0,0\n");
-  EXPECT_THAT(doubts_of(checkout), testing::Contains(HasSubstr("no row between 1.00 and 9.00 s")));
+  EXPECT_THAT(warnings_of(checkout),
+              testing::Contains(HasSubstr("no row between 1.00 and 9.00 s")));
 }
 
-TEST(Doubts, SwingThatIsNotOverWhereRockIsFeltAgain) {
+TEST(Warnings, SwingThatIsNotOverWhereRockIsFeltAgain) {
   const Checkout checkout;
   // The crowd is all in from 18 to 20 s.
   const auto returns = [&](const std::string& at_18_s, const std::string& at_20_s) {
@@ -120,14 +121,14 @@ TEST(Doubts, SwingThatIsNotOverWhereRockIsFeltAgain) {
                      "8,-6,0.5,40,0\n10,-6,0.5,40,70\n12,-6,0.4,40,0\n18,-4,-0.5," +
                          at_18_s + ",0\n20,-4,-0.5," + at_20_s +
                          ",0\n24,-4,1.2,0,0\n30,-6,0.5,40,0\n32,-6,0.5,40,70\n");
-    return doubts_of(checkout, {{"machine.contact_on_return", "off"}});
+    return warnings_of(checkout, {{"machine.contact_on_return", "off"}});
   };
   EXPECT_THAT(returns("20", "12"), testing::Contains(HasSubstr("the house still turns")));
   EXPECT_THAT(returns("0", "0"), testing::Not(testing::Contains(HasSubstr("still turns"))));
-  EXPECT_THAT(doubts_of(checkout), testing::Not(testing::Contains(HasSubstr("still turns"))));
+  EXPECT_THAT(warnings_of(checkout), testing::Not(testing::Contains(HasSubstr("still turns"))));
 }
 
-TEST(Doubts, HeelThatClosesOnTheGround) {
+TEST(Warnings, HeelThatClosesOnTheGround) {
   const Checkout checkout;
   const machine::ShovelKinematics shovel(
       machine::load_machine(checkout.root / "mbs/bucyrus495.yaml"), Pose{}, radians(61.8));
@@ -139,14 +140,14 @@ TEST(Doubts, HeelThatClosesOnTheGround) {
       rows += fmt::format("{},{},{},0,0\n", k, d.hoist, d.crowd);
     }
     test::write_text(checkout.folder() / "motion.csv", rows);
-    return doubts_of(checkout);
+    return warnings_of(checkout);
   };
   EXPECT_THAT(out_at(0),
               testing::Contains(HasSubstr("the dipper closes on the ground: at 12.0 s")));
   EXPECT_THAT(out_at(0.3), testing::Not(testing::Contains(HasSubstr("closes on"))));
 }
 
-TEST(Doubts, MeshesThatLookWrong) {
+TEST(Warnings, MeshesThatLookWrong) {
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(1000 * v); }),
               testing::Contains(HasSubstr("in mm? scale it by 0.001")));
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x(), -v.z(), v.y()); }),
@@ -155,7 +156,7 @@ TEST(Doubts, MeshesThatLookWrong) {
               testing::Contains(HasSubstr("docs/frames.md")));
 }
 
-TEST(Doubts, WhatTheMeshHoldsAgainstWhatIsSaidOfIt) {
+TEST(Warnings, WhatTheMeshHoldsAgainstWhatIsSaidOfIt) {
   const auto as_it_is = [](const Vector3d& v) { return v; };
   EXPECT_THAT(with_dipper(as_it_is), ElementsAre());
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x(), 0.75 * v.y(), v.z()); }),

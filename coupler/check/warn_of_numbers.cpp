@@ -7,7 +7,7 @@
 
 #include "common/angles.hpp"
 #include "common/seconds.hpp"
-#include "coupler/check/doubt_parts.hpp"
+#include "coupler/check/warning_parts.hpp"
 #include "coupler/deck/contact_table.hpp"
 
 namespace dipper::check {
@@ -20,13 +20,13 @@ constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
 constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
 constexpr double kWindow_s = 0.01;   ///< the empty dipper on its ropes swings with some 0.2 s
 
-void doubt_the_mesh(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Vector3d wanted = parts.machine.dipper.inside;  // without plates and teeth
   const Box box = mesh::bounding_box(parts.dipper);
   const Vector3d sides = box.sides_m();
   const double scale = sides.maxCoeff() / wanted.maxCoeff();
   const auto say = [&](const std::string& what) {
-    doubts.push_back(cases::finding_at(parts.c, "bodies.dipper", what));
+    warnings.push_back(cases::finding_at(parts.c, "bodies.dipper", what));
   };
   if (scale > kOtherUnit || scale < 1 / kOtherUnit) {
     const double factor = scale > 100 ? 0.001 : 1 / scale;
@@ -51,10 +51,10 @@ void doubt_the_mesh(const CaseParts& parts, std::vector<Finding>& doubts) {
                     box.min_m.x(), middle.y(), middle.z()));
 }
 
-void doubt_angles(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_angles(const CaseParts& parts, std::vector<Finding>& warnings) {
   const double rake = std::abs(parts.c.machine.rake_angle_deg);
   if (rake > 0 && rake < 2)
-    doubts.push_back(cases::finding_at(
+    warnings.push_back(cases::finding_at(
         parts.c, "machine.rake_angle_deg",
         fmt::format("{:g} degrees lay the dipper along its handle: is it in rad? {:.1f} degrees "
                     "are",
@@ -68,13 +68,13 @@ void doubt_angles(const CaseParts& parts, std::vector<Finding>& doubts) {
   const auto in_rad = [](double most) { return most > radians(0.3) && most < radians(3.2); };
   for (const auto& [name, most] : {std::pair{"swing_deg", swing}, std::pair{"door_deg", door}})
     if (in_rad(most))
-      doubts.push_back(
+      warnings.push_back(
           {parts.c.machine.motion, 0, name,
            fmt::format("never goes beyond {:.2f} degrees: is it in rad?", degrees(most))});
 }
 
 /// A body's radius of gyration is of its own size.
-void doubt_masses(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_masses(const CaseParts& parts, std::vector<Finding>& warnings) {
   struct Part {
     std::string name;
     double mass_kg, inertia_kg_m2, size_m;
@@ -87,7 +87,7 @@ void doubt_masses(const CaseParts& parts, std::vector<Finding>& doubts) {
         Part{"door", m.door.mass, m.door.inertia.maxCoeff(), dipper_m}}) {
     const double gyration_m = std::sqrt(p.inertia_kg_m2 / p.mass_kg);
     if (gyration_m > p.size_m || gyration_m < kSlightest * p.size_m)
-      doubts.push_back(
+      warnings.push_back(
           {parts.c.machine.model, 0, p.name + ".mass",
            fmt::format(
                "{:g} kg with an inertia of {:g} kg m2 has a radius of gyration of {:.2g} m, "
@@ -96,35 +96,35 @@ void doubt_masses(const CaseParts& parts, std::vector<Finding>& doubts) {
   }
 }
 
-void doubt_the_rock(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_rock(const CaseParts& parts, std::vector<Finding>& warnings) {
   const cases::Case& c = parts.c;
   double largest = 0;
   for (const deck::RockClass& rock : deck::rock_classes(c))
     largest = std::max(largest, 2 * rock.radius_m);
   const double mouth = std::min(parts.machine.dipper.inside.y(), parts.machine.dipper.inside.z());
   if (largest > kLargestRock * mouth)
-    doubts.push_back(cases::finding_at(
+    warnings.push_back(cases::finding_at(
         c, c.rock.coarse_graining > 1 ? "rock.coarse_graining" : "rock.classes",
         fmt::format("rocks of {:.2f} m are larger than a third of the dipper's mouth of {:g} m and "
                     "bridge it; write rock.coarse_graining_limit_m: {:.2g} or less",
                     largest, mouth, kLargestRock * mouth)));
   if (c.rock.bulk_density_kg_m3 > c.rock.density_kg_m3)
-    doubts.push_back(
+    warnings.push_back(
         cases::finding_at(c, "rock.bulk_density_kg_m3",
                           fmt::format("{:g} kg/m3 is more than the solid rock's {:g}",
                                       c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
   const double wide = mesh::bounding_box(parts.dipper).sides_m().y();
   if (c.pile.width_m < wide)
-    doubts.push_back(
+    warnings.push_back(
         cases::finding_at(c, "pile.width_m",
                           fmt::format("a pile of {:g} m is narrower than the dipper, {:.1f} m",
                                       c.pile.width_m, wide)));
 }
 
-void doubt_times(const CaseParts& parts, std::vector<Finding>& doubts) {
+void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
   const double window_s = parts.c.coupling.sync_steps * parts.c.dem.timestep_s;
   if (window_s > kWindow_s)
-    doubts.push_back(cases::finding_at(
+    warnings.push_back(cases::finding_at(
         parts.c, "coupling.sync_steps",
         fmt::format("a window of {:.3g} s is long against the swing of the dipper on its ropes; "
                     "{} steps or fewer keep the coupling stable (docs/coupling.md)",
@@ -134,9 +134,9 @@ void doubt_times(const CaseParts& parts, std::vector<Finding>& doubts) {
     const machine::Drives a = parts.motion.value(t), b = parts.motion.value(next);
     if (seconds(next - t) > kHole_s &&
         (std::abs(b.hoist - a.hoist) > 1 || std::abs(b.crowd - a.crowd) > 0.5)) {
-      doubts.push_back({parts.c.machine.motion, 0, "time_s",
-                        fmt::format("no row between {:.2f} and {:.2f} s, while the drives go far",
-                                    seconds(t), seconds(next))});
+      warnings.push_back({parts.c.machine.motion, 0, "time_s",
+                          fmt::format("no row between {:.2f} and {:.2f} s, while the drives go far",
+                                      seconds(t), seconds(next))});
       return;
     }
     t = next;
@@ -145,12 +145,12 @@ void doubt_times(const CaseParts& parts, std::vector<Finding>& doubts) {
 
 }  // namespace
 
-void doubt_numbers(const CaseParts& parts, std::vector<Finding>& doubts) {
-  doubt_the_mesh(parts, doubts);
-  doubt_angles(parts, doubts);
-  doubt_masses(parts, doubts);
-  doubt_the_rock(parts, doubts);
-  doubt_times(parts, doubts);
+void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
+  warn_of_mesh(parts, warnings);
+  warn_of_angles(parts, warnings);
+  warn_of_masses(parts, warnings);
+  warn_of_rock(parts, warnings);
+  warn_of_times(parts, warnings);
 }
 
 }  // namespace dipper::check
