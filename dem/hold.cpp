@@ -103,7 +103,8 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
   }
   if (const int group = lmp.group->find(kLayerGroup); group >= 0)
     layer_ = lmp.group->bitmask[group];
-  lmp.input->one(fmt::format("group {} subtract all all", kRestGroup).c_str());  // empty, if new
+  if (lmp.group->find(kRestGroup) < 0)  // else it came with a restart file, and with who is in it
+    lmp.input->one(fmt::format("group {} subtract all all", kRestGroup).c_str());
   resting_ = rest_bit(lmp);
 }
 
