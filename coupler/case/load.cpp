@@ -14,6 +14,7 @@
 #include "coupler/case/case_text.hpp"
 #include "coupler/case/case_tree.hpp"
 #include "coupler/case/effects.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/case/sieve_classes.hpp"
@@ -61,8 +62,8 @@ class Loader {
     }
     for (const std::string& name : known) {
       const std::string child = join_key(pattern, name);
-      const bool replaced =
-          (child == "rock.classes" && has(node, "sieve")) || is_replaced_by_profile(case_, child);
+      const bool replaced = (child == "rock.classes" && has(node, "sieve")) ||
+                            is_replaced_by_profile(case_, child) || is_of_other_kind(case_, child);
       if (!has(node, name) && !meant.count(name) && !replaced && is_required(child)) {
         add(node, join_key(key, name), missing_message(child));
       }
@@ -362,6 +363,7 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
 
   Loader(c, findings).read_section(root, "", "", {});
   if (findings.size() == before) make_sieve_classes(c, findings);
+  check_machine_kind(c, findings);
   read_pile_profile(c, findings);
   if (findings.size() == before) apply_effects(c, findings);
   c.contact = of_every_pair(c.contact);

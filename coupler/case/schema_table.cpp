@@ -56,6 +56,11 @@ std::vector<KeySpec> make_schema() {
       {"end_s", "s", simulated, {}, optional, output,
        "simulated time; 0, the default, is until the motion is done", SLOT(c.end_s)},
 
+      {"machine.kind", "", any, {"shovel", "poses"}, optional, dig,
+       "a rope shovel that follows a motion, or any bodies that follow a table of poses (docs/poses.md); shovel",
+       CHOICE(c.machine.kind, MachineKind::shovel, MachineKind::poses)},
+      {"machine.poses", "", any, {}, optional, dig,
+       "of kind poses: poses of every body against time, CSV", SLOT(c.machine.poses)},
       {"machine.model", "", any, {}, required, dig,
        "dimensions and masses of the shovel", SLOT(c.machine.model)},
       {"machine.motion", "", any, {}, required, dig,

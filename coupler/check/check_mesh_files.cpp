@@ -88,9 +88,10 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
 
 // A mesh that is not there is told by itself: its name is wrong, not the other's.
 void check_mesh_facts(const cases::Case& c, Findings& findings) {
-  const auto dipper = c.bodies.find("dipper");
-  if (dipper != c.bodies.end() && fs::is_regular_file(dipper->second)) {
-    cases::read_dipper_facts(c, findings);
+  const bool shovel = c.machine.kind == cases::MachineKind::shovel;
+  for (const auto& [name, mesh] : c.bodies) {
+    const bool weighed = shovel ? name == "dipper" : cases::has_dipper_facts(c, name);
+    if (weighed && fs::is_regular_file(mesh)) cases::read_dipper_facts(c, findings, name);
   }
   if (fs::is_regular_file(c.truck.mesh)) cases::read_truck_bed(c, findings);
 }

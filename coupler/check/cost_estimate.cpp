@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/seconds.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/rock_shape.hpp"
 #include "machine/motion.hpp"
@@ -53,8 +54,7 @@ std::string bytes(double b) {
 }  // namespace
 
 CostEstimate cost_estimate(const cases::Case& c) {
-  const double end_s =
-      c.end_s > 0 ? c.end_s : seconds(machine::Motion::load(c.machine.motion).end_ns());
+  const double end_s = c.end_s > 0 ? c.end_s : cases::motion_end_s(c);
   const double steps = end_s / c.dem.timestep_s;
   const double windows = steps / c.coupling.sync_steps;
   const double settle_steps = (c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s;

@@ -121,6 +121,7 @@ int run(const RunOptions& o, Reporter& reporter) {
     return 2;
   }
   try {
+    if (!o.no_rock.empty()) dry::require_drives(*c);
     const launch::MpiPlaces places =
         o.no_rock.empty() ? place(c->dem.ranks, mpirun, reporter) : launch::MpiPlaces{};
     const run::RunFolder folder =

@@ -143,6 +143,13 @@ json summarise(const cases::Case& c, RockModel rock, const run::RunFolder& folde
 
 }  // namespace
 
+void require_drives(const cases::Case& c) {
+  if (c.machine.kind == cases::MachineKind::shovel) return;
+  throw InputError({cases::finding_at(
+      c, "machine.kind",
+      "poses have no drives, which is what a run without rock shows; run it with rock")});
+}
+
 run::RunStatus dry_run(const cases::Case& c, RockModel rock, const run::RunFolder& folder,
                        Reporter& reporter) {
   DiggingEstimate estimate = digging_estimate(c);

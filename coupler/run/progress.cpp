@@ -24,9 +24,10 @@ Progress::Progress(Reporter& reporter, const cases::Case& c, const RunEnd& end,
     : reporter_(reporter),
       began_(Clock::now()),
       start_s_(start_s),
-      end_s_(end.path_s.value_or(static_cast<double>(end.step) * c.dem.timestep_s)),
-      phases_(machine::Motion::load(c.machine.motion)),
-      payload_(core::channel_index(rock, "mass_in_dipper")) {
+      end_s_(end.path_s.value_or(static_cast<double>(end.step) * c.dem.timestep_s)) {
+  if (c.machine.kind != cases::MachineKind::shovel) return;
+  phases_.emplace(machine::Motion::load(c.machine.motion));
+  payload_ = core::channel_index(rock, "mass_in_dipper");
   if (c.machine.drives == machine::DriveMode::limited)
     path_time_ = core::channel_index(machine, "path_time");
 }
@@ -41,10 +42,15 @@ void Progress::window(const core::Window& w) {
   const double wall_s = std::chrono::duration<double>(Clock::now() - began_).count();
   const double speed = (t_s - start_s_) / std::max(wall_s, 1e-9);
   const double left_s = speed > 0 ? std::max(0.0, end_s_ - t_s) / speed : 0;
-  reporter_.progress(
-      fmt::format("[{}{}] {:.1f}/{:.1f} s  {:<11}  payload {:4.1f} t  {} left  speed {:.3g}",
-                  std::string(filled, '#'), std::string(kBar - filled, '.'), t_s, end_s_,
-                  phases_.at(along_s), w.rock.channels[payload_] * 1e-3, duration(left_s), speed));
+  reporter_.progress(fmt::format("[{}{}] {:.1f}/{:.1f} s{}  {} left  speed {:.3g}",
+                                 std::string(filled, '#'), std::string(kBar - filled, '.'), t_s,
+                                 end_s_, pass_text(w, along_s), duration(left_s), speed));
+}
+
+std::string Progress::pass_text(const core::Window& w, double along_s) const {
+  if (!phases_) return "";
+  return fmt::format("  {:<11}  payload {:4.1f} t", phases_->at(along_s),
+                     w.rock.channels[payload_] * 1e-3);
 }
 
 }  // namespace dipper::run

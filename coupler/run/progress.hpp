@@ -24,11 +24,13 @@ class Progress final : public Observer {
   void window(const core::Window& w) override;
 
  private:
+  std::string pass_text(const core::Window& w, double along_s) const;
+
   Reporter& reporter_;
   std::chrono::steady_clock::time_point began_;
   double start_s_, end_s_;
-  MotionPhases phases_;
-  std::size_t payload_;
+  std::optional<MotionPhases> phases_;    ///< of a shovel
+  std::size_t payload_ = 0;               ///< of a shovel
   std::optional<std::size_t> path_time_;  ///< of limited drives: how far along the motion they are
 };
 
