@@ -259,7 +259,8 @@ void check_rounding(const Box& box, double rounded_to_m, const std::filesystem::
 TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& file) {
   const std::string_view text = text_of(bytes), begin = without_blanks(text);
   const bool binary = is_binary(bytes, begin);
-  if (const std::string other = other_format(begin); !other.empty() && !is_word(begin.substr(0, 5), "solid"))
+  if (const std::string other = other_format(begin);
+      !other.empty() && !is_word(begin.substr(0, 5), "solid"))
     if (!binary || bytes.size() != header_bytes + facet_count(bytes) * facet_bytes)
       throw InputError({{file, 0, "", fmt::format("is a {} file; export the mesh as STL", other)}});
   const Facets facets = binary ? parse_binary(bytes, file) : parse_ascii(text, file);
