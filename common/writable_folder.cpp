@@ -14,8 +14,9 @@ bool can_write_into(const std::filesystem::path& folder) {
   return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
-  throw InputError({{folder, 0, "", "cannot be written (" + why + "); choose another --out"}});
+[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why,
+                         const std::string& remedy = "choose another --out") {
+  throw InputError({{folder, 0, "", "cannot be written (" + why + "); " + remedy}});
 }
 
 }  // namespace
@@ -28,15 +29,16 @@ void make_writable(const std::filesystem::path& folder) {
   refuse(folder, failed.message());
 }
 
-void require_writable(const std::filesystem::path& folder) {
+void require_writable(const std::filesystem::path& folder, const std::string& remedy) {
   namespace fs = std::filesystem;
   std::error_code unknown;
   fs::path nearest = fs::absolute(folder);
   while (!fs::exists(fs::symlink_status(nearest, unknown)) && nearest.has_relative_path())
     nearest = nearest.parent_path();
-  if (!fs::is_directory(nearest, unknown)) refuse(folder, nearest.string() + " is no folder");
+  if (!fs::is_directory(nearest, unknown))
+    refuse(folder, nearest.string() + " is no folder", remedy);
   if (!can_write_into(nearest))
-    refuse(folder, std::error_code(errno, std::generic_category()).message());
+    refuse(folder, std::error_code(errno, std::generic_category()).message(), remedy);
 }
 
 }  // namespace dipper

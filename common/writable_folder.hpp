@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace dipper {
 
@@ -10,6 +11,11 @@ namespace dipper {
 void make_writable(const std::filesystem::path& folder);
 
 /// The same of a folder that is made only once there is something to put into it. Makes nothing.
-void require_writable(const std::filesystem::path& folder);
+/// `remedy` says what to do where it cannot.
+void require_writable(const std::filesystem::path& folder,
+                      const std::string& remedy = "choose another --out");
+
+/// What to do where the cache's folder cannot be written.
+inline constexpr const char* kOtherCache = "set XDG_CACHE_HOME to a folder that can be written";
 
 }  // namespace dipper

@@ -24,6 +24,10 @@ double weld_distance(double diagonal_m);
 /// Whether a file's name ends in .stl, in capitals or not.
 bool is_stl(const std::filesystem::path& file);
 
+/// Whether LIGGGHTS reads the file as it is: binary, or ascii that begins with "solid" in small
+/// letters and has its other words in such. Throws InputError: no such file.
+bool is_plain_stl(const std::filesystem::path& file);
+
 /// An ascii file, seven digits a coordinate.
 std::string to_stl(const std::string& name, const TriangleMesh& mesh);
 

@@ -13,6 +13,7 @@
 #include "common/installation.hpp"
 #include "common/manifest.hpp"
 #include "common/resolved_path.hpp"
+#include "common/writable_folder.hpp"
 #include "coupler/check/checked_case.hpp"
 #include "coupler/check/cost_estimate.hpp"
 #include "coupler/cli/number_option.hpp"
@@ -119,6 +120,7 @@ int run(const RunOptions& o, Reporter& reporter) {
         fmt::format("{}: {}; {}", fs::absolute(folder).string(), deck::kLiggghtsRefuses, remedy));
     return 2;
   }
+  if (o.no_rock.empty()) require_writable(cache_folder(), kOtherCache);
   try {
     const launch::MpiPlaces places =
         o.no_rock.empty() ? place(c->dem.ranks, mpirun, reporter) : launch::MpiPlaces{};

@@ -295,7 +295,12 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
   for (const auto& [name, mesh] : wall_meshes(c)) {
     if (!mesh.is_absolute()) continue;
     fs::create_directories(folder / "walls");
-    fs::copy_file(mesh, folder / "walls" / (name + ".stl"), fs::copy_options::overwrite_existing);
+    const fs::path copy = folder / "walls" / (name + ".stl");
+    if (mesh::is_plain_stl(mesh)) {
+      fs::copy_file(mesh, copy, fs::copy_options::overwrite_existing);
+    } else {
+      write_text(copy, mesh::to_stl(name, mesh::read_stl(mesh)));
+    }
   }
 }
 

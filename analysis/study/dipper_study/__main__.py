@@ -13,7 +13,7 @@ from pathlib import Path
 
 import dipper_run
 from dipper_run.findings import BadInput
-from dipper_run.out_folder import check_writable, out_folder
+from dipper_run.out_folder import OTHER_CACHE, check_writable, out_folder
 from dipper_run.page_data import plain
 from dipper_run.program import ProgramFailed, program
 from dipper_run.run_cache import cache_folder
@@ -89,7 +89,6 @@ class Session:
         """What was said of each run that failed."""
         return [f"{r}: {self.failed[r.job.folder]}" for r in self.runs.values() if r.job.folder in self.failed]
 
-
     def warnings(self, rows):
         """What the runs warn of, each once with how many say so; first that some have ended within a pass."""
         made = [(run, row) for run, row in zip(self.runs.values(), rows) if "warnings" in row]
@@ -120,6 +119,7 @@ def main(words=None):
         if (args.detach or args.cancel) and study.executor != "slurm":
             raise BadInput([f"{study.file}: --detach and --cancel are for executor: slurm"])
         check_writable(out)
+        check_writable(cache_folder("study"), OTHER_CACHE)
     except BadInput as e:
         print(e.counted(), file=sys.stderr)
         return 2

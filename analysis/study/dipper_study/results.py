@@ -59,7 +59,7 @@ def write_csv(rows, names, file):
 def write_hdf5(rows, names, file, study_text):
     """A dataset a column, in the order of the CSV; columns that are no numbers are text, missing figures nan."""
     part = file.with_suffix(".h5.part")
-    with h5py.File(part, "w") as f:
+    with h5py.File(part, "w", locking=False) as f:
         f.attrs["study"] = study_text
         for column in ("run", "status"):
             f.create_dataset(column, data=[row[column] for row in rows], dtype=h5py.string_dtype())
