@@ -65,7 +65,8 @@ TEST(DumpFolder, FramesThatBeginWithUnitsOrTime) {
   const Scratch s;
   for (const long step : {0, 100})
     s.write("post/dump" + std::to_string(step) + ".dump",
-            "ITEM: UNITS\nsi\nITEM: TIME\n" + std::to_string(0.01 * step) + "\n" + frame(step));
+            "ITEM: UNITS\nsi\nITEM: TIME\n" + std::to_string(0.01 * static_cast<double>(step)) +
+                "\n" + frame(step));
   EXPECT_NEAR(open_dump_folder(s.folder() / "post").time_s.at(1), 1, 1e-12);
   s.write("post/dump100.dump", "ITEM: UNITS\nlj\n" + frame(100));
   EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder() / "post"); }),

@@ -185,6 +185,7 @@ def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_tol
     assert [r["status"] for r in rows] == ["complete", "unfinished", "complete"] * 3
     assert {r["warnings"] for r in rows} == {"1"}
     assert (world.out / "runs" / rows[1]["run"]).exists()
-    data = page(read_study(world.folder / "study.yaml"), [r | {"payload_t": 1.0} for r in rows[:2]], warnings=["a"])
+    numbers = [{**r, **{c: float(r[c] or "nan") for c in COLUMNS}} for r in rows[:2]]
+    data = page(read_study(world.folder / "study.yaml"), numbers, warnings=["a"])
     assert data["warnings"] == ["a"] and (data["counts"]["complete"], data["counts"]["unfinished"]) == (1, 1)
     assert sum(point["figures"]["payload_t"]["n"] for point in data["points"]) == 1
