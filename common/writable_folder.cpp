@@ -21,24 +21,23 @@ bool can_write_into(const std::filesystem::path& folder) {
 
 }  // namespace
 
-void make_writable(const std::filesystem::path& folder) {
+void make_writable(const std::filesystem::path& folder, const std::string& remedy) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (!failed && can_write_into(folder)) return;
   if (!failed) failed = std::error_code(errno, std::generic_category());
-  refuse(folder, failed.message());
+  refuse(folder, failed.message(), remedy);
 }
 
-void require_writable(const std::filesystem::path& folder, const std::string& remedy) {
+void require_writable(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::error_code unknown;
   fs::path nearest = fs::absolute(folder);
   while (!fs::exists(fs::symlink_status(nearest, unknown)) && nearest.has_relative_path())
     nearest = nearest.parent_path();
-  if (!fs::is_directory(nearest, unknown))
-    refuse(folder, nearest.string() + " is no folder", remedy);
+  if (!fs::is_directory(nearest, unknown)) refuse(folder, nearest.string() + " is no folder");
   if (!can_write_into(nearest))
-    refuse(folder, std::error_code(errno, std::generic_category()).message(), remedy);
+    refuse(folder, std::error_code(errno, std::generic_category()).message());
 }
 
 }  // namespace dipper

@@ -85,7 +85,7 @@ std::optional<cases::Case> checked_request(const CalibrationRequest& request, Re
     faults.push_back(data_folder().string() + ": " + deck::kLiggghtsRefuses);
   try {
     require_writable(request.out);
-    require_writable(cache_folder(), kOtherCache);
+    make_writable(cache_folder(), kOtherCache);
   } catch (const InputError& e) {
     faults.push_back(e.what());
   }

@@ -120,7 +120,7 @@ int run(const RunOptions& o, Reporter& reporter) {
         fmt::format("{}: {}; {}", fs::absolute(folder).string(), deck::kLiggghtsRefuses, remedy));
     return 2;
   }
-  if (o.no_rock.empty()) require_writable(cache_folder(), kOtherCache);
+  if (o.no_rock.empty()) make_writable(cache_folder(), kOtherCache);
   try {
     const launch::MpiPlaces places =
         o.no_rock.empty() ? place(c->dem.ranks, mpirun, reporter) : launch::MpiPlaces{};

@@ -14,7 +14,7 @@ import yaml
 
 from dipper_run import run_cache
 from dipper_run.findings import BadInput, Findings
-from dipper_run.out_folder import OTHER_CACHE, check_writable, out_folder
+from dipper_run.out_folder import check_writable, make_cache, out_folder
 from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
@@ -89,7 +89,7 @@ def main(words=None):
             say(f"gap: {question}")
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
-        check_writable(run_cache.cache_folder("gap"), OTHER_CACHE)
+        make_cache(run_cache.cache_folder("gap"))
     except BadInput as e:
         print(e.counted(), file=sys.stderr)
         return 2

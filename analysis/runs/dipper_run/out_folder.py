@@ -10,14 +10,22 @@ def out_folder(given, name):
     return given or Path("runs") / name
 
 
-OTHER_CACHE = "set XDG_CACHE_HOME to a folder that can be written"
+def make_cache(folder):
+    """Makes the folder of a cache; BadInput when it cannot be made or written into."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        why = "" if os.access(folder, os.W_OK | os.X_OK) else "Permission denied"
+    except OSError as e:
+        why = e.strerror
+    if why:
+        raise BadInput([f"{folder}: cannot be written ({why}); set XDG_CACHE_HOME to a folder that can be written"])
 
 
-def check_writable(folder, remedy="choose another --out"):
+def check_writable(folder):
     """BadInput when the folder cannot be made or written into: for before the work is done. Makes nothing."""
     # A link to nothing is there; what lies in a folder that cannot be looked into is not.
     nearest = next(p for p in (folder.absolute(), *folder.absolute().parents) if os.path.lexists(p))
     folders = os.path.isdir(nearest)
     why = "Permission denied" if folders else f"{nearest} is no folder"
     if not folders or not os.access(nearest, os.W_OK | os.X_OK):
-        raise BadInput([f"{folder}: cannot be written ({why}); {remedy}"])
+        raise BadInput([f"{folder}: cannot be written ({why}); choose another --out"])

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import dipper_run
 from dipper_run.findings import BadInput
-from dipper_run.out_folder import OTHER_CACHE, check_writable, out_folder
+from dipper_run.out_folder import check_writable, make_cache, out_folder
 from dipper_run.page_data import plain
 from dipper_run.program import ProgramFailed, program
 from dipper_run.run_cache import cache_folder
@@ -119,7 +119,7 @@ def main(words=None):
         if (args.detach or args.cancel) and study.executor != "slurm":
             raise BadInput([f"{study.file}: --detach and --cancel are for executor: slurm"])
         check_writable(out)
-        check_writable(cache_folder("study"), OTHER_CACHE)
+        make_cache(cache_folder("study"))
     except BadInput as e:
         print(e.counted(), file=sys.stderr)
         return 2

@@ -189,3 +189,9 @@ def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_tol
     data = page(read_study(world.folder / "study.yaml"), numbers, warnings=["a"])
     assert data["warnings"] == ["a"] and (data["counts"]["complete"], data["counts"]["unfinished"]) == (1, 1)
     assert sum(point["figures"]["payload_t"]["n"] for point in data["points"]) == 1
+
+
+def test_a_cache_that_cannot_be_written_is_told_before_a_run(world):
+    world.environment["XDG_CACHE_HOME"] = "/proc/none"
+    assert "set XDG_CACHE_HOME to a folder that can be written" in world.study(status=2)
+    assert not world.calls()

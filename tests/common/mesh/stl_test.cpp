@@ -61,7 +61,8 @@ TEST(Stl, DialectsOfText) {
     const auto file = std::filesystem::path(testing::TempDir()) / "dialect.stl";
     std::ofstream(file, std::ios::binary) << text;
     EXPECT_FALSE(is_plain_stl(file));
-    std::ofstream(file, std::ios::binary) << to_stl("dipper", read_stl(file));
+    const TriangleMesh mesh = read_stl(file);
+    std::ofstream(file, std::ios::binary) << to_stl("dipper", mesh);
     EXPECT_TRUE(is_plain_stl(file));
   }
 }

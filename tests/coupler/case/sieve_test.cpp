@@ -106,7 +106,7 @@ TEST(Sieve, AnotherUnitIsToldOnceWithTheRange) {
       << retained;
   for (const std::string& all : {mm, shares, retained})
     EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 0) << all;
-  EXPECT_EQ(read_sieve(curve_file("0.1 m,2 %\n0.2,\"50,0\"\n0.8,100%\n")).passing_percent(0.2), 50);
+  EXPECT_EQ(read_sieve(curve_file("0.1 m,2 %\n0.2,\"50.0\"\n0.8,100%\n")).passing_percent(0.2), 50);
 }
 
 TEST(Sieve, EveryFaultWithItsLine) {

@@ -62,7 +62,8 @@ class OtherMpirun(RunTest):
     def test_a_home_that_cannot_be_written_is_told_before_anything_is(self):
         no_folder = self.folder / "file"
         no_folder.write_text("")
-        for where in ({"XDG_CACHE_HOME": str(no_folder)}, {"XDG_CACHE_HOME": "", "HOME": str(no_folder)}):
+        for where in ({"XDG_CACHE_HOME": str(no_folder)}, {"XDG_CACHE_HOME": "", "HOME": str(no_folder)},
+                      {"XDG_CACHE_HOME": "/proc/none"}):
             status, said = self.dipper("run", TINY, *SHORT, "--out", self.folder / "out", **where)
             self.assertEqual(status, 2, said)
             self.assertIn("set XDG_CACHE_HOME to a folder that can be written", said)
