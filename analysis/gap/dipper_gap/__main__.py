@@ -83,8 +83,9 @@ def main(words=None):
         catalogue = read_catalogue(args.case)
         measured = read_measured(args.measured, NEED_PASSES)
         if not measured.responses() and not args.masses_only:
-            raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; masses "
-                            "alone are seldom enough to name an effect: give a force, or ask for it with --masses-only"])
+            raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; "
+                            "masses alone are seldom enough to name an effect: give a force, or ask for that with "
+                            "--masses-only"])
         for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
             say(f"gap: {question}")
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")

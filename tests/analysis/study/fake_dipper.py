@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Stands in for `dipper`: checks and runs a case in which payload, force and work are a known function of rake, toe
 and seed. Beside it: `calls` (a line a run that began), `fail` (seeds whose runs fail), `slow` (seconds a run takes),
-`short` (seeds whose runs end within the pass), `warnings` (of every run), `steep` (the rake above which a toe beyond 0.5 m is no sound case), `real` (the program that writes pages)."""
+`short` (seeds whose runs end within the pass), `warnings` (of every run), `steep` (the rake above which a toe beyond
+0.5 m is no sound case), `real` (the program that writes pages)."""
 import hashlib
 import json
 import os
