@@ -9,6 +9,7 @@
 #include <set>
 
 #include "common/nearest_word.hpp"
+#include "common/resolved_path.hpp"
 #include "common/yaml_tree.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/case_text.hpp"
@@ -184,7 +185,7 @@ class Loader {
     // Relative to the file that says it; what --set says, to the case.
     const bool by_hand = node.origin.line == 0;
     const fs::path from = by_hand ? case_.folder : fs::absolute(node.origin.file).parent_path();
-    *out = (from / node.scalar).lexically_normal();
+    *out = resolved(from / node.scalar);
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
@@ -337,8 +338,7 @@ void add_file_findings(const Case& c, const std::string& key, const InputError& 
 Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
                std::vector<Finding>& findings) {
   Case c;
-  c.folder = fs::absolute(folder).lexically_normal();
-  if (!c.folder.has_filename()) c.folder = c.folder.parent_path();
+  c.folder = resolved(folder);
   c.name = c.folder.filename().string();
 
   const fs::path file = folder / "case.yaml";

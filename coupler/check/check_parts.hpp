@@ -26,6 +26,11 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
                                                   const std::filesystem::path& file,
                                                   Findings& findings);
 
+/// False, and a finding, when a mesh is longer than the domain: it is in another unit. What else
+/// would be told of it says nothing more.
+bool check_unit(const cases::Case& c, const std::string& key, const mesh::TriangleMesh& mesh,
+                Findings& findings);
+
 /// The YAML files beside the dipper's and the truck's mesh.
 void check_mesh_facts(const cases::Case& c, Findings& findings);
 

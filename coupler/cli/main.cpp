@@ -87,8 +87,8 @@ int command_line(int argc, char** argv, Reporter& reporter) {
 
 int main(int argc, char** argv) {
   dipper::cli::Console console;
-  dipper::cli::read_environment();
   try {
+    dipper::cli::read_environment();
     return dipper::cli::command_line(argc, argv, console);
   } catch (const dipper::InputError& e) {
     console.error(e.what());

@@ -126,11 +126,14 @@ std::string walls_in(const cases::Case& c) {
       "# Forces are on the mesh, torques about the reference point, which moves with the mesh: "
       "the\n"
       "# origin of the body's own frame when its _x, _y, _z are 0, as dipper-dem sets them.\n"
+      "# curvature_tolerant: thin facets, as CAD programs make them, are allowed; `dipper check`\n"
+      "# refuses those that are too thin for LIGGGHTS.\n"
       "fix sides all mesh/surface file ${deck}/sides.stl type ${sides_type}\n";
   if (cases::has_truck(c)) {
     out +=
         "fix truck all mesh/surface file ${truck_mesh} type ${truck_type} &\n"
-        "  rotate axis 0.0 0.0 1.0 angle ${truck_heading} move ${truck_x} ${truck_y} ${truck_z}\n";
+        "  rotate axis 0.0 0.0 1.0 angle ${truck_heading} move ${truck_x} ${truck_y} ${truck_z} &\n"
+        "  curvature_tolerant yes\n";
     meshes = " truck";
     n = std::to_string(c.bodies.size() + 2);
   }
@@ -141,7 +144,8 @@ std::string walls_in(const cases::Case& c) {
       out += fmt::format("variable {}_{} index 0.0\n", name, axis);
     out += fmt::format(
         "fix {0} all mesh/surface/stress file ${{{0}_mesh}} type ${{dipper_type}} &\n"
-        "  move ${{{0}_x}} ${{{0}_y}} ${{{0}_z}} reference_point 0.0 0.0 0.0 wear ${{wear}}\n",
+        "  move ${{{0}_x}} ${{{0}_y}} ${{{0}_z}} curvature_tolerant yes &\n"
+        "  reference_point 0.0 0.0 0.0 wear ${{wear}}\n",
         name);
     meshes += " " + name;
   }
@@ -334,7 +338,12 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
   for (const auto& [name, mesh] : wall_meshes(c)) {
     if (!mesh.is_absolute()) continue;
     fs::create_directories(folder / "walls");
-    fs::copy_file(mesh, folder / "walls" / (name + ".stl"), fs::copy_options::overwrite_existing);
+    const fs::path copy = folder / "walls" / (name + ".stl");
+    if (mesh::is_plain_stl(mesh)) {
+      fs::copy_file(mesh, copy, fs::copy_options::overwrite_existing);
+    } else {
+      write_text(copy, mesh::to_stl(name, mesh::read_stl(mesh)));
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "common/case_lines.hpp"
+#include "common/resolved_path.hpp"
 #include "common/sha256.hpp"
 #include "common/text_file.hpp"
 #include "coupler/case/case_hash.hpp"
@@ -102,7 +103,7 @@ std::vector<std::string> changed_since(const fs::path& folder, const cases::Case
     return changed;
   }
   const auto path = [&](const std::string& relative) {
-    return (c.folder / relative).lexically_normal().string();
+    return resolved(c.folder / relative).string();
   };
   const auto hashes = input_hashes(c);
   for (const auto& [name, hash] : hashes) {
@@ -111,7 +112,7 @@ std::vector<std::string> changed_since(const fs::path& folder, const cases::Case
       changed.push_back(path(name) + " was no part of it");
     } else if (was->second == hash) {
       continue;
-    } else if (path(name) == c.machine.motion.lexically_normal().string()) {
+    } else if (path(name) == c.machine.motion.string()) {
       if (!same_until(folder / kMotion, c.machine.motion, from_s))
         changed.push_back(fmt::format(
             "{} is another motion before t = {:.3f} s, where the run goes on", path(name), from_s));

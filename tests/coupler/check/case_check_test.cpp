@@ -363,6 +363,33 @@ TEST(CheckCase, StepOfAFractionOfANanosecond) {
                                      "is not a whole number of nanoseconds; write 0.000123456"}});
 }
 
+TEST(CheckCase, AMeshInMillimetresIsToldAndNothingElseOfIt) {
+  Checkout checkout;
+  mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
+  for (auto& v : door.vertices) v *= 1000;
+  const auto file = std::filesystem::path(testing::TempDir()) / "door_mm.stl";
+  std::ofstream(file) << mesh::to_stl("door", door);
+  expect_findings(check(checkout, {{"bodies.door", file.string()}}),
+                  {{"--set", 0, "bodies.door",
+                    "and the whole domain 56 m: in mm, perhaps? An STL file has no"}});
+}
+
+TEST(CheckCase, AFacetTooThinForLiggghtsIsTold) {
+  Checkout checkout;
+  mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
+  const auto t = door.triangles[0];  // a corner close above the middle of one of its edges
+  const auto& v = door.vertices;
+  door.vertices.push_back((v[t[0]] + v[t[1]]) / 2 + 2e-4 * (v[t[2]] - v[t[0]]));
+  const std::size_t p = door.vertices.size() - 1;
+  door.triangles[0] = {t[0], t[1], p};
+  door.triangles.push_back({t[1], t[2], p});
+  door.triangles.push_back({t[2], t[0], p});
+  const auto file = std::filesystem::path(testing::TempDir()) / "door_thin.stl";
+  std::ofstream(file) << mesh::to_stl("door", door);
+  expect_findings(check(checkout, {{"bodies.door", file.string()}}),
+                  {{file, 0, "bodies.door", "facet 1: its smallest angle is 0.0"}});
+}
+
 TEST(CheckCase, BodiesTruckAndPileLeaveTheBox) {
   Checkout checkout(true);
   const auto file = checkout.file();
