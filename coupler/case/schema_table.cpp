@@ -29,11 +29,11 @@ SizeClass& class_at(Case& c, const Place& p) {
 
 // The member `expr` of the case `c`, at the place `p` where the key has a # or *.
 #define SLOT(expr) [](Case& c, [[maybe_unused]] const Place& p) -> Slot { return &(expr); }
-// The same of a std::optional member, which holds a value from then on.
-#define OPTIONAL(expr)                \
-  [](Case& c, const Place&) -> Slot { \
-    if (!(expr)) (expr).emplace();    \
-    return &*(expr);                  \
+// The same of a contact number that follows another one until it has a value of its own.
+#define FOLLOWING(member)                               \
+  [](Case& c, const Place&) -> Slot {                   \
+    c.contact.member = of_every_pair(c.contact).member; \
+    return &*c.contact.member;                          \
   }
 // The same of a member that is a bool or an enum, with what the allowed words stand for, in order.
 #define CHOICE(expr, ...) \
@@ -143,10 +143,10 @@ std::vector<KeySpec> make_schema() {
        "D_t, of critical", SLOT(c.contact.tangential_damping)},
       {"contact.normal_damping_other", "", damping, {}, optional, settling,
        "D_n of every pair but spheres with spheres; the default is theirs",
-       OPTIONAL(c.contact.normal_damping_other)},
+       FOLLOWING(normal_damping_other)},
       {"contact.tangential_damping_other", "", damping, {}, optional, settling,
        "D_t of every pair but spheres with spheres; the default is theirs",
-       OPTIONAL(c.contact.tangential_damping_other)},
+       FOLLOWING(tangential_damping_other)},
       {"contact.friction_sphere_sphere", "", friction, {}, required, settling,
        "Eq. 7", SLOT(c.contact.friction_sphere_sphere)},
       {"contact.friction_sphere_rock", "", friction, {}, required, settling,
@@ -161,20 +161,20 @@ std::vector<KeySpec> make_schema() {
        "any rock on the truck", SLOT(c.contact.friction_truck)},
       {"contact.friction_truck_sphere", "", friction, {}, optional, settling,
        "spheres on the truck; the default is friction_truck",
-       OPTIONAL(c.contact.friction_truck_sphere)},
+       FOLLOWING(friction_truck_sphere)},
       {"contact.rolling_friction_sphere", "", friction, {}, required, settling,
        "Eq. 8; spheres with spheres", SLOT(c.contact.rolling_friction_sphere)},
       {"contact.rolling_friction_rock", "", friction, {}, optional, settling,
        "spheres on rocks; the default is rolling_friction_sphere",
-       OPTIONAL(c.contact.rolling_friction_rock)},
+       FOLLOWING(rolling_friction_rock)},
       {"contact.rolling_friction_dipper", "", friction, {}, optional, settling,
        "spheres on bodies; the default is rolling_friction_sphere",
-       OPTIONAL(c.contact.rolling_friction_dipper)},
+       FOLLOWING(rolling_friction_dipper)},
       {"contact.rolling_friction_ground", "", friction, {}, required, settling,
        "spheres on the ground", SLOT(c.contact.rolling_friction_ground)},
       {"contact.rolling_friction_truck", "", friction, {}, optional, settling,
        "spheres on the truck; the default is rolling_friction_ground",
-       OPTIONAL(c.contact.rolling_friction_truck)},
+       FOLLOWING(rolling_friction_truck)},
       {"contact.cohesion_Pa", "Pa", between(0, 1e6), {}, optional, settling,
        "tensile strength of the moist pile; 0", SLOT(c.contact.cohesion_Pa)},
       {"contact.adhesion_Pa", "Pa", between(0, 1e6), {}, optional, settling,

@@ -33,6 +33,8 @@ def arguments(words):
     parser.add_argument("case", metavar="CASE", type=Path, help="a folder with a case.yaml")
     parser.add_argument("--measured", metavar="FOLDER", type=Path, required=True,
                         help="channels.yaml, passes.csv and signals.csv of the mine")
+    parser.add_argument("--masses-only", action="store_true", help="compare masses where the folder has no forces: "
+                        "that is seldom enough to name an effect")
     parser.add_argument("--out", metavar="DIR", type=Path, help="where the answer goes (default: runs/gap-CASE)")
     return parser.parse_args(words)
 
@@ -80,6 +82,9 @@ def main(words=None):
         data = read_case(args.case)
         catalogue = read_catalogue(args.case)
         measured = read_measured(args.measured, NEED_PASSES)
+        if not measured.responses() and not args.masses_only:
+            raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; masses "
+                            "alone are seldom enough to name an effect: give a force, or ask for it with --masses-only"])
         for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
             say(f"gap: {question}")
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
