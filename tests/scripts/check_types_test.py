@@ -26,7 +26,7 @@ class CheckTypes(unittest.TestCase):
                    "namespace b { struct A {}; class B {}; }\nnamespace a { struct D { struct A {}; }; }")
 
     def test_two_types_of_one_name(self):
-        self.check("namespace a::b {\nstruct A { int x; };\n}", 
+        self.check("namespace a::b {\nstruct A { int x; };\n}",
                    "namespace a {\nnamespace b {\nclass A final : C<int> {};\n}\n}",
                    "one.cpp:2: a::b::A is also defined at other.hpp:3")
 
