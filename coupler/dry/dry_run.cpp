@@ -66,7 +66,7 @@ bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& l
                         run::record_attributes(c, lone.machine().info(), rock.info()),
                         run::RecordPosition{});
   run::Stepper stepper(coupling, c.coupling.sync_steps, end.step);
-  run::Progress progress(reporter, c, end, lone.machine().info(), rock.info(), 0);
+  run::Progress progress(reporter, c, end, lone.machine().info(), rock.info());
   run::end_with_path(stepper, end, lone.machine().info());
   stepper.add(record);
   stepper.add(progress);

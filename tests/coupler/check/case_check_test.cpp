@@ -16,6 +16,7 @@
 #include "tests/common/memory_reporter.hpp"
 #include "tests/coupler/case/checkout.hpp"
 #include "tests/coupler/deck/height_field.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::check {
 namespace {
@@ -48,7 +49,7 @@ TEST(CheckCase, QuickIsSound) {
 
 TEST(CheckCase, TheRepositorysQuickIsSound) {
   std::vector<Finding> findings;
-  read_case(fs::path(DIPPER_SOURCE) / "cases/quick", {}, findings);
+  read_case(test::source() / "cases/quick", {}, findings);
   expect_findings(findings, {});
 }
 

@@ -11,12 +11,13 @@
 #include "coupler/deck/pile_shape.hpp"
 #include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kSource = DIPPER_SOURCE;
+const fs::path kSource = test::source();
 
 std::set<std::string> names(const fs::path& folder) {
   std::set<std::string> out;
