@@ -5,7 +5,7 @@
 #include "common/manifest.hpp"
 #include "common/writable_folder.hpp"
 #include "coupler/cli/set_option.hpp"
-#include "coupler/run/observed.hpp"
+#include "coupler/result/observed.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -18,16 +18,16 @@ struct ObserveOptions {
 int observe(const ObserveOptions& o) {
   namespace fs = std::filesystem;
   require_undamaged(o.folder);
-  cases::ObservationCase observation = run::read_observation(fs::path(o.folder) / "case.txt");
+  cases::ObservationCase observation = result::read_observation(fs::path(o.folder) / "case.txt");
   try {
     for (const cases::Override& set : overrides_of(o.set, "observation.lag_s=0.2"))
-      run::set_observation(observation, set);
+      result::set_observation(observation, set);
   } catch (const std::invalid_argument& e) {
     throw CLI::ValidationError("--set", e.what());
   }
   const fs::path record = fs::path(o.folder) / "record.h5";
   make_writable(o.out);
-  run::write_observed(record, observation, o.out);
+  result::write_observed(record, observation, o.out);
   return 0;
 }
 

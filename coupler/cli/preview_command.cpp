@@ -42,7 +42,7 @@ int write_dry_page(cases::Case c, dry::RockModel rock, const fs::path& page, Rep
   c.coupling.sync_steps = std::max(c.coupling.sync_steps,
                                    static_cast<int>(std::lround(kDryWindow_s / c.dem.timestep_s)));
   const TemporaryFolder scratch("dipper-preview");
-  const run::RunFolder folder = run::RunFolder::create(scratch.path() / c.name);
+  const result::RunFolder folder = result::RunFolder::create(scratch.path() / c.name);
   enter_own_network(reporter);
   const run::RunStatus status = dry::dry_run(c, rock, folder, reporter);
   if (status != run::RunStatus::complete) return static_cast<int>(status);

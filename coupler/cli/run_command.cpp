@@ -54,7 +54,7 @@ fs::path run_folder(const RunOptions& o) {
   return folder;
 }
 
-double resumed_from_s(const run::RunFolder& folder, const cases::Case& c) {
+double resumed_from_s(const result::RunFolder& folder, const cases::Case& c) {
   const auto last = run::last_checkpoint(folder.checkpoints());
   return last ? static_cast<double>(last->coupling.dem_step) * c.dem.timestep_s : 0;
 }
@@ -125,8 +125,8 @@ int run(const RunOptions& o, Reporter& reporter) {
     if (!o.no_rock.empty()) dry::require_drives(*c);
     const launch::MpiPlaces places =
         o.no_rock.empty() ? place(c->dem.ranks, mpirun, reporter) : launch::MpiPlaces{};
-    const run::RunFolder folder =
-        o.resume ? run::RunFolder::resume(out) : run::RunFolder::create(out);
+    const result::RunFolder folder =
+        o.resume ? result::RunFolder::resume(out) : result::RunFolder::create(out);
     if (o.resume) require_undamaged(folder.root());
     const auto changed = o.resume
                              ? run::changed_since(folder.root(), *c, resumed_from_s(folder, *c))

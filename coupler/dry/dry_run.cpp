@@ -14,9 +14,9 @@
 #include "coupler/dry/estimated_rock.hpp"
 #include "coupler/dry/machine_limits.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/run/drive_limits_met.hpp"
+#include "coupler/result/drive_limits_met.hpp"
+#include "coupler/result/pass_rows.hpp"
 #include "coupler/run/lone_machine.hpp"
-#include "coupler/run/pass_rows.hpp"
 #include "coupler/run/preparation.hpp"
 #include "coupler/run/progress.hpp"
 #include "coupler/run/run_record.hpp"
@@ -34,7 +34,7 @@ using json = nlohmann::ordered_json;
 
 constexpr double kSummaryTrim = 1e-3;  // m: of the faces' points, a page draws no finer
 
-setup::PeerConfig machine_config(const cases::Case& c, const run::RunFolder& folder) {
+setup::PeerConfig machine_config(const cases::Case& c, const result::RunFolder& folder) {
   setup::PeerConfig config;
   config.lcm_url = transport::kLcmUrl;
   config.secret = setup::random_secret();
@@ -48,7 +48,7 @@ setup::PeerConfig machine_config(const cases::Case& c, const run::RunFolder& fol
 
 /// What a page of the run is drawn from, as a paired run leaves it: the deck with its walls and
 /// bench, and the regions in which rock is weighed.
-void write_scene(const cases::Case& c, const run::RunFolder& folder) {
+void write_scene(const cases::Case& c, const result::RunFolder& folder) {
   deck::write_deck(c, c.rock.shape_folder, folder.deck());
   const sides::MeshFacts facts = sides::read_mesh_facts(c);
   run::write_scales(folder,
@@ -59,7 +59,7 @@ void write_scene(const cases::Case& c, const run::RunFolder& folder) {
 
 /// Steps to the end of the motion, or until interrupted. Whether the end is reached.
 bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& lone,
-                  const run::RunFolder& folder, Reporter& reporter) {
+                  const result::RunFolder& folder, Reporter& reporter) {
   core::Coupling coupling(lone.machine(), rock, c.coupling.scheme);
   const run::RunEnd end = run::run_end(c);
   run::RunRecord record(folder.record(), lone.machine().info(), rock.info(),
@@ -123,11 +123,11 @@ void tell_limits(const std::vector<LimitUse>& uses, Reporter& reporter) {
                       u.name, u.most, u.unit, u.at_s, u.limit, u.over_s));
 }
 
-json summarise(const cases::Case& c, RockModel rock, const run::RunFolder& folder,
+json summarise(const cases::Case& c, RockModel rock, const result::RunFolder& folder,
                const std::vector<LimitUse>& limits, double mbs_cpu_s) {
   const auto time_s = record::read_channel(folder.record(), "time_s");
   const double sim_s = time_s.empty() ? 0 : time_s.back();
-  const json passes = run::pass_rows(c, folder);
+  const json passes = result::pass_rows(c, folder);
   return {
       {"case", c.name},
       {"seed", c.seed},
@@ -150,7 +150,7 @@ void require_drives(const cases::Case& c) {
       "poses have no drives, which is what a run without rock shows; run it with rock")});
 }
 
-run::RunStatus dry_run(const cases::Case& c, RockModel rock, const run::RunFolder& folder,
+run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFolder& folder,
                        Reporter& reporter) {
   DiggingEstimate estimate = digging_estimate(c);
   estimate.there_is_rock = rock == RockModel::estimate;
@@ -178,9 +178,9 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const run::RunFolde
       limit_uses(folder.record(), machine::load_machine(c.machine.model));
   json summary = summarise(c, rock, folder, limits, mbs_cpu_s);
   summary["status"] = "complete";
-  run::tell_drives(c, folder.record(), summary, reporter);
+  result::tell_drives(c, folder.record(), summary, reporter);
   write_text(folder.summary(), summary.dump(2) + '\n');
-  if (rock == RockModel::estimate) run::tell_passes(summary.at("passes"), reporter);
+  if (rock == RockModel::estimate) result::tell_passes(summary.at("passes"), reporter);
   tell_limits(limits, reporter);
   return run::RunStatus::complete;
 }

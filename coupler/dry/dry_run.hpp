@@ -3,8 +3,8 @@
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
+#include "coupler/result/run_folder.hpp"
 #include "coupler/run/paired_run.hpp"
-#include "coupler/run/run_folder.hpp"
 
 namespace dipper::dry {
 
@@ -19,7 +19,7 @@ void require_drives(const cases::Case& c);
 /// Runs the machine's process through the case's motion and leaves record.h5 and summary.json,
 /// which `dipper report` makes a page of. Tells the passes, and what of the machine's limits was
 /// reached. A run that was interrupted cannot go on: it is begun anew. Throws InputError.
-run::RunStatus dry_run(const cases::Case& c, RockModel rock, const run::RunFolder& folder,
+run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFolder& folder,
                        Reporter& reporter);
 
 }  // namespace dipper::dry

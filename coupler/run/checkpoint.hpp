@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "coupler/core/coupling.hpp"
-#include "coupler/run/run_cost.hpp"
+#include "coupler/result/run_cost.hpp"
 #include "coupler/run/run_record.hpp"
 
 namespace dipper::run {
@@ -15,7 +15,7 @@ struct Checkpoint {
   std::filesystem::path folder;
   core::CouplingState coupling;
   RecordPosition record;
-  RunCost cost;
+  result::RunCost cost;
 
   std::filesystem::path rock() const { return folder / "rock.restart"; }
   std::filesystem::path machine() const { return folder / "machine.state"; }

@@ -16,7 +16,7 @@ class Checkpointer final : public Observer {
     core::Machine& machine;
     core::Rock& rock;
     RunRecord& record;
-    std::function<RunCost()> cost;
+    std::function<result::RunCost()> cost;
   };
 
   /// \param every_s  simulated time between two; 0: only at the end

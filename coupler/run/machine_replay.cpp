@@ -11,8 +11,8 @@
 #include "common/record/columns.hpp"
 #include "common/record/record.hpp"
 #include "common/temporary_folder.hpp"
+#include "coupler/result/observed.hpp"
 #include "coupler/run/lone_machine.hpp"
-#include "coupler/run/observed.hpp"
 #include "coupler/setup/peer_config.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
@@ -100,7 +100,8 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
       put(time_s[i], lone.machine().step(step));
     }
   }
-  write_observed(s, analysis::run::read_drive_signals(record).pass, changed.observation, out);
+  result::write_observed(s, analysis::run::read_drive_signals(record).pass, changed.observation,
+                         out);
 }
 
 }  // namespace dipper::run

@@ -7,10 +7,10 @@
 
 #include "common/input_error.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/run/observed.hpp"
+#include "coupler/result/observed.hpp"
+#include "coupler/result/summary.hpp"
 #include "coupler/run/preparation.hpp"
 #include "coupler/run/session.hpp"
-#include "coupler/run/summary.hpp"
 
 namespace dipper::run {
 namespace {
@@ -32,7 +32,7 @@ double time_s(const core::CouplingState& at, const cases::Case& c) {
 }
 
 /// How a run can go on, for the message that says why it has to.
-std::string how_to_resume(const cases::Case& c, const RunFolder& folder) {
+std::string how_to_resume(const cases::Case& c, const result::RunFolder& folder) {
   std::optional<Checkpoint> last;
   try {
     last = last_checkpoint(folder.checkpoints());
@@ -46,25 +46,26 @@ std::string how_to_resume(const cases::Case& c, const RunFolder& folder) {
 }
 
 /// Summary and instruments of a session, which is closed first: the record is read again.
-void conclude(const cases::Case& c, const RunFolder& folder, std::unique_ptr<Session> session,
-              RunStatus status, const std::string& failure, Reporter& reporter) {
-  RunFacts facts = session->close(status != RunStatus::failed);
+void conclude(const cases::Case& c, const result::RunFolder& folder,
+              std::unique_ptr<Session> session, RunStatus status, const std::string& failure,
+              Reporter& reporter) {
+  result::RunFacts facts = session->close(status != RunStatus::failed);
   session.reset();
   facts.status = word(status);
   facts.failure = failure;
   // The summary last: it says "complete" once all the rest is written.
   if (c.machine.kind == cases::MachineKind::shovel)
-    write_observed(folder.record(), c.observation, folder.observed());
-  write_summary(c, folder, facts, reporter);
+    result::write_observed(folder.record(), c.observation, folder.observed());
+  result::write_summary(c, folder, facts, reporter);
   folder.seal();
 }
 
 }  // namespace
 
-RunStatus paired_run(const cases::Case& c, const RunFolder& folder, bool resume,
+RunStatus paired_run(const cases::Case& c, const result::RunFolder& folder, bool resume,
                      const launch::MpiPlaces& places, Reporter& reporter) {
   const auto from = resume ? last_checkpoint(folder.checkpoints()) : std::nullopt;
-  if (resume && summary_status(folder.summary()) == "complete") {
+  if (resume && result::summary_status(folder.summary()) == "complete") {
     if (!from)
       throw InputError({{folder.checkpoints(), 0, "",
                          "holds no checkpoint of this complete run to go on from; run the case "

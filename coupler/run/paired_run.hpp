@@ -4,7 +4,7 @@
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/launch/mpirun.hpp"
-#include "coupler/run/run_folder.hpp"
+#include "coupler/result/run_folder.hpp"
 
 namespace dipper::run {
 
@@ -15,7 +15,7 @@ enum class RunStatus { complete = 0, failed = 3, interrupted = 4 };
 /// settles or finds the pile, starts both sides, steps them to the end, writes the summary. What
 /// fails on the way ends here and is told to the reporter. A run that is complete already is left
 /// as it is.
-RunStatus paired_run(const cases::Case& c, const RunFolder& folder, bool resume,
+RunStatus paired_run(const cases::Case& c, const result::RunFolder& folder, bool resume,
                      const launch::MpiPlaces& places, Reporter& reporter);
 
 }  // namespace dipper::run

@@ -12,7 +12,7 @@
 #include "coupler/case/case_hash.hpp"
 #include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/deck.hpp"
-#include "coupler/run/dump_index.hpp"
+#include "coupler/result/dump_index.hpp"
 #include "coupler/run/pile.hpp"
 #include "coupler/run/same_run.hpp"
 #include "coupler/sides/dipper_layers.hpp"
@@ -31,8 +31,8 @@ void write_decks(const cases::Case& c, const sides::DipperLayers& layers, const 
   deck::write_deck(as_built, c.rock.shape_folder, deck);
 }
 
-fs::path find_pile(const cases::Case& c, const RunFolder& folder, const launch::MpiPlaces& places,
-                   Reporter& reporter) {
+fs::path find_pile(const cases::Case& c, const result::RunFolder& folder,
+                   const launch::MpiPlaces& places, Reporter& reporter) {
   reporter.line("pile: looking in the cache, else settling");
   const Pile pile = settled_pile(c, folder.deck(), folder.logs(), places);
   reporter.line(pile.cached ? "pile: cached"
@@ -82,13 +82,14 @@ std::map<std::string, std::string> record_attributes(const cases::Case& c,
           {"rock_version", rock.version}};
 }
 
-void write_scales(const RunFolder& folder, const setup::RockSetup& rock, double struck_volume_m3) {
+void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
+                  double struck_volume_m3) {
   const nlohmann::json kept = {{"scales", to_json(rock).at("scales")},
                                {"struck_volume_m3", struck_volume_m3}};
   write_text(folder.scales(), kept.dump() + "\n");
 }
 
-sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
+sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
                           Reporter& reporter) {
   folder.unseal();
@@ -109,8 +110,8 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   if (from) {
     reporter.line(fmt::format("going on from t = {:.3f} s",
                               static_cast<double>(from->coupling.dem_step) * c.dem.timestep_s));
-    drop_frames_after(folder.dumps(), from->coupling.dem_step);
-    index_dumps(folder.dumps(), c.dem.timestep_s);
+    result::drop_frames_after(folder.dumps(), from->coupling.dem_step);
+    result::index_dumps(folder.dumps(), c.dem.timestep_s);
   }
   const fs::path restart = from ? from->rock() : find_pile(c, folder, places, reporter);
 

@@ -8,8 +8,8 @@
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
+#include "coupler/result/run_folder.hpp"
 #include "coupler/run/checkpoint.hpp"
-#include "coupler/run/run_folder.hpp"
 #include "coupler/run/stepper.hpp"
 #include "coupler/sides/sides.hpp"
 
@@ -43,12 +43,13 @@ std::map<std::string, std::string> record_attributes(const cases::Case& c,
 /// Writes scales.json of dipper-dem's set-up: for those who may not read the run's secret, which
 /// is beside the settings. With it what the dipper holds, which its meshes alone do not tell.
 /// Throws std::runtime_error naming the file.
-void write_scales(const RunFolder& folder, const setup::RockSetup& rock, double struck_volume_m3);
+void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
+                  double struck_volume_m3);
 
 /// Writes deck and identity into the run's folder, settles the pile or finds it in the cache, and
 /// says so. \param from  what the run goes on from; nothing: a new run. \param places  of the
 /// ranks. Throws what settled_pile throws, launch::Interrupted too.
-sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
+sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
                           Reporter& reporter);
 

@@ -4,7 +4,7 @@
 
 #include "common/sha256.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/run/dump_index.hpp"
+#include "coupler/result/dump_index.hpp"
 #include "coupler/run/preparation.hpp"
 
 namespace dipper::run {
@@ -29,19 +29,19 @@ double channel(const core::Window& w, const core::ServerInfo& rock, const std::s
 
 }  // namespace
 
-Session::Session(const cases::Case& c, const RunFolder& folder,
+Session::Session(const cases::Case& c, const result::RunFolder& folder,
                  const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
                  Reporter& reporter)
     : Session(c, folder, from, reporter, prepare(c, folder, from, places, reporter)) {}
 
-Session::Session(const cases::Case& c, const RunFolder& folder,
+Session::Session(const cases::Case& c, const result::RunFolder& folder,
                  const std::optional<Checkpoint>& from, Reporter& reporter,
                  const sides::SidesSetup& setup)
     : case_(c),
       folder_(folder),
       reporter_(reporter),
       resumed_(from.has_value()),
-      cost_before_(from ? from->cost : RunCost{}),
+      cost_before_(from ? from->cost : result::RunCost{}),
       sides_(setup),
       rock_(sides_.rock()),
       coupling_(coupled(c, sides_, rock_, from)),
@@ -79,15 +79,15 @@ void Session::tell_removed_rocks(const core::Window& first) {
                   channel(first, rock_.info(), "mass_removed") * 1e-3));
 }
 
-RunCost Session::cost() const {
+result::RunCost Session::cost() const {
   return cost_before_ +
-         RunCost{sides_.dem_cpu_s(), sides_.mbs_cpu_s(), stepper_.wall_s(), rock_.busy_s()};
+         result::RunCost{sides_.dem_cpu_s(), sides_.mbs_cpu_s(), stepper_.wall_s(), rock_.busy_s()};
 }
 
-RunFacts Session::close(bool orderly) {
+result::RunFacts Session::close(bool orderly) {
   if (orderly) sides_.stop();
   sides_.end();
-  RunFacts f;
+  result::RunFacts f;
   f.state_hash = state_hash_;
   f.resends = sides_.machine_link().resends() + sides_.rock_link().resends();
   f.foreign_messages = sides_.machine_link().foreign() + sides_.rock_link().foreign();
@@ -98,7 +98,7 @@ RunFacts Session::close(bool orderly) {
   f.interface_work_J = at.rock_work_J;
   f.energy_residual_J = at.machine_work_J - at.rock_work_J;
   record_.flush();
-  index_dumps(folder_.dumps(), case_.dem.timestep_s);
+  result::index_dumps(folder_.dumps(), case_.dem.timestep_s);
   return f;
 }
 

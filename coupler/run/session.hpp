@@ -7,13 +7,13 @@
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/core/coupling.hpp"
+#include "coupler/result/run_folder.hpp"
+#include "coupler/result/summary.hpp"
 #include "coupler/run/checkpointer.hpp"
 #include "coupler/run/preparation.hpp"
 #include "coupler/run/progress.hpp"
-#include "coupler/run/run_folder.hpp"
 #include "coupler/run/run_record.hpp"
 #include "coupler/run/stepper.hpp"
-#include "coupler/run/summary.hpp"
 #include "coupler/run/timed_rock.hpp"
 #include "coupler/sides/sides.hpp"
 
@@ -25,29 +25,31 @@ class Session {
  public:
   /// Prepares the run and starts both sides. `c` and `folder` must outlive this. Throws
   /// transport::PeerError, launch::Interrupted, std::runtime_error.
-  Session(const cases::Case& c, const RunFolder& folder, const std::optional<Checkpoint>& from,
-          const launch::MpiPlaces& places, Reporter& reporter);
+  Session(const cases::Case& c, const result::RunFolder& folder,
+          const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
+          Reporter& reporter);
 
   /// Steps to the end, or until the user interrupts, after which a checkpoint is saved. Whether the
   /// end is reached. Throws as the constructor does.
   bool run();
 
   /// Ends both sides, in order after a run that ended in order, and the record.
-  RunFacts close(bool orderly);
+  result::RunFacts close(bool orderly);
 
   const core::CouplingState& state() const { return coupling_.state(); }
 
  private:
-  Session(const cases::Case& c, const RunFolder& folder, const std::optional<Checkpoint>& from,
-          Reporter& reporter, const sides::SidesSetup& setup);
-  RunCost cost() const;
+  Session(const cases::Case& c, const result::RunFolder& folder,
+          const std::optional<Checkpoint>& from, Reporter& reporter,
+          const sides::SidesSetup& setup);
+  result::RunCost cost() const;
   void tell_removed_rocks(const core::Window& first);
 
   const cases::Case& case_;
-  const RunFolder& folder_;
+  const result::RunFolder& folder_;
   Reporter& reporter_;
   bool resumed_;
-  RunCost cost_before_;
+  result::RunCost cost_before_;
   sides::Sides sides_;
   TimedRock rock_;
   core::Coupling coupling_;

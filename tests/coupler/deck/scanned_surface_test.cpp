@@ -12,8 +12,8 @@
 #include "analysis/io/dump_reader.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/deck/deck.hpp"
-#include "coupler/run/achieved_profile.hpp"
-#include "coupler/run/first_dump.hpp"
+#include "coupler/result/achieved_profile.hpp"
+#include "coupler/result/first_dump.hpp"
 #include "tests/coupler/deck/height_field.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
 #include "tests/coupler/deck/settled_bench.hpp"
@@ -80,7 +80,7 @@ TEST(ScannedSurface, IsReproducedAtTheCut) {
   write_deck(c, test::source() / "meshes/rocks", folder / "deck");
   const fs::path dumps = settled_bench(folder, 0);
   std::vector<Rock> rocks;
-  const analysis::io::DumpReader reader({run::first_dump(dumps)});
+  const analysis::io::DumpReader reader({result::first_dump(dumps)});
   analysis::io::DumpReader::read(reader.frames().front(), {"x", "y", "z", "radius"},
                                  [&](const analysis::io::ParticleChunk& chunk) {
                                    const auto& k = chunk.columns;
@@ -94,7 +94,7 @@ TEST(ScannedSurface, IsReproducedAtTheCut) {
   const auto is = over(rocks, 2, wanted), finer = over(rocks, 1, wanted);
   const auto mirrored = over(rocks, 2, [](double x, double y) { return wanted(x, -y); });
   const auto level = over(rocks, 2, [](double x, double) { return wanted(x, 0); });
-  const auto found = run::achieved_profile(c, dumps);
+  const auto found = result::achieved_profile(c, dumps);
   ASSERT_TRUE(found);
   fmt::print(
       "{} rocks; off the surface by {:.2f} m at most on 2 m x 2 m, {:.2f} m on 1 m x 1 m; off the "

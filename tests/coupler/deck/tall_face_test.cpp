@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "coupler/deck/deck.hpp"
-#include "coupler/run/achieved_profile.hpp"
+#include "coupler/result/achieved_profile.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
 #include "tests/coupler/deck/settled_bench.hpp"
 #include "tests/places.hpp"
@@ -27,16 +27,16 @@ cases::Case steep_case() {
   return c;
 }
 
-run::AchievedProfile settled(const fs::path& folder, double relax_s) {
-  const auto found = run::achieved_profile(steep_case(), settled_bench(folder, relax_s));
+result::AchievedProfile settled(const fs::path& folder, double relax_s) {
+  const auto found = result::achieved_profile(steep_case(), settled_bench(folder, relax_s));
   EXPECT_TRUE(found);
-  return found.value_or(run::AchievedProfile{});
+  return found.value_or(result::AchievedProfile{});
 }
 
 TEST(TallFace, IsReproducedAtTheCut) {
   const fs::path folder = fresh_folder("tall_face");
   write_deck(steep_case(), test::source() / "meshes/rocks", folder / "deck");
-  const run::AchievedProfile cut = settled(folder, 0), relaxed = settled(folder, 1.5);
+  const result::AchievedProfile cut = settled(folder, 0), relaxed = settled(folder, 1.5);
   for (const auto& [name, f] : {std::pair{"cut", cut}, std::pair{"relaxed 1.5 s", relaxed}})
     fmt::print(
         "{}: face {:.1f} deg; {:.2f} m below the profile in the mean, {:.2f} m at x = {:.1f}\n",
@@ -60,7 +60,7 @@ TEST(TallFace, ProfileOfKnownRock) {
   c.rock.classes = {{"d200", 0.2, 100, {"sphere"}}};
   c.pile.profile = "scan.csv";
   c.pile.outline_m = {{0, 3}, {4, 3}};
-  EXPECT_FALSE(run::achieved_profile(c, folder));
+  EXPECT_FALSE(result::achieved_profile(c, folder));
   std::string rows;
   int n = 0;
   for (double x = 0.05; x < 4; x += 0.1)
@@ -72,7 +72,7 @@ TEST(TallFace, ProfileOfKnownRock) {
       << "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n"
       << n << "\nITEM: BOX BOUNDS ff ff ff\n-1 5\n-1 5\n-1 5\nITEM: ATOMS id type x y z radius\n"
       << rows;
-  const auto found = run::achieved_profile(c, folder);
+  const auto found = result::achieved_profile(c, folder);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->below_mean_m, 0.1 + 0.9 * 0.1, 0.04);  // balls reach over the trench's rims
   EXPECT_NEAR(found->below_most_m, 1.0, 0.04);

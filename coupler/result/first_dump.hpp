@@ -5,7 +5,7 @@
 
 #include "analysis/io/dump_reader.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// The text dump of the particles with the lowest step in a run's folder of dumps; empty: none.
 inline std::filesystem::path first_dump(const std::filesystem::path& folder) {
@@ -19,4 +19,4 @@ inline std::filesystem::path first_dump(const std::filesystem::path& folder) {
   return first;
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

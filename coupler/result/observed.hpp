@@ -6,7 +6,7 @@
 #include "analysis/signals/observe.hpp"
 #include "coupler/case/case.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// Writes channels.yaml, passes.csv and signals.csv of the run with this record.h5 into `out`
 /// (created; files there are replaced). Throws std::runtime_error naming the file.
@@ -24,4 +24,4 @@ cases::ObservationCase read_observation(const std::filesystem::path& case_txt);
 /// Sets one key, such as "observation.lag_s". Throws std::invalid_argument naming key and range.
 void set_observation(cases::ObservationCase& observation, const cases::Override& set);
 
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -1,4 +1,4 @@
-#include "coupler/run/dump_index.hpp"
+#include "coupler/result/dump_index.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include "analysis/io/dump_reader.hpp"
 #include "common/text_file.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace fs = std::filesystem;
 namespace {
 
@@ -44,4 +44,4 @@ void drop_frames_after(const fs::path& dumps, std::int64_t step) {
   for (const fs::path& file : later) fs::remove(file);
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

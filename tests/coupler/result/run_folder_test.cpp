@@ -1,5 +1,5 @@
 // Who may write a run's folder, and whether what goes on there is the same run.
-#include "coupler/run/run_folder.hpp"
+#include "coupler/result/run_folder.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@
 #include "machine/motion.hpp"
 #include "tests/coupler/case/checkout.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace {
 
 using testing::ElementsAre;
@@ -106,4 +106,4 @@ TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {
 }
 
 }  // namespace
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// Writes {dipper,door,truck}.vtk.series into the dump folder: lists of the frames there with
 /// their times, which ParaView opens as one animated data set each.
@@ -12,4 +12,4 @@ void index_dumps(const std::filesystem::path& dumps, double timestep_s);
 /// Removes the frames of steps after this one: of a run that goes on from there they are not.
 void drop_frames_after(const std::filesystem::path& dumps, std::int64_t step);
 
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -5,9 +5,9 @@
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
-#include "coupler/run/run_folder.hpp"
+#include "coupler/result/run_folder.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// One row a pass that is found in the record of a run's folder, the load's density from its
 /// dumps. Throws std::runtime_error naming file and dataset.
@@ -16,4 +16,4 @@ nlohmann::ordered_json pass_rows(const cases::Case& c, const RunFolder& folder);
 /// A line a pass.
 void tell_passes(const nlohmann::ordered_json& passes, Reporter& reporter);
 
-}  // namespace dipper::run
+}  // namespace dipper::result

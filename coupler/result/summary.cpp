@@ -1,4 +1,4 @@
-#include "coupler/run/summary.hpp"
+#include "coupler/result/summary.hpp"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 #include "common/text_file.hpp"
 #include "common/version.hpp"
 #include "coupler/case/schema.hpp"
-#include "coupler/run/achieved_grading.hpp"
-#include "coupler/run/achieved_profile.hpp"
-#include "coupler/run/drive_limits_met.hpp"
-#include "coupler/run/pass_rows.hpp"
-#include "coupler/run/run_warnings.hpp"
+#include "coupler/result/achieved_grading.hpp"
+#include "coupler/result/achieved_profile.hpp"
+#include "coupler/result/drive_limits_met.hpp"
+#include "coupler/result/pass_rows.hpp"
+#include "coupler/result/run_warnings.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace {
 
 using json = nlohmann::ordered_json;
@@ -121,4 +121,4 @@ std::string summary_status(const std::filesystem::path& summary) {
   return j.is_object() ? j.value("status", "") : "";
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

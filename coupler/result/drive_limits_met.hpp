@@ -7,11 +7,11 @@
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// Puts that, over the whole run, under "drives" into the summary of a case with limited drives
 /// (docs/drives.md), and tells the reporter. Throws std::runtime_error naming file and dataset.
 void tell_drives(const cases::Case& c, const std::filesystem::path& record,
                  nlohmann::ordered_json& summary, Reporter& reporter);
 
-}  // namespace dipper::run
+}  // namespace dipper::result

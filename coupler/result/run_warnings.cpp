@@ -1,4 +1,4 @@
-#include "coupler/run/run_warnings.hpp"
+#include "coupler/result/run_warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "coupler/deck/stable_timestep.hpp"
 #include "machine/motion.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace {
 
 using json = nlohmann::ordered_json;
@@ -96,4 +96,4 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
   return warnings;
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -1,11 +1,11 @@
-#include "coupler/run/run_warnings.hpp"
+#include "coupler/result/run_warnings.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/coupler/case/checkout.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace {
 
 using testing::ElementsAre;
@@ -53,4 +53,4 @@ TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
 }
 
 }  // namespace
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -1,11 +1,11 @@
-#include "coupler/run/achieved_grading.hpp"
+#include "coupler/result/achieved_grading.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace {
 
 TEST(AchievedGrading, CountsRocksNotTheirSpheres) {
@@ -32,4 +32,4 @@ TEST(AchievedGrading, CountsRocksNotTheirSpheres) {
 }
 
 }  // namespace
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -1,10 +1,10 @@
-#include "coupler/run/dump_index.hpp"
+#include "coupler/result/dump_index.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/analysis/dump_files.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace {
 
 TEST(DumpIndex, FramesAfterACheckpointGo) {
@@ -21,4 +21,4 @@ TEST(DumpIndex, FramesAfterACheckpointGo) {
 }
 
 }  // namespace
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -1,13 +1,13 @@
-#include "coupler/run/achieved_grading.hpp"
+#include "coupler/result/achieved_grading.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 
 #include "coupler/deck/contact_table.hpp"
-#include "coupler/run/first_dump.hpp"
+#include "coupler/result/first_dump.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace fs = std::filesystem;
 
 std::vector<AchievedClass> achieved_grading(const cases::Case& c, const fs::path& dumps) {
@@ -49,4 +49,4 @@ std::string to_csv(const std::vector<AchievedClass>& classes) {
   return out;
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

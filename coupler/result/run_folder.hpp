@@ -5,7 +5,7 @@
 
 #include "common/file_lock.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// Held by the one process that writes the run: a second one is refused.
 class RunFolder {
@@ -41,4 +41,4 @@ class RunFolder {
   FileLock lock_;
 };
 
-}  // namespace dipper::run
+}  // namespace dipper::result

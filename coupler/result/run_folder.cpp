@@ -1,10 +1,10 @@
-#include "coupler/run/run_folder.hpp"
+#include "coupler/result/run_folder.hpp"
 
 #include "common/input_error.hpp"
 #include "common/manifest.hpp"
 #include "common/writable_folder.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace fs = std::filesystem;
 
 RunFolder::RunFolder(const fs::path& folder, bool resume)
@@ -32,4 +32,4 @@ void RunFolder::seal() const {
 
 void RunFolder::unseal() const { fs::remove(root_ / kManifest); }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

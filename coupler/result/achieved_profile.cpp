@@ -1,4 +1,4 @@
-#include "coupler/run/achieved_profile.hpp"
+#include "coupler/result/achieved_profile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/pile_shape.hpp"
-#include "coupler/run/first_dump.hpp"
+#include "coupler/result/first_dump.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 std::optional<AchievedProfile> achieved_profile(const cases::Case& c,
                                                 const std::filesystem::path& dumps) {
@@ -61,4 +61,4 @@ std::optional<AchievedProfile> achieved_profile(const cases::Case& c,
   return out;
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -1,4 +1,4 @@
-#include "coupler/run/observed.hpp"
+#include "coupler/result/observed.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "common/text_file.hpp"
 #include "coupler/case/schema.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 namespace fs = std::filesystem;
 namespace {
 
@@ -87,4 +87,4 @@ cases::ObservationCase read_observation(const fs::path& case_txt) {
   return observation;
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

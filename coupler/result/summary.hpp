@@ -6,10 +6,10 @@
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
-#include "coupler/run/run_cost.hpp"
-#include "coupler/run/run_folder.hpp"
+#include "coupler/result/run_cost.hpp"
+#include "coupler/result/run_folder.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// What summary.json says beyond what is in the case and in record.h5.
 struct RunFacts {
@@ -31,4 +31,4 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
 /// The "status" of a summary; "" when there is none.
 std::string summary_status(const std::filesystem::path& summary);
 
-}  // namespace dipper::run
+}  // namespace dipper::result

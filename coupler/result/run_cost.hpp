@@ -1,7 +1,7 @@
 // What a run has cost.
 #pragma once
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// Up to now, over all starts of a run that was resumed.
 struct RunCost {
@@ -15,4 +15,4 @@ inline RunCost operator+(const RunCost& a, const RunCost& b) {
           a.rock_busy_s + b.rock_busy_s};
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

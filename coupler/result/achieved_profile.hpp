@@ -6,7 +6,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// Of the surface seen from above (analysis/rock/surface_profile.hpp) against the outline, or the
 /// median over y of a scanned surface, from toe to rear wall. A face steeper than rock stands has
@@ -23,4 +23,4 @@ struct AchievedProfile {
 std::optional<AchievedProfile> achieved_profile(const cases::Case& c,
                                                 const std::filesystem::path& dumps);
 
-}  // namespace dipper::run
+}  // namespace dipper::result

@@ -1,4 +1,4 @@
-#include "coupler/run/pass_rows.hpp"
+#include "coupler/result/pass_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/sides/sides_setup.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 using json = nlohmann::ordered_json;
 
@@ -81,4 +81,4 @@ void tell_passes(const json& passes, Reporter& reporter) {
   }
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result

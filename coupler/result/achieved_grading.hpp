@@ -7,7 +7,7 @@
 
 #include "coupler/case/case.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 /// One size class. The pour draws whole rocks, and cutting the bench to its profile loses some.
 struct AchievedClass {
@@ -27,4 +27,4 @@ std::vector<AchievedClass> achieved_grading(const cases::Case& c,
 /// class,size_m,rocks,mass_percent,wanted_percent
 std::string to_csv(const std::vector<AchievedClass>& classes);
 
-}  // namespace dipper::run
+}  // namespace dipper::result

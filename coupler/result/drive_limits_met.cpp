@@ -1,4 +1,4 @@
-#include "coupler/run/drive_limits_met.hpp"
+#include "coupler/result/drive_limits_met.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "common/record/record.hpp"
 
-namespace dipper::run {
+namespace dipper::result {
 
 void tell_drives(const cases::Case& c, const std::filesystem::path& record,
                  nlohmann::ordered_json& summary, Reporter& reporter) {
@@ -41,4 +41,4 @@ void tell_drives(const cases::Case& c, const std::filesystem::path& record,
       late_s, hoist_s, crowd_s, swing_s, relief_most_m));
 }
 
-}  // namespace dipper::run
+}  // namespace dipper::result
