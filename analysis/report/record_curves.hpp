@@ -5,8 +5,9 @@
 
 namespace dipper::analysis::report {
 
-/// Fills `time_s` and `curves`: drives, rock and coupling, and "dig_force" [N], the paper's Eq. 11.
-/// Throws std::runtime_error naming file and dataset.
-void read_curves(const std::filesystem::path& record, ReportInput& input);
+/// Fills `time_s` and `curves`: drives, rock and coupling, and "dig_force" [N], the paper's Eq. 11;
+/// of limited drives where they are at their limit, and "late" [s], time less the motion's. Throws
+/// std::runtime_error naming file and dataset.
+void read_curves(const std::filesystem::path& record, bool limited_drives, ReportInput& input);
 
 }  // namespace dipper::analysis::report
