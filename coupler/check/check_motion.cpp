@@ -96,8 +96,8 @@ void check_bodies_in_domain(const cases::Case& c, const machine::ShovelKinematic
       const bool low = i < 3;
       findings.push_back(cases::finding_at(
           c, low ? "domain.min_m" : "domain.max_m",
-          fmt::format("the {} leaves the box at {:.2f} s; at {:.2f} s it reaches {} = {:.4g} m, "
-                      "{:.3g} m outside of {:g}",
+          fmt::format("the {} leaves the domain at {:.2f} s; at {:.2f} s it reaches {} = {:.4g} m, "
+                      "{:.3g} m outside {:g}",
                       name, e.first_s, e.worst_s, "xyz"[i % 3], e.worst, e.beyond,
                       (low ? c.domain.min_m : c.domain.max_m)[static_cast<int>(i % 3)])));
     }
@@ -109,7 +109,7 @@ void check_times_of_motion(const cases::Case& c, Findings& findings) {
   if (c.machine.drives != machine::DriveMode::limited) return;
   if (c.collapse.height_m > 0 && c.collapse.at_s == 0) {
     findings.push_back(cases::finding_at(
-        c, "collapse.at_s", "when the door opens is not known with limited drives; write a time"));
+        c, "collapse.at_s", "limited drives do not keep the motion's times; write a time"));
   }
 }
 
@@ -118,7 +118,7 @@ void check_clean_floor(const cases::Case& c, Findings& findings) {
   if (c.pile.clean_floor_to_x_m == 0 || !c.machine.contact_on_return) return;
   findings.push_back(
       cases::finding_at(c, "pile.clean_floor_to_x_m",
-                        "needs a way back without rock: machine.contact_on_return: off"));
+                        "needs a return without rock; write machine.contact_on_return: off"));
 }
 
 }  // namespace
@@ -131,14 +131,13 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
     if (body.first == "dipper" || body.first == "door") continue;
     known.erase(body.first);
     findings.push_back(cases::finding_at(c, "bodies." + body.first,
-                                         "the machine moves no such body; it has dipper and door"));
+                                         "the machine has no such body; it has dipper and door"));
   }
   if (!c.bodies.count("dipper"))
-    findings.push_back(
-        cases::finding_at(c, "bodies.dipper", "missing key; without it nothing digs"));
+    findings.push_back(cases::finding_at(c, "bodies.dipper", "missing key; it is what digs"));
   if (!c.bodies.count("door"))
     findings.push_back(
-        cases::finding_at(c, "bodies.door", "missing key; without it nothing stays in the dipper"));
+        cases::finding_at(c, "bodies.door", "missing key; without it the dipper holds nothing"));
 
   const auto machine =
       load_reported(c, "machine.model", c.machine.model, machine::load_machine, findings);
@@ -184,10 +183,11 @@ void check_windows(const cases::Case& c, const machine::Motion& motion, Findings
   if (window_s > end_s) {
     findings.push_back(cases::finding_at(
         c, "coupling.sync_steps",
-        fmt::format("a window of {} steps takes {:g} s, longer than the {:g} s simulated; at most "
-                    "{:.0f} steps",
-                    c.coupling.sync_steps, window_s, end_s,
-                    std::max(1.0, std::floor(end_s / c.dem.timestep_s)))));
+        fmt::format(
+            "a sync step of {} DEM steps takes {:g} s, longer than the {:g} s simulated; write at "
+            "most {:.0f}",
+            c.coupling.sync_steps, window_s, end_s,
+            std::max(1.0, std::floor(end_s / c.dem.timestep_s)))));
   }
 }
 
