@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "common/numbers.hpp"
 
@@ -17,10 +19,36 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr int kFew = 3;  // faults of one kind that are told one by one
 
+// As word processors and spreadsheets write a minus sign and a blank, in UTF-8.
+constexpr std::array<std::pair<std::string_view, char>, 6> kLookAlikes{
+    {{"\u2212", '-'}, {"\u2012", '-'}, {"\u2013", '-'}, {"\u00A0", ' '}, {"\u2009", ' '}, {"\u202F", ' '}}};
+
+/// The text with line ends of Windows and of old Macs as \n, and plain minus signs and blanks.
+std::string plain(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const auto* alike = std::find_if(kLookAlikes.begin(), kLookAlikes.end(), [&](const auto& a) {
+      return text.compare(i, a.first.size(), a.first) == 0;
+    });
+    if (alike != kLookAlikes.end()) {
+      out += alike->second;
+      i += alike->first.size();
+    } else if (text[i] == '\r') {
+      while (i < text.size() && text[i] == '\r') ++i;
+      if (i < text.size() && text[i] == '\n') ++i;
+      out += '\n';
+    } else {
+      out += text[i++];
+    }
+  }
+  return out;
+}
+
 std::string_view trim(std::string_view s) {
-  const auto first = s.find_first_not_of(" \t\r");
+  const auto first = s.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
-  return s.substr(first, s.find_last_not_of(" \t\r") - first + 1);
+  return s.substr(first, s.find_last_not_of(" \t") - first + 1);
 }
 
 std::string_view unquote(std::string_view s) {
@@ -34,25 +62,71 @@ struct Field {
   int column;
 };
 
+/// Where the field that begins at `begin` ends: at a delimiter outside quotes.
+std::size_t end_of_field(std::string_view line, std::size_t begin, char delimiter) {
+  const std::size_t first = line.find_first_not_of(" \t", begin);
+  std::size_t from = begin;
+  if (first != std::string_view::npos && line[first] == '"' && delimiter != '"')
+    if (const auto close = line.find('"', first + 1); close != std::string_view::npos) from = close;
+  return std::min(line.find(delimiter, from), line.size());
+}
+
 std::vector<Field> split(std::string_view line, char delimiter) {
   std::vector<Field> fields;
   for (std::size_t begin = 0;;) {
-    const std::size_t end = std::min(line.find(delimiter, begin), line.size());
+    const std::size_t end = end_of_field(line, begin, delimiter);
     fields.push_back({unquote(trim(line.substr(begin, end - begin))), static_cast<int>(begin) + 1});
     if (end == line.size()) return fields;
     begin = end + 1;
   }
 }
 
-/// What parts the columns of a header; 0 when it does not name them.
-char find_delimiter(std::string_view line, const std::vector<std::string>& columns) {
-  for (const char delimiter : {',', ';', '\t'}) {
-    const std::vector<Field> fields = split(line, delimiter);
-    if (std::equal(fields.begin(), fields.end(), columns.begin(), columns.end(),
-                   [](const Field& f, const std::string& name) { return f.text == name; }))
-      return delimiter;
+/// Empty fields beyond the first `n` are what spreadsheets leave of columns that once were.
+void drop_empty_tail(std::vector<Field>& fields, std::size_t n) {
+  while (fields.size() > n && fields.back().text.empty()) fields.pop_back();
+}
+
+bool is_empty(const std::vector<Field>& fields) {
+  return std::all_of(fields.begin(), fields.end(), [](const Field& f) { return f.text.empty(); });
+}
+
+/// A spreadsheet's first line "sep=;".
+bool names_separator(std::string_view line) {
+  return line.size() == 5 && (line.substr(0, 4) == "sep=" || line.substr(0, 4) == "SEP=");
+}
+
+/// How a table's columns stand in its lines. `place[i]` is the field of the column i.
+struct Layout {
+  char delimiter = 0;  ///< 0: no header yet
+  std::vector<std::size_t> place;
+};
+
+/// The layout that a header says; without a delimiter when it does not name the columns.
+Layout find_layout(std::string_view line, const std::vector<std::string>& columns) {
+  for (const char delimiter : {',', ';', '\t', '|'}) {
+    std::vector<Field> fields = split(line, delimiter);
+    drop_empty_tail(fields, columns.size());
+    Layout layout{delimiter, {}};
+    for (const std::string& name : columns) {
+      const auto at = std::find_if(fields.begin(), fields.end(),
+                                   [&](const Field& f) { return f.text == name; });
+      if (at != fields.end())
+        layout.place.push_back(static_cast<std::size_t>(at - fields.begin()));
+    }
+    if (fields.size() == columns.size() && layout.place.size() == columns.size()) return layout;
   }
-  return 0;
+  return {};
+}
+
+/// A number without the unit of its column behind it: "2 %" of passing_percent, "0.5 m" of size_m.
+std::string_view without_unit(std::string_view text, const std::string& column) {
+  const std::string unit = column.substr(column.find_last_of('_') + 1);
+  for (const std::string_view word :
+       {std::string_view(unit), std::string_view(unit == "percent" ? "%" : unit == "deg" ? "°" : "")})
+    if (!word.empty() && text.size() > word.size() &&
+        text.substr(text.size() - word.size()) == word)
+      return trim(text.substr(0, text.size() - word.size()));
+  return text;
 }
 
 bool looks_like_date(std::string_view s) {
@@ -61,14 +135,12 @@ bool looks_like_date(std::string_view s) {
 }
 
 /// Reads the fields of one table: whether its numbers have decimal commas shows in the first that
-/// has a comma or a point.
+/// has a comma or a point. Between commas only a quoted number can have one.
 class NumberReader {
  public:
-  explicit NumberReader(char delimiter) : may_have_commas_(delimiter != ',') {}
-
   bool read(std::string_view text, double& value) {
     const auto mark = text.find_first_of(".,");
-    if (mark == std::string_view::npos || !may_have_commas_) return parse_number(text, value);
+    if (mark == std::string_view::npos) return parse_number(text, value);
     if (decimal_ == 0) decimal_ = text[mark];
     if (text[mark] != decimal_) return false;
     std::string plain(text);
@@ -83,7 +155,6 @@ class NumberReader {
   }
 
  private:
-  bool may_have_commas_;
   char decimal_ = 0;
 };
 
@@ -127,33 +198,36 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
     return {};
   }
   const std::string header = fmt::format("{}", fmt::join(columns, ","));
+  const std::string all = plain(text);
+  text = all;
   std::vector<CsvRow> rows;
   RowFaults faults;
-  NumberReader number(',');
+  NumberReader number;
   int line_number = 0;
-  char delimiter = 0;
+  Layout layout;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t newline = std::min(text.find('\n', begin), text.size());
-    std::string_view line = text.substr(begin, newline - begin);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    const std::string_view line = text.substr(begin, newline - begin);
     begin = newline + 1;
     ++line_number;
     const std::string_view content = trim(line);
     if (content.empty() || content.front() == '#') continue;
-    if (delimiter == 0) {
-      delimiter = find_delimiter(line, columns);
-      if (delimiter == 0) {
+    if (layout.delimiter == 0) {
+      if (rows.empty() && names_separator(content)) continue;
+      layout = find_layout(line, columns);
+      if (layout.delimiter == 0) {
         findings.push_back({file, line_number, "",
                             fmt::format("header is \"{}\"; it must be \"{}\"", content, header),
                             1});
         return rows;
       }
-      number = NumberReader(delimiter);
       continue;
     }
-    const std::vector<Field> fields = split(line, delimiter);
+    std::vector<Field> fields = split(line, layout.delimiter);
+    if (is_empty(fields)) continue;
+    drop_empty_tail(fields, columns.size());
     if (fields.size() != columns.size()) {
-      const bool commas = delimiter == ',' && fields.size() > columns.size();
+      const bool commas = layout.delimiter == ',' && fields.size() > columns.size();
       faults.add("", line_number, static_cast<int>(line.size()) + 1,
                  fmt::format("{} columns", fields.size()),
                  fmt::format("each row has {}: {}{}", columns.size(), header,
@@ -162,17 +236,18 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
     }
     CsvRow row{line_number, std::vector<double>(columns.size())};
     bool sound = true;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (number.read(fields[i].text, row.values[i])) continue;
-      faults.add(columns[i], line_number, fields[i].column,
-                 fmt::format("{} is \"{}\"", columns[i], fields[i].text),
-                 "it must be " + number.right(fields[i].text));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const Field& field = fields[layout.place[i]];
+      if (number.read(without_unit(field.text, columns[i]), row.values[i])) continue;
+      faults.add(columns[i], line_number, field.column,
+                 fmt::format("{} is \"{}\"", columns[i], field.text),
+                 "it must be " + number.right(field.text));
       sound = false;
     }
     if (sound) rows.push_back(std::move(row));
   }
   faults.tell(file, findings);
-  if (delimiter == 0)
+  if (layout.delimiter == 0)
     findings.push_back(
         {file, line_number + 1, "", fmt::format("no header; it must be \"{}\"", header), 1});
   return rows;

@@ -1,4 +1,4 @@
-// Tables of numbers in text, with commas, semicolons or tabs between them.
+// Tables of numbers in text, with commas, semicolons, tabs or bars between them.
 #pragma once
 
 #include <filesystem>
@@ -16,14 +16,16 @@ struct CsvRow {
   std::vector<double> values;  ///< one a column
 };
 
-/// Reads a table whose first line names `columns`, these and no others, in this order, and whose
-/// every other line has a number (common/numbers.hpp) for each. What parts the names parts the
-/// numbers; with semicolons or tabs these may have decimal commas, all of them. A byte-order mark,
-/// carriage returns, quotes and blanks round names and numbers, blank lines, and lines that begin
-/// with # are left out of account. Faults are appended to `findings` with line and column: a wrong
-/// header, after which nothing is read, too many or too few columns, a field that is no number; one
-/// of a kind stands for all where they are many. The result has the rows that are sound. `file` is
-/// for the findings only.
+/// Reads a table whose first line names `columns`, these and no others, in any order, and whose
+/// every other line has a number (common/numbers.hpp) for each; a row's values are in the order of
+/// `columns`. What parts the names parts the numbers; these may have decimal commas, all of them,
+/// in quotes where commas part the columns. As spreadsheets leave them, and left out of account:
+/// a byte-order mark, line ends of any system, quotes and blanks round names and numbers, a number's
+/// own unit behind it, minus signs of word processors, empty columns at the end, empty lines and
+/// rows, "sep=;" before the header, lines that begin with #. Faults are appended to `findings` with
+/// line and column: a wrong header, after which nothing is read, too many or too few columns, a
+/// field that is no number; one of a kind stands for all where they are many. The result has the
+/// rows that are sound. `file` is for the findings only.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& columns,
                               std::vector<Finding>& findings);

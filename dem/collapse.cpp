@@ -13,7 +13,8 @@
 
 namespace dipper::dem {
 
-Collapse::Collapse(LAMMPS_NS::LAMMPS& lmp, RockFall fall) : lmp_(lmp), fall_(std::move(fall)) {}
+Collapse::Collapse(LAMMPS_NS::LAMMPS& lmp, setup::RockFall fall)
+    : lmp_(lmp), fall_(std::move(fall)) {}
 
 /// Told from the step alone, so that a resumed run can tell whether the rock has come.
 bool Collapse::needs_all_rock(const RockWindow& window) const {

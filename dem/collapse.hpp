@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "coupler/setup/rock_setup.hpp"
 #include "dem/rock_feature.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -17,7 +17,7 @@ namespace dipper::dem {
 /// rock, so none may be parked.
 class Collapse final : public RockFeature {
  public:
-  Collapse(LAMMPS_NS::LAMMPS& lmp, RockFall fall);
+  Collapse(LAMMPS_NS::LAMMPS& lmp, setup::RockFall fall);
 
   bool needs_all_rock(const RockWindow& window) const override;
   void before_window(const RockWindow& window) override;
@@ -25,7 +25,7 @@ class Collapse final : public RockFeature {
 
  private:
   LAMMPS_NS::LAMMPS& lmp_;
-  RockFall fall_;
+  setup::RockFall fall_;
   double mass_before_kg_ = 0;
 };
 

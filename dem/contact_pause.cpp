@@ -24,7 +24,7 @@ struct Meshes : LAMMPS_NS::FixWallGran {
 
 }  // namespace
 
-ContactPause::ContactPause(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup,
+ContactPause::ContactPause(LAMMPS_NS::LAMMPS& lmp, const setup::RockSetup& setup,
                            const std::vector<WallMotion*>& walls)
     : lmp_(lmp), floor_(setup.floor), walls_(walls) {
   contact_ = dynamic_cast<LAMMPS_NS::FixWallGran*>(lmp.modify->find_fix_id("walls"));

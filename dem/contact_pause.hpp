@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "coupler/setup/rock_setup.hpp"
 #include "dem/remove_rock.hpp"
 #include "dem/rock_feature.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -27,7 +27,7 @@ class ContactPause final : public RockFeature {
  public:
   /// \param walls  of the bodies; the deck's `fix walls` has their meshes as its last. Throws
   ///   std::runtime_error otherwise.
-  ContactPause(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup,
+  ContactPause(LAMMPS_NS::LAMMPS& lmp, const setup::RockSetup& setup,
                const std::vector<WallMotion*>& walls);
 
   std::vector<core::Channel> channels() const override;
@@ -42,7 +42,7 @@ class ContactPause final : public RockFeature {
   void clear();
 
   LAMMPS_NS::LAMMPS& lmp_;
-  std::optional<FloorStrip> floor_;
+  std::optional<setup::FloorStrip> floor_;
   std::vector<WallMotion*> walls_;
   LAMMPS_NS::FixWallGran* contact_ = nullptr;
   int meshes_ = 0;  ///< of the wall contact, the bodies' included

@@ -50,7 +50,7 @@ HeldRecord read_record(ByteReader& in) {
 
 }  // namespace
 
-void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer) {
+void mark_layer(LAMMPS_NS::LAMMPS& lmp, const setup::HeldLayer& layer) {
   lmp.input->one(fmt::format("group {} subtract all all", kLayerGroup).c_str());
   const int bit = lmp.group->bitmask[lmp.group->find(kLayerGroup)];
   const RockNumbers numbers(lmp);
@@ -79,7 +79,7 @@ void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer) {
     if (within[numbers.of_sphere(atom->tag[i])] != 0) atom->mask[i] |= bit;
 }
 
-HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm,
+HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm,
                    RockNumbers numbers)
     : lmp_(lmp),
       bodies_(multisphere_of(lmp)),
@@ -108,7 +108,7 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
   resting_ = rest_bit(lmp);
 }
 
-HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm)
+HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm)
     : HoldRock(lmp, settings, comm, RockNumbers(lmp)) {
   // Of every rock, joined over the ranks: its integrators' bits and the layer's.
   std::vector<int> bits(numbers_.size(), 0);
@@ -125,7 +125,7 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Com
   hold_layer();
 }
 
-HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm,
+HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm,
                    ByteReader& in)
     : HoldRock(lmp, settings, comm, RockNumbers(in)) {
   parked_.load(in);

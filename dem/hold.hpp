@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "coupler/setup/rock_setup.hpp"
 #include "dem/hold_policy.hpp"
 #include "dem/parked_rock.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -27,7 +27,7 @@ struct MovingBody {
 inline constexpr const char* kLayerGroup = "held_layer";
 
 /// Puts the rock of the layer into the group, before the first run. Collective.
-void mark_layer(LAMMPS_NS::LAMMPS& lmp, const HeldLayer& layer);
+void mark_layer(LAMMPS_NS::LAMMPS& lmp, const setup::HeldLayer& layer);
 
 /// What HoldRock keeps of one rock, beside what the rules keep of it.
 struct HeldRecord {
@@ -55,10 +55,11 @@ struct HeldRecord {
 /// Who else rests is saved with all that is known of it: a checkpoint wakes nothing.
 class HoldRock {
  public:
-  HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm);
+  HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm);
 
   /// As it was when it was saved, once the rock is in LIGGGHTS as it was then.
-  HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm, ByteReader& in);
+  HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm,
+           ByteReader& in);
   void save(ByteWriter& out) const;
 
   /// Before each window of n steps.
@@ -82,7 +83,7 @@ class HoldRock {
     Vector3d v_W, force;
     double weight;
   };
-  HoldRock(LAMMPS_NS::LAMMPS& lmp, const HoldSettings& settings, MPI_Comm comm,
+  HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm,
            RockNumbers numbers);
   /// In these steps LIGGGHTS writes rock by itself: a restart file of the deck's, or a dump other
   /// than the one that knows of parked rock. It is written at the end of a step, within the window.
@@ -104,7 +105,7 @@ class HoldRock {
 
   LAMMPS_NS::LAMMPS& lmp_;
   LAMMPS_NS::FixMultisphere* bodies_;
-  HoldSettings settings_;
+  setup::HoldSettings settings_;
   MPI_Comm comm_;
   RockNumbers numbers_;
   RockDump* dump_;  ///< that shows parked rock, or null

@@ -16,22 +16,9 @@
 
 #include "common/box.hpp"
 #include "common/frames.hpp"
+#include "coupler/setup/rock_setup.hpp"
 
 namespace dipper::dem {
-
-struct HoldSettings {
-  double below_m_s = 0.01;  ///< centre slower than this, from look to look ...
-  double rest_s = 0.2;      ///< ... for this long: at rest
-  double unbalance = 2.0;   ///< change of a held rock's load, of its weight, that wakes it
-  double average_s =
-      0.1;                ///< over which the load is averaged: rock chatters, and impacts are short
-  double margin_m = 1.0;  ///< no rock rests nearer to a moving wall than this
-  double ahead_s = 0.5;   ///< nor to where the wall will be within this time
-  double check_s = 0.01;  ///< between looks at what must wake at once
-  double gather_s = 0.1;  ///< between looks at who may rest, and who is disturbed
-  double layer_m = 0.5;   ///< of held rock between moving and parked rock (the paper's)
-  double sight_s = 0.1;   ///< and on the moving rock's way over this time
-};
 
 enum class Rest : std::uint8_t { moving, held, parked };
 
@@ -97,7 +84,7 @@ struct RestRecord {
 /// The state of every rock, by its number.
 class HoldPolicy {
  public:
-  HoldPolicy(const HoldSettings& settings, std::size_t rocks)
+  HoldPolicy(const setup::HoldSettings& settings, std::size_t rocks)
       : settings_(settings), rocks_(rocks) {}
 
   Rest of(std::size_t rock) const { return rocks_[rock].rest; }
@@ -134,7 +121,7 @@ class HoldPolicy {
   void restore(std::vector<RestRecord> records) { rocks_ = std::move(records); }
 
  private:
-  HoldSettings settings_;
+  setup::HoldSettings settings_;
   std::vector<RestRecord> rocks_;
 };
 

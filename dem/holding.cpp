@@ -7,23 +7,23 @@ namespace dipper::dem {
 namespace {
 
 /// The layer is held by what holds rock at rest; by itself it lets no other rock come to rest.
-HoldSettings settings_of(const RockSetup& setup) {
+setup::HoldSettings settings_of(const setup::RockSetup& setup) {
   if (setup.hold) return *setup.hold;
-  HoldSettings layer_only;
+  setup::HoldSettings layer_only;
   layer_only.below_m_s = 0;
   return layer_only;
 }
 
 }  // namespace
 
-Holding::Holding(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup,
+Holding::Holding(LAMMPS_NS::LAMMPS& lmp, const setup::RockSetup& setup,
                  const std::vector<WallMotion*>& walls)
     : lmp_(lmp), setup_(setup), walls_(walls) {}
 
 void Holding::measure_boxes() {
   for (std::size_t b = 0; b < walls_.size(); ++b) {
     Box box = walls_[b]->box();
-    for (const Scale& s : setup_.scales) {  // what is weighed with a body is never parked
+    for (const setup::Scale& s : setup_.scales) {  // what is weighed with a body is never parked
       if (s.body != setup_.bodies[b]) continue;
       box.add(s.box.min_m);
       box.add(s.box.max_m);

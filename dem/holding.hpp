@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "coupler/setup/rock_setup.hpp"
 #include "dem/hold.hpp"
 #include "dem/rock_feature.hpp"
-#include "dem/rock_setup.hpp"
 #include "dem/wall_motion.hpp"
 
 namespace dipper::dem {
@@ -16,7 +16,8 @@ namespace dipper::dem {
 class Holding final : public RockFeature {
  public:
   /// \param walls  of the set-up's bodies, in their order; theirs is the extent of a body
-  Holding(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup, const std::vector<WallMotion*>& walls);
+  Holding(LAMMPS_NS::LAMMPS& lmp, const setup::RockSetup& setup,
+          const std::vector<WallMotion*>& walls);
 
   std::vector<core::Channel> channels() const override { return {{"rock_parked", "kg", "-"}}; }
   void measure(const std::vector<Pose>& X_WB, std::vector<double>& parts) const override;
@@ -39,7 +40,7 @@ class Holding final : public RockFeature {
   void measure_boxes();
 
   LAMMPS_NS::LAMMPS& lmp_;
-  RockSetup setup_;
+  setup::RockSetup setup_;
   std::vector<WallMotion*> walls_;
   std::vector<Box> boxes_;  ///< of the bodies and of what is weighed with them, once in place
   std::unique_ptr<HoldRock> hold_;

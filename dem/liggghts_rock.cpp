@@ -27,7 +27,7 @@
 
 namespace dipper::dem {
 
-LiggghtsRock::LiggghtsRock(const RockSetup& setup, MPI_Comm comm) : setup_(setup) {
+LiggghtsRock::LiggghtsRock(const setup::RockSetup& setup, MPI_Comm comm) : setup_(setup) {
   // The screen must be a file: with `-screen none` FixMesh prints to a null stream and crashes.
   std::vector<std::string> words = {"dipper-dem", "-log",  setup.log, "-screen",
                                     setup.screen, "-echo", "none"};
@@ -120,7 +120,7 @@ core::RockState LiggghtsRock::state() {
 
 void LiggghtsRock::save(const std::filesystem::path& file) {
   write_restart_untouched(*lmp_, file);
-  write_image(image_of(file), *lmp_, [&](ByteWriter& out) {
+  write_image(setup::image_of(file), *lmp_, [&](ByteWriter& out) {
     put_rock(*lmp_, out);
     for (const WallMotion* wall : walls_) wall->save(out);
     for (const auto& feature : features_) feature->save(out);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "coupler/core/server.hpp"
+#include "coupler/setup/rock_setup.hpp"
 #include "dem/rock_feature.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -29,15 +29,15 @@ class WallMotion;
 class LiggghtsRock final : public core::LocalRock {
  public:
   /// Opens LIGGGHTS and runs the deck. A LIGGGHTS error ends the process, as LIGGGHTS does.
-  LiggghtsRock(const RockSetup& setup, MPI_Comm comm);
+  LiggghtsRock(const setup::RockSetup& setup, MPI_Comm comm);
   ~LiggghtsRock() override;
 
   core::ServerInfo info() const override;
   core::RockState place(const std::vector<Pose>& X_WB) override;
   /// Throws std::runtime_error for a pause of contact that the set-up has not asked for.
   core::RockState step(const core::RockStep& step) override;
-  /// Writes a restart file of LIGGGHTS, and beside it its image (image_of), which a resumed run
-  /// needs as well. Changes nothing: a run that saves goes on as one that does not, to the bit.
+  /// Writes a restart file of LIGGGHTS, and beside it its image (setup::image_of), which a resumed
+  /// run needs as well. Changes nothing: a run that saves goes on as one that does not, to the bit.
   void save(const std::filesystem::path& file) override;
   std::string state_hash() override;
 
@@ -48,7 +48,7 @@ class LiggghtsRock final : public core::LocalRock {
   core::RockState state();
   void resume_from(const std::filesystem::path& image);
 
-  RockSetup setup_;
+  setup::RockSetup setup_;
   std::unique_ptr<LAMMPS_NS::LAMMPS> lmp_;
   std::vector<WallMotion*> walls_;  // owned by LIGGGHTS
   std::vector<Pose> X_WB_;

@@ -68,8 +68,9 @@ void run(const char* config_file) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   const std::filesystem::path links = std::filesystem::absolute(config_file).string() + ".links";
-  LiggghtsRock rock(enter_work_folder(rock_setup_from(config.settings), links, MPI_COMM_WORLD),
-                    MPI_COMM_WORLD);
+  LiggghtsRock rock(
+      enter_work_folder(setup::rock_setup_from(config.settings), links, MPI_COMM_WORLD),
+      MPI_COMM_WORLD);
   if (rank != 0) {
     while (true) {
       const core::Message m = transport::decode(share({}));

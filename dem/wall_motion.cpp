@@ -48,7 +48,7 @@ void WallMotion::place(const Pose& X_WB) {
   X_WB_ = X_WB;
 }
 
-void WallMotion::adopt(const Pose& X_WB, const WallMemory& remembered) {
+void WallMotion::adopt(const Pose& X_WB, const setup::WallMemory& remembered) {
   const Pose X_BW = inverse(X_WB);
   for (auto& nodes : reference_) {
     for (auto& p : nodes) p = X_BW * p;

@@ -11,8 +11,8 @@
 #include "common/frames.hpp"
 #include "common/mesh/triangle_mesh.hpp"
 #include "coupler/core/server.hpp"
+#include "coupler/setup/rock_setup.hpp"
 #include "dem/bytes.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class FixMeshSurface;
@@ -39,7 +39,7 @@ class WallMotion : public LAMMPS_NS::Fix {
   void place(const Pose& X_WB);
 
   /// Instead of `place`, after a restart that brought the mesh back at X_WB.
-  void adopt(const Pose& X_WB, const WallMemory& remembered);
+  void adopt(const Pose& X_WB, const setup::WallMemory& remembered);
 
   /// From the next step on: moves at constant twist to reach X_WB_target after n_steps.
   void begin_window(const Pose& X_WB_target, long n_steps);
@@ -53,7 +53,7 @@ class WallMotion : public LAMMPS_NS::Fix {
   /// The window's mean and last wrench, and the pose read back from the mesh nodes.
   core::BodyLoad end_window();
 
-  /// What a checkpoint must know of it beside WallMemory, and back, after `adopt`.
+  /// What a checkpoint must know of it beside setup::WallMemory, and back, after `adopt`.
   void save(ByteWriter& out) const;
   void load(ByteReader& in);
 

@@ -36,7 +36,7 @@ void for_each_mass(LAMMPS_NS::LAMMPS& lmp, const Visit& visit) {
 /// A box of the set-up where it is now. Most rock is far from every box: a sphere about each
 /// rejects it, without turning it into its frame.
 struct PlacedBox {
-  PlacedBox(const Scale& s, const Pose& X_WS)
+  PlacedBox(const setup::Scale& s, const Pose& X_WS)
       : X_SW(inverse(X_WS)),
         centre_W(X_WS * Vector3d((s.box.min_m + s.box.max_m) / 2)),
         square_m2(1.0001 * s.box.sides_m().squaredNorm() / 4),
@@ -53,9 +53,9 @@ struct PlacedBox {
 
 }  // namespace
 
-Weighing::Weighing(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup, const Holding* holding)
+Weighing::Weighing(LAMMPS_NS::LAMMPS& lmp, const setup::RockSetup& setup, const Holding* holding)
     : lmp_(lmp), holding_(holding), scales_(setup.scales) {
-  for (const Scale& s : scales_) {
+  for (const setup::Scale& s : scales_) {
     const auto body = std::find(setup.bodies.begin(), setup.bodies.end(), s.body);
     body_.push_back(static_cast<std::size_t>(body - setup.bodies.begin()));
   }
@@ -63,7 +63,7 @@ Weighing::Weighing(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup, const Holding
 
 std::vector<core::Channel> Weighing::channels() const {
   std::vector<core::Channel> all;
-  for (const Scale& s : scales_) all.push_back({s.name, "kg", "-"});
+  for (const setup::Scale& s : scales_) all.push_back({s.name, "kg", "-"});
   all.push_back({"rock_mass", "kg", "-"});
   all.push_back({"rock_kinetic_energy", "J", "-"});
   all.push_back({"rocks", "1", "-"});

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "coupler/setup/rock_setup.hpp"
 #include "dem/rock_feature.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace LAMMPS_NS {
 class LAMMPS;
@@ -20,7 +20,7 @@ class Holding;
 class Weighing final : public RockFeature {
  public:
   /// \param holding  what may have parked rock; null: nothing has
-  Weighing(LAMMPS_NS::LAMMPS& lmp, const RockSetup& setup, const Holding* holding);
+  Weighing(LAMMPS_NS::LAMMPS& lmp, const setup::RockSetup& setup, const Holding* holding);
 
   std::vector<core::Channel> channels() const override;
   void measure(const std::vector<Pose>& X_WB, std::vector<double>& parts) const override;
@@ -28,7 +28,7 @@ class Weighing final : public RockFeature {
  private:
   LAMMPS_NS::LAMMPS& lmp_;
   const Holding* holding_;
-  std::vector<Scale> scales_;
+  std::vector<setup::Scale> scales_;
   std::vector<std::size_t>
       body_;  ///< of each scale: its place in X_WB; past the end for a fixed box
 };

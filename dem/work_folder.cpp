@@ -3,7 +3,7 @@
 namespace dipper::dem {
 namespace fs = std::filesystem;
 
-RockSetup enter_work_folder(RockSetup setup, const fs::path& folder, MPI_Comm comm) {
+setup::RockSetup enter_work_folder(setup::RockSetup setup, const fs::path& folder, MPI_Comm comm) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   if (rank == 0) {

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "dem/rock_setup.hpp"
+#include "coupler/setup/rock_setup.hpp"
 
 namespace dipper::dem {
 
@@ -13,6 +13,7 @@ namespace dipper::dem {
 /// set-up's variables, which then names the link instead, and a link dem_in to the folder of the
 /// deck. Scripts of LIGGGHTS end a word at a blank and give $, #, & and quotes meanings that
 /// nothing escapes: with links they read none of the paths a user has chosen. Collective.
-RockSetup enter_work_folder(RockSetup setup, const std::filesystem::path& folder, MPI_Comm comm);
+setup::RockSetup enter_work_folder(setup::RockSetup setup, const std::filesystem::path& folder,
+                                   MPI_Comm comm);
 
 }  // namespace dipper::dem

@@ -162,12 +162,6 @@ MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
 
 }  // namespace
 
-DriveMode drive_mode_from(const std::string& word) {
-  if (word == "prescribed") return DriveMode::prescribed;
-  if (word == "limited") return DriveMode::limited;
-  throw std::invalid_argument("drives '" + word + "': prescribed or limited");
-}
-
 MachineData load_machine(const std::filesystem::path& file) {
   std::vector<Finding> findings;
   const YamlTree tree = read_yaml(file, findings);

@@ -102,8 +102,6 @@ struct MachineData {
 /// How the drives move: exactly as they are sent, whatever it takes, or as far as their limits let
 /// them.
 enum class DriveMode { prescribed, limited };
-/// Throws std::invalid_argument for another word.
-DriveMode drive_mode_from(const std::string& word);
 
 /// Reads the file. Every entry must be there as {value, unit, source} with the unit expected here;
 /// unknown keys, keys given twice and numbers out of their range are errors. Throws InputError with

@@ -6,11 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "common/mesh/stl.hpp"
+
 namespace dipper::mesh {
 namespace {
-
-// A facet lower than this is a line [m]; reading welds vertices at the same distance.
-constexpr double least_height = 1e-6;
 
 using Edge = std::pair<std::size_t, std::size_t>;  // vertex numbers, the lower one first
 
@@ -23,7 +22,8 @@ std::string point(const Eigen::Vector3d& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
-bool is_degenerate(const TriangleMesh& mesh, std::size_t facet) {
+// Whether a facet is lower than `least_height`: a line. Reading welds vertices at that distance.
+bool is_degenerate(const TriangleMesh& mesh, std::size_t facet, double least_height) {
   const auto& t = mesh.triangles[facet];
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -34,7 +34,10 @@ bool is_degenerate(const TriangleMesh& mesh, std::size_t facet) {
 
 class Checker {
  public:
-  explicit Checker(const TriangleMesh& mesh) : mesh_(mesh), used_(mesh.triangles.size(), true) {}
+  explicit Checker(const TriangleMesh& mesh)
+      : mesh_(mesh),
+        least_height_(weld_distance(bounding_box(mesh).sides_m().norm())),
+        used_(mesh.triangles.size(), true) {}
 
   std::vector<MeshFault> run() {
     find_facet_faults();
@@ -59,7 +62,7 @@ class Checker {
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
       auto key = mesh_.triangles[i];
       std::sort(key.begin(), key.end());
-      if (is_degenerate(mesh_, i)) {
+      if (is_degenerate(mesh_, i, least_height_)) {
         add(Kind::degenerate, i,
             fmt::format("has no area, at {}; remove it", point(mesh_.vertices[key[0]])));
       }
@@ -153,6 +156,7 @@ class Checker {
   }
 
   const TriangleMesh& mesh_;
+  double least_height_;
   std::vector<bool> used_;
   std::map<Edge, std::vector<EdgeUse>> edges_;
   std::vector<MeshFault> faults_;

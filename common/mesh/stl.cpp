@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "common/input_error.hpp"
 #include "common/numbers.hpp"
@@ -50,6 +53,21 @@ class Welder {
   std::map<Cell, std::size_t> cells_;
 };
 
+bool is_word(std::string_view got, std::string_view word) {
+  return std::equal(got.begin(), got.end(), word.begin(), word.end(), [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == b;
+  });
+}
+
+// One step of a number's last digit: 0.001 of 12.345, 10 of 1.2345e5.
+double last_digit(std::string_view word) {
+  const std::size_t e = std::min(word.find_first_of("eE"), word.size());
+  const std::size_t point = std::min(word.substr(0, e).find('.'), e);
+  double exponent = 0;
+  if (e < word.size()) parse_number(word.substr(e + 1), exponent);
+  return std::pow(10, exponent - static_cast<double>(point == e ? 0 : e - point - 1));
+}
+
 // Words of an ascii file, each with its line.
 class Words {
  public:
@@ -66,17 +84,22 @@ class Words {
     return text_.substr(begin, at_ - begin);
   }
 
+  /// A keyword, which some programs write in capitals.
   void expect(std::string_view word) {
     const std::string_view got = next();
-    if (got != word) fail(fmt::format("'{}' where '{}' belongs", got, word));
+    if (!is_word(got, word)) fail(fmt::format("'{}' where '{}' belongs", got, word));
   }
 
   double number() {
     const std::string_view word = next();
     double x = 0;
     if (!parse_number(word, x)) fail(fmt::format("'{}' where a number belongs", word));
+    finest_digit_ = std::min(finest_digit_, last_digit(word));
     return x;
   }
+
+  /// What one step of the last digit is worth, in the number that is written most finely.
+  double finest_digit() const { return finest_digit_; }
 
   // The rest of a line: the name after "solid", which may be anything.
   void skip_line() {
@@ -92,42 +115,45 @@ class Words {
   std::filesystem::path file_;
   std::size_t at_ = 0;
   int line_ = 1;
+  double finest_digit_ = std::numeric_limits<double>::infinity();
 };
 
-TriangleMesh parse_ascii(std::string_view text, double weld, const std::filesystem::path& file) {
-  TriangleMesh mesh;
-  Welder welder(weld);
+// Facets as they stand in a file, and how coarsely their coordinates are written [m].
+struct Facets {
+  std::vector<Triangle> corners;
+  double rounded_to_m = 0;
+};
+
+Facets parse_ascii(std::string_view text, const std::filesystem::path& file) {
+  Facets facets;
   Words words(text, file);
   std::string_view word = words.next();
   while (!word.empty()) {  // a file may hold several solids
-    if (word != "solid") words.fail(fmt::format("'{}' where 'solid' belongs", word));
+    if (!is_word(word, "solid")) words.fail(fmt::format("'{}' where 'solid' belongs", word));
     words.skip_line();
-    for (word = words.next(); word == "facet"; word = words.next()) {
+    for (word = words.next(); is_word(word, "facet"); word = words.next()) {
       words.expect("normal");
       // Any three words: a degenerate facet's normal is often "nan nan nan", which the check of
       // its area reports better.
       for (int i = 0; i < 3; ++i) words.next();
       words.expect("outer");
       words.expect("loop");
-      std::array<std::size_t, 3> triangle{};
-      for (std::size_t& corner : triangle) {
+      Triangle triangle;
+      for (Eigen::Vector3d& v : triangle) {
         words.expect("vertex");
-        Eigen::Vector3d v;
-        for (int i = 0; i < 3; ++i) {
-          v[i] = words.number();
-        }
-        corner = welder.index(mesh, v);
+        for (int i = 0; i < 3; ++i) v[i] = words.number();
       }
       words.expect("endloop");
       words.expect("endfacet");
-      mesh.triangles.push_back(triangle);
+      facets.corners.push_back(triangle);
     }
-    if (word != "endsolid")
+    if (!is_word(word, "endsolid"))
       words.fail(fmt::format("'{}' where 'facet' or 'endsolid' belongs", word));
     words.skip_line();
     word = words.next();
   }
-  return mesh;
+  facets.rounded_to_m = words.finest_digit();
+  return facets;
 }
 
 constexpr std::size_t header_bytes = 84;  // 80 of text and the number of facets
@@ -139,8 +165,7 @@ std::uint32_t facet_count(const std::string& bytes) {
   return count;
 }
 
-TriangleMesh parse_binary(const std::string& bytes, double weld,
-                          const std::filesystem::path& file) {
+Facets parse_binary(const std::string& bytes, const std::filesystem::path& file) {
   const auto fail = [&](std::size_t byte, const std::string& message) {
     throw InputError({{file, 0, "", fmt::format("at byte {}: {}", byte, message)}});
   };
@@ -155,50 +180,109 @@ TriangleMesh parse_binary(const std::string& bytes, double weld,
     fail(needed, fmt::format("{} bytes too many after the {} facets of the header",
                              bytes.size() - needed, count));
   }
-  TriangleMesh mesh;
-  Welder welder(weld);
+  Facets facets;
+  float largest = 0;
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t at = header_bytes + n * facet_bytes + 12;  // after the normal
     std::array<float, 9> x{};
     std::memcpy(x.data(), bytes.data() + at, sizeof x);
-    std::array<std::size_t, 3> triangle{};
+    Triangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Eigen::Vector3d v(x[3 * i], x[3 * i + 1], x[3 * i + 2]);
-      if (!v.allFinite()) {
+      triangle[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]};
+      if (!triangle[i].allFinite()) {
         fail(at + 12 * i, fmt::format("facet {}: a coordinate is no finite number", n + 1));
       }
-      triangle[i] = welder.index(mesh, v);
+      for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, std::abs(x[3 * i + k]));
     }
-    mesh.triangles.push_back(triangle);
+    facets.corners.push_back(triangle);
   }
-  return mesh;
+  facets.rounded_to_m = std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest;
+  return facets;
+}
+
+// What a file is that begins otherwise than an STL file; empty: it may be one.
+std::string other_format(std::string_view bytes) {
+  using Beginning = std::pair<std::string_view, const char*>;
+  for (const auto& [begin, name] :
+       {Beginning{"ply", "PLY"}, Beginning{"ISO-10303", "STEP"}, Beginning{"PK", "3MF or zip"},
+        Beginning{"glTF", "glTF"}, Beginning{"OFF", "OFF"}, Beginning{"# vtk", "VTK"},
+        Beginning{"<?xml", "XML"}})
+    if (bytes.substr(0, begin.size()) == begin) return name;
+  for (std::size_t at = 0; at < bytes.size();) {  // OBJ: comments, then such words
+    const std::string_view line = bytes.substr(at, bytes.find('\n', at) - at);
+    at += line.size() + 1;
+    for (const std::string_view word : {"v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl "})
+      if (line.substr(0, word.size()) == word) return "OBJ";
+    if (!line.empty() && line[0] != '#' && line[0] != '\r') break;
+  }
+  return "";
 }
 
 // Many binary files also begin with "solid"; only their size tells. What neither fits is read as
 // ascii when it is text, so that the message has a line.
-bool is_binary(const std::string& bytes) {
+bool is_binary(const std::string& bytes, std::string_view text) {
   if (bytes.size() >= header_bytes &&
       bytes.size() == header_bytes + facet_count(bytes) * facet_bytes) {
     return true;
   }
-  if (bytes.compare(0, 5, "solid") != 0) return bytes.size() >= header_bytes;
-  return bytes.find('\0') != std::string::npos && bytes.size() >= header_bytes;
+  return bytes.size() >= header_bytes &&
+         (!is_word(text.substr(0, 5), "solid") || bytes.find('\0') != std::string::npos);
+}
+
+// Without a byte-order mark and blank lines before the first word.
+std::string_view text_of(std::string_view bytes) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (bytes.substr(0, mark.size()) == mark) bytes.remove_prefix(mark.size());
+  return bytes;
+}
+
+std::string_view without_blanks(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+}
+
+// A mesh in a mine's coordinates whose digits do not reach its own size is another mesh.
+constexpr double coarsest_rounding = 1e-3;  // of the mesh's diagonal
+
+void check_rounding(const Box& box, double rounded_to_m, const std::filesystem::path& file) {
+  const double diagonal = box.sides_m().norm();
+  const double far = std::max(box.min_m.cwiseAbs().maxCoeff(), box.max_m.cwiseAbs().maxCoeff());
+  if (rounded_to_m <= coarsest_rounding * diagonal || far < 10 * diagonal) return;
+  throw InputError({{file, 0, "",
+                     fmt::format("coordinates of up to {:.7g} m are rounded to {:.2g} m, and the "
+                                 "mesh is {:.3g} m across: its shape is lost; move it to its own "
+                                 "origin before it is written, or write more digits",
+                                 far, rounded_to_m, diagonal)}});
 }
 
 }  // namespace
 
-TriangleMesh parse_stl(const std::string& bytes, double weld, const std::filesystem::path& file) {
-  TriangleMesh mesh =
-      is_binary(bytes) ? parse_binary(bytes, weld, file) : parse_ascii(bytes, weld, file);
-  if (mesh.triangles.empty()) throw InputError({{file, 0, "", "holds no facets"}});
+TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& file) {
+  const std::string_view text = text_of(bytes), begin = without_blanks(text);
+  const bool binary = is_binary(bytes, begin);
+  if (const std::string other = other_format(begin); !other.empty() && !is_word(begin.substr(0, 5), "solid"))
+    if (!binary || bytes.size() != header_bytes + facet_count(bytes) * facet_bytes)
+      throw InputError({{file, 0, "", fmt::format("is a {} file; export the mesh as STL", other)}});
+  const Facets facets = binary ? parse_binary(bytes, file) : parse_ascii(text, file);
+  if (facets.corners.empty()) throw InputError({{file, 0, "", "holds no facets"}});
+  Box box;
+  for (const Triangle& triangle : facets.corners)
+    for (const Eigen::Vector3d& v : triangle) box.add(v);
+  check_rounding(box, facets.rounded_to_m, file);
+  TriangleMesh mesh;
+  Welder welder(weld_distance(box.sides_m().norm()));
+  for (const Triangle& triangle : facets.corners)
+    mesh.triangles.push_back({welder.index(mesh, triangle[0]), welder.index(mesh, triangle[1]),
+                              welder.index(mesh, triangle[2])});
   return mesh;
 }
 
-TriangleMesh read_stl(const std::filesystem::path& file, double weld) {
+double weld_distance(double diagonal_m) { return std::min(1e-6, 1e-6 * diagonal_m); }
+
+TriangleMesh read_stl(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in || !std::filesystem::is_regular_file(file))
     throw InputError({{file, 0, "", "no such file, or it cannot be read"}});
-  return parse_stl({std::istreambuf_iterator<char>(in), {}}, weld, file);
+  return parse_stl({std::istreambuf_iterator<char>(in), {}}, file);
 }
 
 bool is_stl(const std::filesystem::path& file) {

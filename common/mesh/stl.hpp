@@ -8,14 +8,18 @@
 
 namespace dipper::mesh {
 
-/// Vertices closer than `weld` [m] in every coordinate become one. Normals are not read: the
-/// order of a facet's vertices says where outside is. Throws InputError: no such file, a broken
-/// record (with its line or byte), a coordinate that is no finite number, no facets.
-TriangleMesh read_stl(const std::filesystem::path& file, double weld = 1e-6);
+/// Vertices closer than weld_distance in every coordinate become one. Normals are not read: the
+/// order of a facet's vertices says where outside is. Keywords may be in capitals; a byte-order mark
+/// and blank lines may stand before them. Throws InputError: no such file, another format, a broken
+/// record (with its line or byte), a coordinate that is no finite number, no facets; a mesh far from
+/// its origin whose coordinates are rounded to more than a thousandth of its size.
+TriangleMesh read_stl(const std::filesystem::path& file);
 
 /// The same from a file's bytes; errors name `file`.
-TriangleMesh parse_stl(const std::string& bytes, double weld = 1e-6,
-                       const std::filesystem::path& file = {});
+TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& file = {});
+
+/// A micrometre, and less for a mesh of less than a metre: a millionth of its diagonal.
+double weld_distance(double diagonal_m);
 
 /// Whether a file's name ends in .stl, in capitals or not.
 bool is_stl(const std::filesystem::path& file);

@@ -29,11 +29,11 @@ SizeClass& class_at(Case& c, const Place& p) {
 
 // The member `expr` of the case `c`, at the place `p` where the key has a # or *.
 #define SLOT(expr) [](Case& c, [[maybe_unused]] const Place& p) -> Slot { return &(expr); }
-// The same of a std::optional member, which holds a value from then on.
-#define OPTIONAL(expr)                \
-  [](Case& c, const Place&) -> Slot { \
-    if (!(expr)) (expr).emplace();    \
-    return &*(expr);                  \
+// The same of a contact number that follows another one until it has a value of its own.
+#define FOLLOWING(member)                               \
+  [](Case& c, const Place&) -> Slot {                   \
+    c.contact.member = of_every_pair(c.contact).member; \
+    return &*c.contact.member;                          \
   }
 // The same of a member that is a bool or an enum, with what the allowed words stand for, in order.
 #define CHOICE(expr, ...) \
@@ -154,10 +154,10 @@ std::vector<KeySpec> make_schema() {
        "tangential damping D_t, as a fraction of critical", SLOT(c.contact.tangential_damping)},
       {"contact.normal_damping_other", "", damping, {}, optional, settling,
        "D_n of all pairs except sphere on sphere; default: normal_damping",
-       OPTIONAL(c.contact.normal_damping_other)},
+       FOLLOWING(normal_damping_other)},
       {"contact.tangential_damping_other", "", damping, {}, optional, settling,
        "D_t of all pairs except sphere on sphere; default: tangential_damping",
-       OPTIONAL(c.contact.tangential_damping_other)},
+       FOLLOWING(tangential_damping_other)},
       {"contact.friction_sphere_sphere", "", friction, {}, required, settling,
        "friction coefficient, sphere on sphere (paper, Eq. 7)",
        SLOT(c.contact.friction_sphere_sphere)},
@@ -173,21 +173,21 @@ std::vector<KeySpec> make_schema() {
        "friction coefficient, spheres and rocks on the truck", SLOT(c.contact.friction_truck)},
       {"contact.friction_truck_sphere", "", friction, {}, optional, settling,
        "friction coefficient, spheres on the truck; default: friction_truck",
-       OPTIONAL(c.contact.friction_truck_sphere)},
+       FOLLOWING(friction_truck_sphere)},
       {"contact.rolling_friction_sphere", "", friction, {}, required, settling,
        "rolling friction, sphere on sphere (paper, Eq. 8)",
        SLOT(c.contact.rolling_friction_sphere)},
       {"contact.rolling_friction_rock", "", friction, {}, optional, settling,
        "rolling friction, spheres on rocks; default: rolling_friction_sphere",
-       OPTIONAL(c.contact.rolling_friction_rock)},
+       FOLLOWING(rolling_friction_rock)},
       {"contact.rolling_friction_dipper", "", friction, {}, optional, settling,
        "rolling friction, spheres on bodies; default: rolling_friction_sphere",
-       OPTIONAL(c.contact.rolling_friction_dipper)},
+       FOLLOWING(rolling_friction_dipper)},
       {"contact.rolling_friction_ground", "", friction, {}, required, settling,
        "rolling friction, spheres on the ground", SLOT(c.contact.rolling_friction_ground)},
       {"contact.rolling_friction_truck", "", friction, {}, optional, settling,
        "rolling friction, spheres on the truck; default: rolling_friction_ground",
-       OPTIONAL(c.contact.rolling_friction_truck)},
+       FOLLOWING(rolling_friction_truck)},
       {"contact.cohesion_Pa", "Pa", between(0, 1e6), {}, optional, settling,
        "tensile strength of the moist pile; default 0", SLOT(c.contact.cohesion_Pa)},
       {"contact.adhesion_Pa", "Pa", between(0, 1e6), {}, optional, settling,

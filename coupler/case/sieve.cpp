@@ -19,6 +19,38 @@ struct Row {
   int line;
 };
 
+constexpr double kLargestSize = 10;  // [m]; of rock.sieve.max_size_m, too
+
+/// Faults of a curve as a whole: another unit, shares of 1, shares retained. Told once, in place of
+/// a line for each row.
+std::string fault_of_all(const std::vector<Row>& rows) {
+  if (rows.size() < 2) return "";
+  double smallest = rows[0].point.size_m, largest = 0, least = rows[0].point.passing_percent;
+  double most = least;
+  const Row *finest = &rows[0], *coarsest = &rows[0];
+  for (const Row& row : rows) {
+    if (row.point.size_m < finest->point.size_m) finest = &row;
+    if (row.point.size_m > coarsest->point.size_m) coarsest = &row;
+    smallest = std::min(smallest, row.point.size_m);
+    largest = std::max(largest, row.point.size_m);
+    least = std::min(least, row.point.passing_percent);
+    most = std::max(most, row.point.passing_percent);
+  }
+  if (largest > kLargestSize)
+    return fmt::format("size_m goes from {:g} to {:g} m; up to {:g} m: in mm, perhaps? 1000 mm = 1 m",
+                       smallest, largest, kLargestSize);
+  if (most <= 1)
+    return fmt::format(
+        "passing_percent goes from {:g} to {:g}; up to 100 %: shares of 1, perhaps? 1 = 100 %", least,
+        most);
+  if (finest->point.passing_percent > coarsest->point.passing_percent)
+    return fmt::format(
+        "passing_percent falls from {:g} to {:g} as size_m rises from {:g} to {:g} m; what passes a "
+        "sieve passes every larger one: shares retained, perhaps? passing is 100 less retained",
+        finest->point.passing_percent, coarsest->point.passing_percent, smallest, largest);
+  return "";
+}
+
 }  // namespace
 
 double SieveCurve::passing_percent(double size) const {
@@ -58,6 +90,10 @@ SieveCurve read_sieve(const fs::path& file) {
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.point.size_m < b.point.size_m; });
+  if (const std::string wrong = fault_of_all(rows); faults.empty() && !wrong.empty()) {
+    fault(0, wrong);
+    throw InputError(std::move(faults));
+  }
   std::vector<SieveCurve::Point> points;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     points.push_back(rows[i].point);

@@ -26,7 +26,7 @@ bool is_mixed(const cases::SizeClass& size) {
 // A scan may have thousands of faults; the first few tell what is wrong with it.
 void check_shape(const cases::Case& c, const std::string& shape, Findings& findings) {
   constexpr std::size_t shown = 10;
-  const fs::path stl = c.rock.shape_folder / (shape + ".stl");
+  const fs::path stl = deck::shape_mesh(c.rock.shape_folder, shape);
   const std::string key = "rock.shape_folder";
   try {
     if (!deck::is_made_from_mesh(c.rock.shape_folder, shape)) {

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "common/fines.hpp"
-#include "dem/moist/moist_law.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -27,6 +26,10 @@ double porosity(const cases::Case& c) {
 
 double laden_density(const cases::Case& c) {
   return with_fines(c.rock.density_kg_m3, c.rock.fines_fraction, porosity(c));
+}
+
+double pull_off_stress(double tensile_strength_Pa, double porosity) {
+  return tensile_strength_Pa * porosity / (1 - porosity);
 }
 
 bool needs_cohesion_model(const cases::Case& c) {
@@ -107,7 +110,7 @@ ContactTable contact_table(const cases::Case& c) {
 
   const int n = types.classes;
   const auto stress = [&](double strength) {
-    return strength > 0 ? dem::moist::pull_off_stress(strength, porosity(c)) : 0.0;
+    return strength > 0 ? pull_off_stress(strength, porosity(c)) : 0.0;
   };
   t.pull_off_Pa.topLeftCorner(n, n).setConstant(stress(k.cohesion_Pa));
   for (const auto& [wall, strength] : {std::pair{types.ground(), k.cohesion_Pa},

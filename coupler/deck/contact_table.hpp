@@ -37,6 +37,11 @@ double porosity(const cases::Case& c);
 /// bulk density rho (1 - e) becomes rho (1 - e)(1 + phi e).
 double laden_density(const cases::Case& c);
 
+/// The stress that parts two moist rocks, F/d^2 [Pa]. A packing of porosity e and diameter d has
+/// the tensile strength s when F = s d^2 e/(1 - e) (Rumpf 1962, with his e k = pi for the
+/// coordination number k). As strength is kept, so is the meaning under coarse-graining.
+double pull_off_stress(double tensile_strength_Pa, double porosity);
+
 /// Whether the rock needs the cohesion model `moist`: moist, or with a crust.
 bool needs_cohesion_model(const cases::Case& c);
 

@@ -63,6 +63,9 @@ RockShape make_rock_shape(const std::string& name, mesh::TriangleMesh mesh,
                           const std::vector<ShapeResolution>& resolutions) {
   if (const auto faults = rock_faults(mesh); !faults.empty())
     throw std::invalid_argument(faults[0]);
+  // A scan may be in a mine's coordinates, where products of them lose its own digits.
+  const Box around = mesh::bounding_box(mesh);
+  for (Vector3d& v : mesh.vertices) v -= (around.min_m + around.max_m) / 2;
   const mesh::MassProperties raw = mesh::mass_properties(mesh);
   const double scale = std::cbrt(M_PI / 6 / raw.volume_m3);
   for (Vector3d& v : mesh.vertices) v = scale * (v - raw.com_m);

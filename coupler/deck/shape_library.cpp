@@ -16,12 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Part of the cache's key: counts up when the same mesh gives other spheres.
-constexpr int kFitVersion = 1;
+constexpr int kFitVersion = 2;
 
 constexpr const char* kShapeFile = "shape.yaml";
 
-fs::path with(const fs::path& folder, const std::string& name, const char* extension) {
-  return folder / (name + extension);
+fs::path yaml_of(const fs::path& folder, const std::string& name) {
+  return folder / (name + ".yaml");
 }
 
 }  // namespace
@@ -30,21 +30,27 @@ std::set<std::string> shape_names(const fs::path& folder) {
   std::set<std::string> names;
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(folder, missing)) {
-    const fs::path extension = entry.path().extension();
-    if (extension == ".yaml" || extension == ".stl") names.insert(entry.path().stem().string());
+    if (entry.path().extension() == ".yaml" || mesh::is_stl(entry.path())) names.insert(entry.path().stem().string());
   }
   return names;
 }
 
+fs::path shape_mesh(const fs::path& folder, const std::string& name) {
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder, missing))
+    if (entry.path().stem() == name && mesh::is_stl(entry.path())) return entry.path();
+  return folder / (name + ".stl");
+}
+
 bool is_made_from_mesh(const fs::path& folder, const std::string& name) {
-  const fs::path stl = with(folder, name, ".stl"), yaml = with(folder, name, ".yaml");
+  const fs::path stl = shape_mesh(folder, name), yaml = yaml_of(folder, name);
   if (!fs::exists(stl)) return false;
   return !fs::exists(yaml) || read_rock_shape(yaml).mesh_sha256 != sha256_file(stl);
 }
 
 RockShape find_rock_shape(const fs::path& folder, const std::string& name) {
-  if (!is_made_from_mesh(folder, name)) return read_rock_shape(with(folder, name, ".yaml"));
-  const fs::path stl = with(folder, name, ".stl");
+  if (!is_made_from_mesh(folder, name)) return read_rock_shape(yaml_of(folder, name));
+  const fs::path stl = shape_mesh(folder, name);
   const fs::path entry =
       cache_folder() / "shapes" / fmt::format("{}-{}", sha256_file(stl), kFitVersion);
   const auto fit = [&](const fs::path& part) {

@@ -10,7 +10,7 @@
 
 namespace dipper::deck {
 
-/// Every NAME with a NAME.yaml or a NAME.stl in the folder.
+/// Every NAME with a NAME.yaml or a NAME.stl (or .STL) in the folder.
 std::set<std::string> shape_names(const std::filesystem::path& folder);
 
 /// The mesh says what a shape is. NAME.yaml is used when it was made from the NAME.stl beside it,
@@ -18,6 +18,9 @@ std::set<std::string> shape_names(const std::filesystem::path& folder);
 /// the cache (cache_folder()/shapes) under the hash of the mesh. Safe against two at once. Throws
 /// std::runtime_error naming the file, and its first fault.
 RockShape find_rock_shape(const std::filesystem::path& folder, const std::string& name);
+
+/// NAME.stl of the folder, whatever the case of its extension; as written here where there is none.
+std::filesystem::path shape_mesh(const std::filesystem::path& folder, const std::string& name);
 
 /// True when find_rock_shape looks at NAME.stl rather than at NAME.yaml.
 bool is_made_from_mesh(const std::filesystem::path& folder, const std::string& name);

@@ -41,8 +41,8 @@ setup::PeerConfig machine_config(const cases::Case& c, const run::RunFolder& fol
   config.identity.run_id = folder.root().filename().string();
   config.identity.case_hash = cases::case_hash(c);
   config.checkpoints = folder.checkpoints();
-  config.settings =
-      sides::mbs_settings(c, sides::dipper_layers(c, sides::read_mesh_facts(c).dipper.cavity));
+  config.settings = to_json(
+      sides::machine_setup(c, sides::dipper_layers(c, sides::read_mesh_facts(c).dipper.cavity)));
   return config;
 }
 
@@ -52,8 +52,8 @@ void write_scene(const cases::Case& c, const run::RunFolder& folder) {
   deck::write_deck(c, c.rock.shape_folder, folder.deck());
   const sides::MeshFacts facts = sides::read_mesh_facts(c);
   run::write_scales(folder,
-                    sides::dem_settings(c, facts, folder.deck(), folder.dumps(), folder.logs(),
-                                        fs::path(), std::nullopt),
+                    sides::rock_setup(c, facts, folder.deck(), folder.dumps(), folder.logs(),
+                                      fs::path(), std::nullopt),
                     facts.dipper.struck_volume_m3);
 }
 

@@ -74,8 +74,8 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
   const RecordedWrench dipper(columns, "dipper"), door(columns, "door");
 
   setup::PeerConfig config = setup::read_peer_config(run / "logs" / "mbs.json");
-  config.settings = sides::mbs_settings(
-      changed, sides::dipper_layers(changed, sides::read_mesh_facts(changed).dipper.cavity));
+  config.settings = to_json(sides::machine_setup(
+      changed, sides::dipper_layers(changed, sides::read_mesh_facts(changed).dipper.cavity)));
   analysis::signals::DriveSignals s;
   {
     const TemporaryFolder scratch("dipper-replay");

@@ -40,8 +40,8 @@ fs::path find_pile(const cases::Case& c, const RunFolder& folder, const launch::
   return pile.restart;
 }
 
-std::vector<dem::WallMemory> wall_memory(const core::CouplingState& state) {
-  std::vector<dem::WallMemory> memory;
+std::vector<setup::WallMemory> wall_memory(const core::CouplingState& state) {
+  std::vector<setup::WallMemory> memory;
   for (const core::WallState& wall : state.walls) memory.push_back({wall.load, wall.V_WB_W});
   return memory;
 }
@@ -82,9 +82,8 @@ std::map<std::string, std::string> record_attributes(const cases::Case& c,
           {"rock_version", rock.version}};
 }
 
-void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings,
-                  double struck_volume_m3) {
-  const nlohmann::json kept = {{"scales", dem_settings.at("scales")},
+void write_scales(const RunFolder& folder, const setup::RockSetup& rock, double struck_volume_m3) {
+  const nlohmann::json kept = {{"scales", to_json(rock).at("scales")},
                                {"struck_volume_m3", struck_volume_m3}};
   write_text(folder.scales(), kept.dump() + "\n");
 }
@@ -116,7 +115,6 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   sides::SidesSetup setup;
   setup.run_id = folder.root().filename().string();
   setup.case_hash = cases::case_hash(c);
-  setup.ranks = c.dem.ranks;
   setup.places = places;
   setup.timeout_s = c.coupling.timeout_s;
   setup.logs = folder.logs();
@@ -124,10 +122,10 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
   setup.dem_screen = folder.logs() / "dem.screen";
   if (from) setup.segment = fmt::format("-{}", from->coupling.step_index);
   setup.message_log = folder.root() / ("events" + setup.segment + ".lcmlog");
-  setup.dem = sides::dem_settings(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
-                                  from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
-  write_scales(folder, setup.dem, shovel.dipper.struck_volume_m3);
-  setup.mbs = sides::mbs_settings(c, layers);
+  setup.rock = sides::rock_setup(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
+                                 from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
+  write_scales(folder, setup.rock, shovel.dipper.struck_volume_m3);
+  setup.machine = sides::machine_setup(c, layers);
   return setup;
 }
 

@@ -40,11 +40,10 @@ std::map<std::string, std::string> record_attributes(const cases::Case& c,
                                                      const core::ServerInfo& machine,
                                                      const core::ServerInfo& rock);
 
-/// Writes scales.json of dipper-dem's settings: for those who may not read the run's secret, which
+/// Writes scales.json of dipper-dem's set-up: for those who may not read the run's secret, which
 /// is beside the settings. With it what the dipper holds, which its meshes alone do not tell.
 /// Throws std::runtime_error naming the file.
-void write_scales(const RunFolder& folder, const nlohmann::json& dem_settings,
-                  double struck_volume_m3);
+void write_scales(const RunFolder& folder, const setup::RockSetup& rock, double struck_volume_m3);
 
 /// Writes deck and identity into the run's folder, settles the pile or finds it in the cache, and
 /// says so. \param from  what the run goes on from; nothing: a new run. \param places  of the

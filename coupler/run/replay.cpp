@@ -12,6 +12,7 @@
 #include "coupler/launch/mpirun.hpp"
 #include "coupler/launch/process.hpp"
 #include "coupler/setup/peer_config.hpp"
+#include "coupler/setup/rock_setup.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/link.hpp"
@@ -78,16 +79,13 @@ std::vector<std::string> segments(const fs::path& run) {
   return all;
 }
 
-/// The side's settings with everything it writes sent to `scratch`.
-nlohmann::json redirected(nlohmann::json settings, const std::string& side,
-                          const fs::path& scratch) {
-  if (side != "dem") return settings;
-  settings["log"] = (scratch / "dem.liggghts").string();
-  settings["screen"] = (scratch / "dem.screen").string();
-  for (auto& variable : settings["variables"]) {
-    if (variable[0] == "out") variable[1] = scratch.string();
-  }
-  return settings;
+/// The set-up with everything the rock side writes sent to `scratch`.
+setup::RockSetup redirected(setup::RockSetup rock, const fs::path& scratch) {
+  rock.log = (scratch / "dem.liggghts").string();
+  rock.screen = (scratch / "dem.screen").string();
+  for (auto& [name, value] : rock.variables)
+    if (name == "out") value = scratch.string();
+  return rock;
 }
 
 void compare(const core::Body& now, const core::Body& before, ReplayResult& result) {
@@ -131,7 +129,12 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
   setup::PeerConfig config = setup::read_peer_config(run / "logs" / (side + segment + ".json"));
   const TemporaryFolder temporary("dipper-replay");
   const fs::path& scratch = temporary.path();
-  config.settings = redirected(config.settings, side, scratch);
+  int ranks = 1;
+  if (dem) {
+    const auto rock = redirected(setup::rock_setup_from(config.settings), scratch);
+    ranks = rock.ranks;
+    config.settings = to_json(rock);
+  }
   config.checkpoints = scratch;
   const fs::path config_file = scratch / (side + ".json");
   setup::write_peer_config(config_file, config);
@@ -139,8 +142,7 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
   const fs::path log = scratch / (side + ".log");
   const std::vector<std::string> command = {installed_program("dipper-" + side),
                                             config_file.string()};
-  launch::Process process(dem ? launch::mpirun(config.settings.at("ranks"), command) : command,
-                          log);
+  launch::Process process(dem ? launch::mpirun(ranks, command) : command, log);
   transport::LcmTransport lcm(config.lcm_url, from, config.secret);
   transport::LinkOptions options;
   options.timeout = std::chrono::minutes(10);

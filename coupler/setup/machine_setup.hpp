@@ -1,0 +1,28 @@
+// What dipper-mbs is started with: the launcher writes it, the machine's process reads it.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "common/frames.hpp"
+#include "machine/machine_condition.hpp"
+#include "machine/machine_data.hpp"
+
+namespace dipper::setup {
+
+/// A shovel that follows a motion.
+struct MachineSetup {
+  std::filesystem::path model;   ///< dimensions and masses, YAML
+  std::filesystem::path motion;  ///< CSV
+  machine::DriveMode drives = machine::DriveMode::prescribed;
+  bool contact_on_return = true;
+  Vector3d base_position_m = Vector3d::Zero();  ///< swing axis at ground level, in W
+  double rake_angle_deg = 0;
+  machine::MachineCondition condition;
+};
+
+/// As JSON, and back. Throws nlohmann::json::exception for a key that lacks.
+nlohmann::json to_json(const MachineSetup& setup);
+MachineSetup machine_setup_from(const nlohmann::json& j);
+
+}  // namespace dipper::setup

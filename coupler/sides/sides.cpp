@@ -52,12 +52,12 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   from_mbs_ = listen(transport::Channels::from_mbs);
   const auto dem_config = setup.logs / ("dem" + setup.segment + ".json");
   const auto mbs_config = setup.logs / ("mbs" + setup.segment + ".json");
-  nlohmann::json dem = setup.dem;
-  dem["ranks"] = setup.ranks;  // for a replay
-  setup::write_peer_config(dem_config, {url, secret, identity, setup.checkpoints, dem});
-  setup::write_peer_config(mbs_config, {url, secret, identity, setup.checkpoints, setup.mbs});
+  setup::write_peer_config(dem_config,
+                           {url, secret, identity, setup.checkpoints, to_json(setup.rock)});
+  setup::write_peer_config(mbs_config,
+                           {url, secret, identity, setup.checkpoints, to_json(setup.machine)});
   dem_ = std::make_unique<launch::Process>(
-      launch::mpirun(setup.ranks, {installed_program("dipper-dem"), dem_config.string()},
+      launch::mpirun(setup.rock.ranks, {installed_program("dipper-dem"), dem_config.string()},
                      setup.places),
       setup.logs / "dem.log",
       setup.logs);  // where LIGGGHTS, when it is ended, leaves a restart file

@@ -3,11 +3,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "coupler/launch/mpirun.hpp"
 #include "coupler/launch/process.hpp"
+#include "coupler/setup/machine_setup.hpp"
+#include "coupler/setup/rock_setup.hpp"
 #include "coupler/transport/remote.hpp"
 
 namespace dipper::sides {
@@ -16,10 +17,10 @@ namespace dipper::sides {
 struct SidesSetup {
   std::string run_id;
   std::string case_hash;
-  int ranks = 1;
   launch::MpiPlaces places;  ///< of the ranks
   double timeout_s = 60;
-  nlohmann::json dem, mbs;            ///< each side's settings
+  setup::RockSetup rock;
+  setup::MachineSetup machine;
   std::filesystem::path logs;         ///< folder
   std::filesystem::path checkpoints;  ///< folder
   std::filesystem::path dem_screen;   ///< where LIGGGHTS writes its errors

@@ -7,11 +7,8 @@
 
 #include "common/angles.hpp"
 #include "common/installation.hpp"
-#include "common/json_values.hpp"
-#include "coupler/case/schema.hpp"
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace dipper::sides {
 namespace fs = std::filesystem;
@@ -39,16 +36,17 @@ MeshFacts read_mesh_facts(const cases::Case& c) {
   return facts;
 }
 
-nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const fs::path& deck,
+setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const fs::path& deck,
                             const fs::path& dumps, const fs::path& logs, const fs::path& restart,
-                            const std::optional<std::vector<dem::WallMemory>>& resumed) {
-  dem::RockSetup setup;
+                            const std::optional<std::vector<setup::WallMemory>>& resumed) {
+  setup::RockSetup setup;
+  setup.ranks = c.dem.ranks;
   setup.fast_loop = c.dem.loop == cases::RockLoop::fast;
   setup.deck = (data_folder() / "dem_in" / "dig.in").string();
   setup.log = (logs / "dem.liggghts").string();
   setup.screen = (logs / "dem.screen").string();
   setup.resumed = resumed;
-  if (resumed) setup.image = dem::image_of(restart);
+  if (resumed) setup.image = setup::image_of(restart);
   setup.variables = {{"deck", deck.string()},
                      {"pile", restart.string()},
                      {"out", dumps.string()},
@@ -63,44 +61,46 @@ nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts, const 
   if (c.pile.clear_machine) setup.cleared = {"dipper", "door", "truck"};
   setup.pauses = !c.machine.contact_on_return;
   if (c.pile.clean_floor_to_x_m != 0)
-    setup.floor = dem::FloorStrip{c.pile.clean_floor_to_x_m, c.pile.width_m / 2 + kFloorSide_m,
-                                  kFloorHeight_m};
+    setup.floor = setup::FloorStrip{c.pile.clean_floor_to_x_m, c.pile.width_m / 2 + kFloorSide_m,
+                                    kFloorHeight_m};
   if (c.dem.hold_below_m_s > 0) setup.hold.emplace().below_m_s = c.dem.hold_below_m_s;
   if (c.pile.held_layer_m > 0)
     setup.layer =
-        dem::HeldLayer{c.pile.held_layer_m, deck::pile_shape(c).rear_x_m, c.pile.width_m / 2};
+        setup::HeldLayer{c.pile.held_layer_m, deck::pile_shape(c).rear_x_m, c.pile.width_m / 2};
   Pose X_WT;
   X_WT.p = c.truck.position_m;
   X_WT.R = from_rotation_vector({0, 0, radians(c.truck.heading_deg)});
   setup.scales = {{"mass_in_dipper", "dipper", Pose{}, facts.dipper.load},
                   {"mass_in_truck", "", X_WT, facts.truck_bed}};
   if (c.crust.tensile_strength_Pa > 0) {
-    setup.crust = dem::CrustZone{c.crust.above_m, c.crust.thickness_m};
+    setup.crust = setup::CrustZone{c.crust.above_m, c.crust.thickness_m};
   }
   if (c.collapse.height_m > 0) {
     const deck::CollapseSlab slab = deck::collapse_slab(c);
     // The check has refused a case whose slab never comes loose.
     const double at_s = deck::collapse_time_s(c, machine::Motion::load(c.machine.motion)).value();
-    setup.fall = dem::RockFall{(data_folder() / "dem_in" / "collapse.in").string(),
-                               std::llround(at_s / c.dem.timestep_s), slab.mass_kg};
+    setup.fall = setup::RockFall{(data_folder() / "dem_in" / "collapse.in").string(),
+                                 std::llround(at_s / c.dem.timestep_s), slab.mass_kg};
     for (const auto& v : deck::collapse_variables(slab)) setup.variables.push_back(v);
   }
-  return dem::to_json(setup);
+  return setup;
 }
 
-nlohmann::json mbs_settings(const cases::Case& c, const DipperLayers& layers) {
-  return {{"model", c.machine.model.string()},
-          {"motion", c.machine.motion.string()},
-          {"drives", cases::word_of(c, "machine.drives")},
-          {"contact_on_return", cases::word_of(c, "machine.contact_on_return")},
-          {"base_position_m", json_of(c.machine.base_position_m)},
-          {"rake_angle_deg", c.machine.rake_angle_deg},
-          {"crowd_friction_N", c.machine.crowd_friction_N},
-          {"hoist_loss", c.machine.hoist_loss},
-          {"rope_compliance", c.machine.rope_compliance},
-          {"added_mass_kg", layers.mass_kg},
-          {"added_center_m", json_of(layers.center_m)},
-          {"added_inertia_kg_m2", json_of(Vector3d(layers.inertia_kg_m2.diagonal()))}};
+setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers) {
+  setup::MachineSetup setup;
+  setup.model = c.machine.model;
+  setup.motion = c.machine.motion;
+  setup.drives = c.machine.drives;
+  setup.contact_on_return = c.machine.contact_on_return;
+  setup.base_position_m = c.machine.base_position_m;
+  setup.rake_angle_deg = c.machine.rake_angle_deg;
+  setup.condition.crowd_friction_N = c.machine.crowd_friction_N;
+  setup.condition.hoist_loss = c.machine.hoist_loss;
+  setup.condition.rope_compliance = c.machine.rope_compliance;
+  setup.condition.added_mass_kg = layers.mass_kg;
+  setup.condition.added_center_m = layers.center_m;
+  setup.condition.added_inertia_kg_m2 = layers.inertia_kg_m2.diagonal();
+  return setup;
 }
 
 }  // namespace dipper::sides

@@ -3,14 +3,14 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "common/mesh/triangle_mesh.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/mesh_facts.hpp"
+#include "coupler/setup/machine_setup.hpp"
+#include "coupler/setup/rock_setup.hpp"
 #include "coupler/sides/dipper_layers.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace dipper::sides {
 
@@ -23,14 +23,14 @@ struct MeshFacts {
 /// Reads them. Throws std::runtime_error with the first finding, of which a checked case has none.
 MeshFacts read_mesh_facts(const cases::Case& c);
 
-/// dipper-dem's settings. `resumed`: when `restart` is a checkpoint and not a settled pile, what
-/// the walls remember.
-nlohmann::json dem_settings(const cases::Case& c, const MeshFacts& facts,
+/// What dipper-dem is started with. `resumed`: when `restart` is a checkpoint and not a settled
+/// pile, what the walls remember.
+setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts,
                             const std::filesystem::path& deck, const std::filesystem::path& dumps,
                             const std::filesystem::path& logs, const std::filesystem::path& restart,
-                            const std::optional<std::vector<dem::WallMemory>>& resumed);
+                            const std::optional<std::vector<setup::WallMemory>>& resumed);
 
-/// dipper-mbs's settings.
-nlohmann::json mbs_settings(const cases::Case& c, const DipperLayers& layers);
+/// What dipper-mbs is started with.
+setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers);
 
 }  // namespace dipper::sides

@@ -62,7 +62,7 @@ class Surface {
 
 }  // namespace
 
-void form_crust(LAMMPS_NS::LAMMPS& lmp, const CrustZone& zone) {
+void form_crust(LAMMPS_NS::LAMMPS& lmp, const setup::CrustZone& zone) {
   auto* mark = static_cast<LAMMPS_NS::FixPropertyAtom*>(lmp.modify->find_fix_property(
       "crust_zone", "property/atom", "scalar", 0, 0, "a crust", false));
   if (mark == nullptr) {

@@ -3,15 +3,15 @@
 
 #include <lammps.h>
 
+#include "coupler/setup/rock_setup.hpp"
 #include "dem/rock_feature.hpp"
-#include "dem/rock_setup.hpp"
 
 namespace dipper::dem {
 
 /// Makes every contact of two spheres in the zone a bond of the cohesion model `moist`. After a
 /// set-up (`run 0`) and before another, which computes the forces anew. Collective over the ranks.
 /// Throws std::runtime_error if the deck has no property/atom crust_zone.
-void form_crust(LAMMPS_NS::LAMMPS& lmp, const CrustZone& zone);
+void form_crust(LAMMPS_NS::LAMMPS& lmp, const setup::CrustZone& zone);
 
 /// Bonds of this rank that hold; one to a rock of another rank counts half on each.
 double count_bonds(const LAMMPS_NS::LAMMPS& lmp);
@@ -19,7 +19,7 @@ double count_bonds(const LAMMPS_NS::LAMMPS& lmp);
 /// Bonds the zone at the run's start. Channel: bonds, of those that hold.
 class Crust final : public RockFeature {
  public:
-  Crust(LAMMPS_NS::LAMMPS& lmp, const CrustZone& zone) : lmp_(lmp), zone_(zone) {}
+  Crust(LAMMPS_NS::LAMMPS& lmp, const setup::CrustZone& zone) : lmp_(lmp), zone_(zone) {}
 
   std::vector<core::Channel> channels() const override { return {{"bonds", "1", "-"}}; }
   void measure(const std::vector<Pose>&, std::vector<double>& parts) const override {
@@ -32,7 +32,7 @@ class Crust final : public RockFeature {
 
  private:
   LAMMPS_NS::LAMMPS& lmp_;
-  CrustZone zone_;
+  setup::CrustZone zone_;
 };
 
 }  // namespace dipper::dem

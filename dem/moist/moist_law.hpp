@@ -18,13 +18,6 @@ using Eigen::Vector3d;
 /// Diameter a pair counts with: harmonic mean, 4 r1 r2/(r1 + r2); a sphere's own for equal ones.
 inline double pair_diameter(double r1, double r2) { return 4 * r1 * r2 / (r1 + r2); }
 
-/// The force that parts two rocks when a packing of porosity e and diameter d has the tensile
-/// strength s: F = s d^2 e/(1 - e) (Rumpf 1962, with his e k = pi for the coordination number k).
-/// This is F/d^2. As strength is kept, so is the meaning under coarse-graining.
-inline double pull_off_stress(double tensile_strength_Pa, double porosity) {
-  return tensile_strength_Pa * porosity / (1 - porosity);
-}
-
 /// How far moist fines stretch before they part, as a share of the sum of the radii. Assumed; a
 /// bridge of 1e-5 of the sphere's volume ruptures at about V^(1/3) = 0.02 d (Lian et al. 1993).
 constexpr double kReach = 0.02;

@@ -33,11 +33,11 @@ class Scenario {
     return rock;
   }
   std::unique_ptr<LiggghtsRock> resume(const core::BodyLoad& at, const Twist& V_WB_W) const {
-    RockSetup s = setup();
+    setup::RockSetup s = setup();
     s.variables.insert(s.variables.begin(), {"resumed", kind_ == "spheres" ? "1" : "2"});
     s.variables.push_back({"restart", file().string()});
     s.resumed = {{at.end, V_WB_W}};
-    s.image = image_of(file());
+    s.image = setup::image_of(file());
     auto rock = std::make_unique<LiggghtsRock>(s, MPI_COMM_WORLD);
     rock->place({at.X_WB});
     return rock;
@@ -49,8 +49,8 @@ class Scenario {
   std::filesystem::path file() const { return scene_.folder() / "rock.restart"; }
 
  private:
-  RockSetup setup() const {
-    RockSetup s = scene_.bed(kind_);
+  setup::RockSetup setup() const {
+    setup::RockSetup s = scene_.bed(kind_);
     if (hold_) s.hold = test::lively_hold();
     return s;
   }

@@ -81,7 +81,7 @@ TEST_P(ClearStart, TakesOutTheRockInTheWallsAndNoOther) {
     before = spheres(rock.liggghts());
     all = test::momentum(rock.liggghts());
   }
-  RockSetup setup = scene.setup("clear.in");
+  setup::RockSetup setup = scene.setup("clear.in");
   setup.bodies = setup.cleared = {"block"};
   setup.variables.push_back({"clumps", kind == "multispheres" ? "1" : "0"});
   setup.variables.push_back({"restart", restart.string()});
@@ -140,12 +140,12 @@ INSTANTIATE_TEST_SUITE_P(Rock, ClearStart, testing::Values("spheres", "multisphe
                          [](const auto& kind) { return std::string(kind.param); });
 
 TEST(ClearStartSetup, IsAskedForByName) {
-  RockSetup setup;
+  setup::RockSetup setup;
   setup.cleared = {"dipper", "truck"};
-  EXPECT_EQ(rock_setup_from(to_json(setup)).cleared, setup.cleared);
+  EXPECT_EQ(setup::rock_setup_from(to_json(setup)).cleared, setup.cleared);
   auto old = to_json(setup);  // a recording of before
   old.erase("cleared");
-  EXPECT_TRUE(rock_setup_from(old).cleared.empty());
+  EXPECT_TRUE(setup::rock_setup_from(old).cleared.empty());
 }
 
 }  // namespace

@@ -148,15 +148,15 @@ class Bed {
   static Pose paddle(int k) {
     return {Quaterniond::Identity(), Vector3d(0.05, 0, 1.6 - 2.0 * k * kSteps * 1e-4)};
   }
-  RockSetup setup(const std::string& kind, bool held, const std::string& stiff) const;
+  setup::RockSetup setup(const std::string& kind, bool held, const std::string& stiff) const;
 
   test::Scene scene_;
   LiggghtsRock rock_;
   int windows_ = 0;
 };
 
-RockSetup Bed::setup(const std::string& kind, bool held, const std::string& stiff) const {
-  RockSetup s = scene_.bed(kind);
+setup::RockSetup Bed::setup(const std::string& kind, bool held, const std::string& stiff) const {
+  setup::RockSetup s = scene_.bed(kind);
   s.variables.push_back({"stiff", stiff});
   if (held) s.hold = test::lively_hold();
   return s;

@@ -30,8 +30,8 @@ class ContactPause : public testing::TestWithParam<const char*> {
     return scene_.stl("block", test::box({-0.3, -0.3, -0.3}, {0.3, 0.3, 0.3}));
   }
 
-  RockSetup dig() const {
-    RockSetup setup = scene_.setup("clear.in");
+  setup::RockSetup dig() const {
+    setup::RockSetup setup = scene_.setup("clear.in");
     setup.bodies = {"block"};
     setup.variables.push_back({"clumps", kind_ == "multispheres" ? "1" : "0"});
     setup.variables.push_back({"restart", bed_.string()});
@@ -67,7 +67,7 @@ class ContactPause : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(ContactPause, GoesThroughRockAndClearsWhatIsInItsSteel) {
-  RockSetup setup = dig();
+  setup::RockSetup setup = dig();
   double pushed_N = 0;
   {
     LiggghtsRock rock(setup, MPI_COMM_WORLD);
@@ -89,9 +89,9 @@ TEST_P(ContactPause, GoesThroughRockAndClearsWhatIsInItsSteel) {
 }
 
 TEST_P(ContactPause, ClearsTheFloorWhenAsked) {
-  RockSetup setup = dig();
+  setup::RockSetup setup = dig();
   setup.pauses = true;
-  setup.floor = FloorStrip{-0.5, 10, 10};
+  setup.floor = setup::FloorStrip{-0.5, 10, 10};
   LiggghtsRock rock(setup, MPI_COMM_WORLD);
   const test::Momentum before = test::momentum(rock.liggghts());
   const Seen seen = let_down(rock, true);
@@ -102,7 +102,7 @@ TEST_P(ContactPause, ClearsTheFloorWhenAsked) {
 }
 
 TEST_P(ContactPause, ACheckpointKnowsThatItIsPaused) {
-  RockSetup setup = dig();
+  setup::RockSetup setup = dig();
   setup.pauses = true;
   const auto saved = scene_.folder() / "paused.restart";
   Pose X = kFar;
@@ -115,7 +115,7 @@ TEST_P(ContactPause, ACheckpointKnowsThatItIsPaused) {
     rock.save(saved);
   }
   setup.resumed = {{at.bodies[0].end, Twist{}}};
-  setup.image = image_of(saved);
+  setup.image = setup::image_of(saved);
   for (auto& [name, value] : setup.variables)
     if (name == "restart") value = saved.string();
   LiggghtsRock rock(setup, MPI_COMM_WORLD);
@@ -135,10 +135,10 @@ INSTANTIATE_TEST_SUITE_P(Rock, ContactPause, testing::Values("spheres", "multisp
                          [](const auto& kind) { return std::string(kind.param); });
 
 TEST(ContactPauseSetup, GoesToTheProcessAndBack) {
-  RockSetup setup;
+  setup::RockSetup setup;
   setup.pauses = true;
-  setup.floor = FloorStrip{13, 8, 3};
-  const RockSetup back = rock_setup_from(to_json(setup));
+  setup.floor = setup::FloorStrip{13, 8, 3};
+  const setup::RockSetup back = setup::rock_setup_from(to_json(setup));
   EXPECT_TRUE(back.pauses);
   ASSERT_TRUE(back.floor);
   EXPECT_EQ(back.floor->half_width_m, 8);

@@ -30,9 +30,9 @@ class Drum {
   }
 
  private:
-  dem::RockSetup setup(const std::string& kind,
-                       std::vector<std::pair<std::string, std::string>> more) const {
-    dem::RockSetup s = scene_.setup("drum.in");
+  setup::RockSetup setup(const std::string& kind,
+                         std::vector<std::pair<std::string, std::string>> more) const {
+    setup::RockSetup s = scene_.setup("drum.in");
     s.bodies = {"drum", "paddle"};
     s.variables.push_back({"rock", kind});
     s.variables.push_back(

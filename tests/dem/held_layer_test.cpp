@@ -89,7 +89,7 @@ class Layer {
   const std::filesystem::path& folder() const { return scene_.folder(); }
 
  private:
-  RockSetup setup(const std::string& kind) const {
+  setup::RockSetup setup(const std::string& kind) const {
     mesh::TriangleMesh bin;  // inside the deck's planes, which nothing reaches
     const auto plate = [&](const Vector3d& low, const Vector3d& high) {
       const mesh::TriangleMesh part = test::box(low, high);
@@ -101,13 +101,13 @@ class Layer {
     plate({h, -h, 0.01}, {h + t, h, top});
     plate({-h, -h - t, 0.01}, {h, -h, top});
     plate({-h, h, 0.01}, {h, h + t, top});
-    RockSetup s = scene_.setup("bed.in");
+    setup::RockSetup s = scene_.setup("bed.in");
     s.bodies = {"paddle"};
     s.variables.push_back({"rock", kind});
     s.variables.push_back({"floor", scene_.stl("floor", bin)});
     s.variables.push_back(
         {"paddle", scene_.stl("paddle", test::box({-0.3, -0.3, -0.3}, {0.3, 0.3, 0.3}))});
-    s.layer = HeldLayer{kDepth, kHalf, kHalf};
+    s.layer = setup::HeldLayer{kDepth, kHalf, kHalf};
     return s;
   }
 

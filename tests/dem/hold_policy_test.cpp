@@ -60,7 +60,7 @@ TEST(Reach, AgreesWithTryingAll) {
 }
 
 TEST(HoldPolicy, HoldsWhatHasBeenCalmLongEnough) {
-  HoldSettings settings;
+  setup::HoldSettings settings;
   settings.rest_s = 0.2;
   HoldPolicy policy(settings, 3);
   policy.set_flags({0, rest_flag::busy, 0});

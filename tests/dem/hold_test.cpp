@@ -58,9 +58,9 @@ class Bed {
   LiggghtsRock& rock() { return rock_; }
 
  private:
-  RockSetup setup(const std::string& kind, double rest_s) const {
-    RockSetup s = scene_.bed(kind);
-    HoldSettings& hold = s.hold.emplace();
+  setup::RockSetup setup(const std::string& kind, double rest_s) const {
+    setup::RockSetup s = scene_.bed(kind);
+    setup::HoldSettings& hold = s.hold.emplace();
     // Nothing is ever too fast, so all of it is held at the same time, and by then it is at rest.
     hold.below_m_s = 20;
     hold.rest_s = rest_s;

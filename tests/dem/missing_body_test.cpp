@@ -16,7 +16,7 @@ class MissingBody : public testing::TestWithParam<const char*> {};
 TEST_P(MissingBody, IsNamed) {
   const std::string body = GetParam();
   const test::Scene scene("missing_" + body);
-  RockSetup setup = scene.setup("no_body.in");
+  setup::RockSetup setup = scene.setup("no_body.in");
   const auto box = test::box(Vector3d(-1, -1, -1), Vector3d(1, 1, 1));
   setup.variables.push_back({"dipper", scene.stl("dipper", box)});
   setup.bodies = {body};

@@ -11,11 +11,6 @@ TEST(MoistLaw, PairDiameterOfEqualSpheresIsTheirs) {
   EXPECT_NEAR(pair_diameter(0.1, 1e9), 0.4, 1e-9);
 }
 
-TEST(MoistLaw, RumpfInvertsToTheStrength) {
-  // s = (1 - e)/e F/d^2: 1 kPa, porosity 0.4, 0.2 m: F = 1000 * 0.04 * 0.4/0.6 = 26.7 N.
-  EXPECT_NEAR(pull_off_stress(1000, 0.4) * 0.2 * 0.2, 26.6667, 1e-3);
-}
-
 TEST(MoistLaw, MoistPullIsContinuousAndEnds) {
   EXPECT_EQ(moist_pull(50, -1e-3, 2e-3), 50);
   EXPECT_EQ(moist_pull(50, 0, 2e-3), 50);

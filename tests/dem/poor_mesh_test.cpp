@@ -22,7 +22,7 @@ void add_fold(mesh::TriangleMesh& mesh, double y_m) {
 
 TEST(PoorMesh, IsToldOnEveryRankThatHasSomeOfIt) {
   const test::Scene scene("poor_mesh");
-  RockSetup setup = scene.setup("pose.in");
+  setup::RockSetup setup = scene.setup("pose.in");
   mesh::TriangleMesh folded;
   for (const double y_m : {-2.0, 2.0}) add_fold(folded, y_m);  // a rank each, of two
   setup.variables.push_back({"dipper", scene.stl("dipper", folded)});

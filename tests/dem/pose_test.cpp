@@ -62,7 +62,7 @@ TEST(Pose, EndsEachOf10000WindowsWhereItWasCommandedAndDoesNotDrift) {
   const mesh::TriangleMesh boxes[] = {
       test::box(Vector3d(-2, -2, -1.5), Vector3d(2, 2, 1.5)),
       test::box(Vector3d(-0.1, -1.8, -2.8), Vector3d(0.1, 1.8, 0.2))};
-  RockSetup setup = scene.setup("pose.in");
+  setup::RockSetup setup = scene.setup("pose.in");
   setup.bodies = {"dipper", "door"};
   setup.variables.insert(setup.variables.end(), {{"dipper", scene.stl("dipper", boxes[0])},
                                                  {"door", scene.stl("door", boxes[1])}});

@@ -46,11 +46,11 @@ class Scenario {
     return rock;
   }
   std::unique_ptr<LiggghtsRock> resume(const core::BodyLoad& at) {
-    RockSetup s = setup();
+    setup::RockSetup s = setup();
     s.variables.insert(s.variables.begin(), {"resumed", kind_ == "spheres" ? "1" : "2"});
     s.variables.push_back({"restart", saved().string()});
     s.resumed = {{at.end, {Vector3d(0, 0, -2.0), Vector3d::Zero()}}};
-    s.image = image_of(saved());
+    s.image = setup::image_of(saved());
     auto rock = std::make_unique<LiggghtsRock>(s, MPI_COMM_WORLD);
     add_dump(*rock, "");
     rock->place({at.X_WB});
@@ -88,8 +88,8 @@ class Scenario {
         ("dump frames all custom " + every + " " + file("*").string() + " " + kColumns).c_str());
     if (!modify.empty()) input.one(("dump_modify frames " + modify).c_str());
   }
-  RockSetup setup() const {
-    RockSetup s = scene_.bed(kind_);
+  setup::RockSetup setup() const {
+    setup::RockSetup s = scene_.bed(kind_);
     s.hold = test::lively_hold();
     return s;
   }

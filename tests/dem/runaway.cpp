@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   if (argc != 2) return 2;
   std::ifstream in(argv[1]);
-  const dipper::dem::RockSetup setup = dipper::dem::rock_setup_from(nlohmann::json::parse(in));
+  const dipper::setup::RockSetup setup = dipper::setup::rock_setup_from(nlohmann::json::parse(in));
   dipper::dem::LiggghtsRock rock(setup, MPI_COMM_WORLD);
   std::vector<dipper::Pose> X_WB(setup.bodies.size());
   for (auto& X : X_WB) X.p.z() = 8;

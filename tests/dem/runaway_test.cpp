@@ -8,7 +8,7 @@
 
 #include "coupler/launch/mpirun.hpp"
 #include "coupler/launch/process.hpp"
-#include "dem/rock_setup.hpp"
+#include "coupler/setup/rock_setup.hpp"
 #include "tests/common/mesh/shapes.hpp"
 
 namespace dipper::dem {
@@ -28,7 +28,7 @@ TEST_P(Runaway, EndsTheProcessWithLiggghtssMessageOnTheScreen) {
       std::filesystem::temp_directory_path() / ("dipper_runaway_" + std::to_string(ranks));
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  RockSetup setup;
+  setup::RockSetup setup;
   setup.deck = DIPPER_DEM_TESTS "/pose.in";
   setup.log = folder / "log.liggghts";
   setup.screen = folder / "screen.liggghts";

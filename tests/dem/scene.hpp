@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "dem/rock_setup.hpp"
+#include "coupler/setup/rock_setup.hpp"
 #include "tests/common/mesh/shapes.hpp"
 
 namespace dipper::test {
@@ -49,8 +49,8 @@ class Scene {
   }
 
   /// A deck of this folder, standing still; its log and screen go to the scene's folder.
-  dem::RockSetup setup(const std::string& deck) const {
-    dem::RockSetup s;
+  setup::RockSetup setup(const std::string& deck) const {
+    setup::RockSetup s;
     s.deck = DIPPER_DEM_TESTS "/" + deck;
     s.log = (folder_ / "log.liggghts").string();
     s.screen = (folder_ / "screen.liggghts").string();
@@ -59,8 +59,8 @@ class Scene {
   }
 
   /// bed.in: rock of a kind poured onto a floor, and a paddle, a cube of 0.6 m.
-  dem::RockSetup bed(const std::string& kind) const {
-    dem::RockSetup s = setup("bed.in");
+  setup::RockSetup bed(const std::string& kind) const {
+    setup::RockSetup s = setup("bed.in");
     s.bodies = {"paddle"};
     s.variables.push_back({"rock", kind});
     s.variables.push_back({"floor", stl("floor", box({-1.5, -1.5, -0.3}, {1.5, 1.5, 0}))});
@@ -75,8 +75,8 @@ class Scene {
 };
 
 /// Much of a bed rests soon, and is woken by the paddle.
-inline dem::HoldSettings lively_hold() {
-  dem::HoldSettings hold;
+inline setup::HoldSettings lively_hold() {
+  setup::HoldSettings hold;
   hold.below_m_s = 1;
   hold.rest_s = 0.05;
   hold.margin_m = 0.2;

@@ -33,7 +33,7 @@ double integral(LiggghtsRock& rock, const char* property) {
 
 TEST(Wear, OfASlantedImpactIsFinniesAndPressureIsTheForce) {
   const test::Scene scene("wear");
-  RockSetup s = scene.setup("wear.in");
+  setup::RockSetup s = scene.setup("wear.in");
   s.bodies = {"plate"};
   s.variables.push_back(
       {"plate", scene.stl("plate", test::box(Vector3d(-1, -1, -0.2), Vector3d(1, 1, 0)))});

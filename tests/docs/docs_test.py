@@ -39,6 +39,7 @@ class Tutorials(unittest.TestCase):
             for summary in summaries:
                 self.assertEqual(summary["status"], "complete")
                 self.assertGreater(summary["passes"][0]["payload_kg"], 10_000)
+                self.assertGreater(summary["passes"][0]["truck_kg"], 10_000)  # to the end: the load is dumped
             page = here / "mine/look/report/report.html"
             self.assertGreater(page.stat().st_size, 100_000)
             self.assertTrue((here / "mine/look/report/metrics.json").exists())

@@ -31,6 +31,7 @@ def arguments(words):
     parser = argparse.ArgumentParser(prog="dipper gap", description=__doc__.split("\n")[0])
     parser.add_argument("case", metavar="CASE", type=Path)  # what they are: coupler/cli/python_command.cpp
     parser.add_argument("--measured", metavar="DIR", type=Path, required=True)
+    parser.add_argument("--masses-only", action="store_true")
     parser.add_argument("--out", metavar="DIR", type=Path)
     return parser.parse_args(words)
 
@@ -78,6 +79,9 @@ def main(words=None):
         data = read_case(args.case)
         catalogue = read_catalogue(args.case)
         measured = read_measured(args.measured, NEED_PASSES)
+        if not measured.responses() and not args.masses_only:
+            raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; masses "
+                            "alone are seldom enough to name an effect: give a force, or ask for it with --masses-only"])
         for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
             say(f"gap: {question}")
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")

@@ -6,13 +6,16 @@ import numpy as np
 from dipper_gap.readings.measured import DRIVEN, MASS, MOTION, RESPONSE, Channel, Measured, Pass
 from dipper_gap.readings.phases import find_phases, planned_passes
 
+from .doubts import doubt
 from .fit import fit_drive
-from .log_file import some_rows
-from .readings import row_gaps, sound_readings
+from .phrases import some_rows
+from .readings import held_readings, row_gaps, sound_readings
 from .units import CHANNELS, DRIVES, FORCES, TRUCK_MASS
 
 WEIGHED_S = 1.0  # readings of the truck's scale that are averaged
 SIGMAS = 3       # of the scale: as far below zero the mass of a pass that loads nothing may be
+WAYS_TO_READ = ("reads: total is a scale that goes up with each pass, reads: pass shows what the last pass brought, "
+                "reads: dipper what hangs in the dipper, until it is dumped")
 
 
 @dataclass(frozen=True)
@@ -29,6 +32,7 @@ class Imported:
 def build(rows, what, path, found, notes):
     """None after a finding."""
     gaps = row_gaps(rows, what, path, found, notes)
+    rows = held_readings(rows, what, notes)
     readings = {name: sound_readings(rows, name, what.channels[name], what.limits[name], what, path, found, notes)
                 for name in DRIVES}
     if found.all:
@@ -49,6 +53,7 @@ def build(rows, what, path, found, notes):
     spans = planned_passes(grid, np.radians(fits["door"].value))
     if not spans:
         notes.append("no pass: the door never opens")
+    doubt(rows, spans, what, notes)
     measured = _measured(rows, readings, fits, grid, spans, what, path, found, notes) if what.measured() else None
     return None if found.all else Imported(rows, readings, fits, grid, gaps, spans, measured)
 
@@ -96,22 +101,29 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
     out, least = [], -SIGMAS * channel.sigma
     for number, ((start, end), found_phases) in enumerate(zip(spans, phases), 1):
         dump = found_phases.get("dump", (end, end))[0]
-        after = _scale(rows.time_s, mass, there, end - WEIGHED_S, end)
         empty = max(start, dump - WEIGHED_S)
-        before = 0.0 if channel.reads == "pass" else _scale(rows.time_s, mass, there, empty, dump)
+        if channel.reads == "dipper":
+            after, before = _scale(rows.time_s, mass, there, empty, dump), 0.0
+        else:
+            after = _scale(rows.time_s, mass, there, end - WEIGHED_S, end)
+            before = 0.0 if channel.reads == "pass" else _scale(rows.time_s, mass, there, empty, dump)
         if after is None or before is None or after - before < least:
             line = int(rows.lines[np.searchsorted(rows.time_s, end, side="right") - 1])
             found.add(path, line, channel.column,
                       f"pass {number} ({start:.4g} to {end:.4g} s) "
                       + ("has no reading before or after its dump" if after is None or before is None
                          else f"brings {after - before:.4g} t"),
-                      f"0 t or more, down to {least:.3g} t where it loads nothing ({SIGMAS} sigma); reads: total is a "
-                      "scale that goes up with each pass, reads: pass one a pass")
+                      f"0 t or more, down to {least:.3g} t where it loads nothing ({SIGMAS} sigma); {WAYS_TO_READ}")
             return [np.nan] * len(spans)
         if after < before:
             notes.append(f"pass {number} ({start:.4g} to {end:.4g} s) brings {after - before:.4g} t, within {SIGMAS} "
                          f"sigma of the scale ({-least:.3g} t): taken as 0")
         out.append(max(0.0, after - before))
+    if not any(out):
+        found.add(path, int(rows.lines[0]), channel.column,
+                  f"no pass brings anything with reads: {channel.reads}; the readings "
+                  f"go up to {mass[there].max():.4g} t",
+                  WAYS_TO_READ)
     return out
 
 

@@ -3,9 +3,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .log_file import some_rows
+from .import_map import NUMBER_FORMATS
+from .phrases import some_rows
 
 DAY_S = 86400.0
+SHORTEST_S = 1e-3  # between two rows
 DOUBLED = 1.5      # rows for each interval of the log: from so many on, two stretches lie over one another
 SAME_TIME = 0.05   # of the rows may share their time with another one that has other readings
 
@@ -32,6 +34,9 @@ def order_rows(log, what, path, found, notes):
         found.add(path, int(log.lines[0]), "time", "does not rise", "rows at two times or more")
         return None
     interval = float(np.median(steps[steps > 0]))
+    if not SHORTEST_S <= interval <= what.longest_gap_s:
+        _tell_interval(interval, log, what, path, found)
+        return None
     if not log.has_date:
         stamp = stamp + DAY_S * np.cumsum(np.append(0, steps < -DAY_S / 2))
     if _first_is_last(log, index, stamp, what, path, found):
@@ -48,6 +53,21 @@ def order_rows(log, what, path, found, notes):
         notes.append(f"{some_rows(log.lines[late])}: out of order, sorted in")
     return Rows(time - time[0], log.lines[index], {n: v[index] for n, v in log.values.items()}, interval,
                 log.stamps[index[0]], log.stamps[index[-1]])
+
+
+def _tell_interval(interval, log, what, path, found):
+    """Finding about rows too far apart to see a dig, or closer than any logger's: the unit of the time, mostly."""
+    found.add(path, int(log.lines[0]), "time", f"is one row each {interval:.3g} s",
+              f"{SHORTEST_S:g} to {what.longest_gap_s:g} s (longest_gap_s)" + _other_unit(interval, what))
+
+
+def _other_unit(interval, what):
+    now = NUMBER_FORMATS.get(what.time.format or "s")
+    if now is None:
+        return ""
+    better = [f"{u}: {interval / now * size:.3g} s" for u, size in NUMBER_FORMATS.items()
+              if SHORTEST_S <= interval / now * size <= what.longest_gap_s]
+    return f"; another unit of numbers in time.format, perhaps? {', '.join(better)}" if better else ""
 
 
 def _downwards(log, notes):

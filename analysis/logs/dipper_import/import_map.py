@@ -6,6 +6,7 @@ from pathlib import Path
 
 import yaml
 
+from dipper_run.csv_text import THOUSANDS, decimal_number, find_decimal, one_blank
 from dipper_run.findings import Findings
 from dipper_run.section import Section
 from dipper_run.text_file import number, read_yaml
@@ -15,6 +16,7 @@ from .units import CHANNELS, DRIVES, FORCES, PERCENT, SWITCH, TRUCK_MASS, UNITS
 DELIMITERS = {",": ",", ";": ";", "|": "|", "tab": "\t", "\\t": "\t", "\t": "\t"}
 NUMBER_FORMATS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "days": 86400.0}
 MISSING = ("", "-", "--", "---", "nan", "null", "none", "n/a", "na", "#n/a")
+READS = ("total", "pass", "dipper")  # in the truck; what the last pass brought; what hangs in the dipper
 LONGEST_GAP_S = 2.0
 SAMPLE_S = 0.1
 
@@ -23,10 +25,14 @@ SAMPLE_S = 0.1
 class FileFormat:
     delimiter: str = None      # None: seen from the header
     decimal: str = None        # None: seen from the numbers
+    thousands: str = ""        # a key of csv_text.THOUSANDS
     encoding: str = None       # None: UTF-8
     header_line: int = None    # None: the first line with the time's column
     data_line: int = None      # None: the line after the header
     missing: frozenset = frozenset(MISSING)
+    missing_numbers: frozenset = frozenset()  # readings that are none, however they are written
+    good: frozenset = frozenset()             # what says that a reading is good; empty: the usual words
+    value: str = None          # of a log with a row a reading: the column of the readings
 
 
 @dataclass(frozen=True)
@@ -45,12 +51,16 @@ class Channel:
     """value = slope * reading + intercept, in the channel's own unit."""
 
     column: str
+    unit: str
     slope: float
     intercept: float
     switch: bool
+    held: bool                 # a row without a reading has the last one before it
+    quality: str               # None, or the column that says whether a reading is good
+    time: str                  # None, or the column of its own time
     sigma: float               # of a reading, own unit; None: not told
     common_sigma: float
-    reads: str                 # of the truck's scale: total or pass
+    reads: str                 # of a scale: one of READS
     line: int
 
 
@@ -71,6 +81,7 @@ class ImportMap:
     time: TimeFormat
     channels: dict
     limits: dict = field(default_factory=dict)   # {drive: Limits}
+    stall_kN: dict = field(default_factory=dict)  # {force: what the machine's drive can pull}, as far as it says so
     longest_gap_s: float = LONGEST_GAP_S
     sample_s: float = SAMPLE_S
 
@@ -89,7 +100,8 @@ def read_map(path):
     root = read_yaml(path, found, "a map with time, channels, ...")
     found.raise_if_any()
     top = Section(root, path, found)
-    made = ImportMap(path, _file(top), _time(top), _channels(top), _limits(top, path),
+    limits, stall_kN = _limits(top, path)
+    made = ImportMap(path, _file(top), _time(top), _channels(top), limits, stall_kN,
                      top.number("longest_gap_s", LONGEST_GAP_S, "seconds, above 0", allowed=lambda x: x > 0),
                      top.number("sample_s", SAMPLE_S, "seconds, above 0", allowed=lambda x: x > 0))
     top.end()
@@ -116,9 +128,21 @@ def _file(top):
     header = s.number("header_line", right="a line, from 1", allowed=_whole)
     data = s.number("data_line", right="a line, from 1", allowed=_whole)
     missing, decimal = s.texts("missing", "texts that stand for no reading"), s.one_of("decimal", (".", ","))
+    thousands = s.one_of("thousands", tuple(THOUSANDS), "")
+    if thousands and thousands == decimal:
+        s.wrong("thousands", f"is {thousands}, as file.decimal", "another mark than the decimal one")
+    good, value = s.texts("good", "texts that say a reading is good"), _column(s, "value")
     s.end()
-    return FileFormat(DELIMITERS.get(delimiter), decimal, encoding, header and int(header), data and int(data),
-                      frozenset(MISSING) | {m.lower() for m in missing})
+    numbers = (decimal_number(m, find_decimal([m])[0]) for m in missing)
+    return FileFormat(DELIMITERS.get(delimiter), decimal, thousands, encoding, header and int(header),
+                      data and int(data), frozenset(MISSING) | {m.lower() for m in missing},
+                      frozenset(n for n in numbers if n is not None), frozenset(g.lower() for g in good), value)
+
+
+def _column(section, key):
+    """A column's name, or None."""
+    name = section.text(key, right="a column's name")
+    return name and one_blank(name)
 
 
 def _time(top):
@@ -133,7 +157,8 @@ def _time(top):
     first, last = (s.text(key, right="a stamp as in the log") for key in ("from", "to"))
     spread = s.one_of("same_stamp", ("first", "spread"), "first") == "spread"
     s.end()
-    return TimeFormat(tuple(columns), form, frozenset(int(x) for x in lines), first, last, spread, s.line_of("column"))
+    return TimeFormat(tuple(map(one_blank, columns)), form, frozenset(int(x) for x in lines), first, last, spread,
+                      s.line_of("column"))
 
 
 def _formats():
@@ -170,16 +195,19 @@ def _channel(channels, name):
         s.wrong("range", f"with the unit {unit}", "only with % or switch")
     sigma, common = (s.number(key, default, f"a number in {unit}, 0 or more", allowed=lambda x: x >= 0)
                      for key, default in (("sigma", None), ("common_sigma", 0.0)))
-    reads = s.one_of("reads", ("total", "pass"), needed=True) if name == TRUCK_MASS else None
+    reads = s.one_of("reads", READS, needed=True) if name == TRUCK_MASS else None
+    held = s.one_of("held", ("true", "false"), "true" if unit == SWITCH else "false") == "true"
+    quality, time = _column(s, "quality"), _column(s, "time")
     s.end()
-    return Channel(column, per_unit * sign * scale, low + per_unit * offset, unit == SWITCH,
+    return Channel(one_blank(column), unit, per_unit * sign * scale, low + per_unit * offset, unit == SWITCH, held,
+                   quality, time,
                    None if sigma is None else sigma * abs(per_unit), common * abs(per_unit), reads, s.line)
 
 
 def _limits(top, path):
     s = top.section("limits")
     machine = s.text("machine", right="a machine's file, such as ../../mbs/bucyrus495.yaml")
-    known = _machine_limits(s, path.parent / machine) if machine else {}
+    known, stall_kN = _machine_limits(s, path.parent / machine) if machine else ({}, {})
     out = {}
     for name in DRIVES:
         own = s.section(name)
@@ -195,17 +223,18 @@ def _limits(top, path):
         if out[name].min >= out[name].max:
             own.wrong("min", f"is {out[name].min:g}", f"below max, {out[name].max:g}")
     s.end()
-    return out
+    return out, stall_kN
 
 
 def _machine_limits(section, file):
-    """{drive: {min, max, speed}} of a machine's file, as far as it says so."""
+    """{drive: {min, max, speed}} and {force: kN} of a machine's file, as far as it says so."""
     try:
-        limits = yaml.safe_load(file.read_text())["limits"]
+        data = yaml.safe_load(file.read_text())
+        limits = data["limits"]
     except (OSError, UnicodeDecodeError, yaml.YAMLError, KeyError, TypeError):
         section.wrong("machine", f"{file} cannot be read, or has no limits",
                       "a machine's file, seen from the map's folder")
-        return {}
+        return {}, {}
     out = {}
     for name in DRIVES:
         for key in ("min", "max", "speed"):
@@ -219,6 +248,16 @@ def _machine_limits(section, file):
                               f"{{value, unit}} with a unit of {CHANNELS[name].quantity}")
                 continue
             out.setdefault(name, {})[key] = value * UNITS[unit][1]
+    return out, _stall_forces(data.get("drives"))
+
+
+def _stall_forces(drives):
+    out = {}
+    for name in FORCES:
+        entry = drives.get(name.replace("force", "stall")) if isinstance(drives, dict) else None
+        value = number(str(entry.get("value"))) if isinstance(entry, dict) else None
+        if value is not None and entry.get("unit") in UNITS:
+            out[name] = value * UNITS[entry["unit"]][1]
     return out
 
 

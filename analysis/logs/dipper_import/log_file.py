@@ -1,19 +1,25 @@
 """A logger's CSV as it stands: the time of each row and the reading of each channel, with the row's line."""
 import re
+from collections import Counter
 from dataclasses import dataclass
 from datetime import datetime
 
 import numpy as np
 
-from dipper_run.csv_text import (cells_of, decimal_number, find_decimal, find_delimiter, read_stamp,
-                                 stamp_seconds)
-from dipper_run.text_file import nearest, read_text
+from dipper_run.csv_text import (DELIMITERS, cells_of, decimal_number, find_decimal, find_delimiter, lines_of,
+                                 one_blank, read_stamp, stamp_seconds)
+from dipper_run.text_file import read_text
 
+from .cells import CellReader
 from .import_map import NUMBER_FORMATS
+from .join import join
+from .layout import find_layout, unnamed_qualities
+from .phrases import LONGEST_SHOWN, some_rows
 
-HEADER_WITHIN = 100  # lines: where the names of the columns are looked for
-LONGEST_SHOWN = 40   # characters of a cell that is quoted
 DATE = re.compile(r"%[dDjxcUWyYmbBGs]")  # what in a pattern says the day
+HEADER_WITHIN = 1000  # lines: where a header without the time's column is guessed at
+READINGS_WITHIN = 20  # lines after the header: where the first readings are looked for, for a hint
+SINCE_1970_S = (3e8, 1e10)  # 1979 to 2286: a number beyond it is no count of seconds
 
 
 @dataclass(frozen=True)
@@ -32,38 +38,44 @@ def read_log(path, what, found, notes):
     text = _text(path, what.file.encoding, found)
     if text is None:
         return None
-    lines = [(i, line) for i, line in enumerate(text.split("\n"), 1)
-             if line.strip() and not line.lstrip().startswith("#")]
+    lines = lines_of(text)
     header = _find_header(lines, what)
     if header is None:
         found.add(path, what.file.header_line or 1, "file", "no line with names of columns",
                   "a header above the readings")
         return None
     header_line, names, delimiter = header
-    place = _columns(what, names, path, header_line, found)
-    if place is None:
-        return None
     from_line = max(header_line + 1, what.file.data_line or 0)
     rows = _rows(path, [(i, cells_of(line, delimiter)) for i, line in lines if i >= from_line], names, delimiter, found,
                  notes)
-    if not rows:
-        if not found.all:
-            found.add(path, header_line, "file", "no rows after the header", "readings")
+    groups = find_layout(what, path, header_line, names, rows, found, notes)
+    if groups is None or found.all:
         return None
-    clock = _clock(path, what, rows, place["time"], found)
+    if not groups[0].lines:
+        found.add(path, header_line, "file", "no rows after the header", "readings")
+        return None
+    clock = _clock(path, what, groups[0], found)
     if clock is None:
         return None
-    rows = _cut(path, what, clock, rows, place["time"], found)
-    faults = []
-    stamps = [_stamp_text(cells, place["time"]) for _, cells in rows]
-    stamp_s = np.array([np.nan if clock(t) is None else clock(t) for t in stamps], float)
-    for k in np.flatnonzero(np.isnan(stamp_s)):
-        faults.append((rows[k][0], "time", f"is '{stamps[k][:LONGEST_SHOWN]}'", f"as in the first row, '{stamps[0]}'"))
-    values = _values(what, rows, place, faults)
+    unnamed_qualities(what, names, rows, notes)
+    reader = CellReader(what, [cell for g in groups for column in g.cells.values() for cell in column], path, found)
+    if found.all:
+        return None
+    faults, logs = [], []
+    for group in groups:
+        cut = _cut(path, what, clock, group, found)
+        stamp_s = np.array([np.nan if t is None else t for t in map(clock, cut.stamps)], float)
+        for k in np.flatnonzero(np.isnan(stamp_s)):
+            faults.append((cut.lines[k], "time", f"is '{cut.stamps[k][:LONGEST_SHOWN]}'",
+                           f"as in the first row, '{group.stamps[0]}'"))
+        values = {name: reader.values(name, cut, faults, notes) for name in cut.cells}
+        logs.append(Log(np.array(cut.lines, int), stamp_s, cut.stamps, values, _has_date(what.time.format)))
     found.add_rows(path, faults)
-    lines_of = np.array([i for i, _ in rows])
-    form = what.time.format
-    return Log(lines_of, stamp_s, stamps, values, not form or "%" not in form or bool(DATE.search(form)))
+    return None if found.all else join(logs, what, notes)
+
+
+def _has_date(form):
+    return not form or "%" not in form or bool(DATE.search(form))
 
 
 def _text(path, encoding, found):
@@ -82,48 +94,40 @@ def _text(path, encoding, found):
 
 
 def _find_header(lines, what):
-    """(line, names, delimiter) of the header: the line given, else the first with the time's column, else the first
-    with several cells; None without any."""
+    """(line, names, delimiter) of the header: the line given, else the first with the time's column, else the first of
+    as many cells as most lines have; None without any."""
+    delimiters = [what.file.delimiter] if what.file.delimiter else DELIMITERS
     if what.file.header_line:
-        candidates = [(i, line) for i, line in lines if i == what.file.header_line]
-    else:
-        candidates = lines[:HEADER_WITHIN]
-    split = []
-    for i, line in candidates:
-        delimiter = what.file.delimiter or find_delimiter(line)
-        split.append((i, cells_of(line, delimiter), delimiter))
-    with_time = (h for h in split if set(what.time.columns) <= set(h[1]))
-    return next(with_time, None) or next((h for h in split if len(h[1]) > 1), None) or next(iter(split), None)
-
-
-def _columns(what, names, path, header_line, found):
-    """{channel: index}, and the indices of the time; None when a column is missing."""
-    before = len(found.all)
-    place = {}
-    wanted = [("time", c, what.time.line) for c in what.time.columns]
-    wanted += [(f"channels.{n}", c.column, c.line) for n, c in what.channels.items()]
-    for key, column, line in wanted:
-        if names.count(column) == 1:
-            place.setdefault(key, []).append(names.index(column))
+        lines = [(i, line) for i, line in lines if i == what.file.header_line]
+    wanted = {*what.time.columns, *(c.column for c in what.channels.values())}
+    need = [word for column in what.time.columns for word in column.split()]
+    for i, line in lines:
+        if not all(word in line for word in need):
             continue
-        if column in names:
-            wrong, right = f"'{column}' is the name of {names.count(column)} columns", "names that differ"
-        else:
-            like = nearest(column, names)
-            wrong = f"'{column}' is no column of {path.name} (line {header_line})"
-            right = (f"'{like}', perhaps? " if like else "") + "it has " + ", ".join(f"'{n}'" for n in names if n)
-        found.add(what.path, line, f"{key}.column", wrong, right)
-    if len(found.all) > before:
-        return None
-    return {"time": place["time"], **{n: place[f"channels.{n}"][0] for n in what.channels}}
+        split = [(names_of(line, d), d) for d in delimiters]
+        names, delimiter = max(split, key=lambda s: len(wanted & set(s[0])))
+        if set(what.time.columns) <= set(names):
+            return i, names, delimiter
+    split = []
+    for i, line in lines[:HEADER_WITHIN]:
+        delimiter = what.file.delimiter or find_delimiter(line)
+        split.append((i, names_of(line, delimiter), delimiter))
+    usual = Counter(len(names) for _, names, _ in split if len(names) > 1).most_common(1)
+    return next((s for s in split if usual and len(s[1]) == usual[0][0]), None) or next(iter(split), None)
+
+
+def names_of(line, delimiter):
+    return [one_blank(name) for name in cells_of(line, delimiter)]
 
 
 def _rows(path, rows, names, delimiter, found, notes):
-    """Rows of the header's length: empty cells at the end, a header within the file and a last row cut short are no
-    fault."""
+    """Rows of the header's length: empty rows, empty cells at the end, a header within the file and a last row cut
+    short are no fault."""
     sound, faults, repeated = [], [], []
     for line, cells in rows:
-        if cells == names:
+        if not any(cells):
+            continue
+        if [one_blank(c) for c in cells] == names:
             repeated.append(line)
             continue
         while len(cells) > len(names) and not cells[-1]:
@@ -142,21 +146,20 @@ def _rows(path, rows, names, delimiter, found, notes):
     return sound
 
 
-def _stamp_text(cells, places):
-    return " ".join(cells[p] for p in places)
-
-
-def _clock(path, what, rows, places, found):
+def _clock(path, what, group, found):
     """Function from a stamp's text to seconds, None where it is none; None after a finding."""
-    line, cells = rows[0]
-    first, form = _stamp_text(cells, places), what.time.format
+    line, first, form = group.lines[0], group.stamps[0], what.time.format
     if form is None:
         form = "iso" if read_stamp(first) else "s" if _number(first) is not None else None
     if form is None:
+        later = _first_that(group, lambda t: read_stamp(t) or _number(t) is not None)
         found.add(path, line, "time", f"is '{first[:LONGEST_SHOWN]}', neither ISO 8601 nor a number",
-                  "write its pattern in the map, such as time: {format: '%d.%m.%Y %H:%M:%S'}")
+                  later or "write its pattern in the map, such as time: {format: '%d.%m.%Y %H:%M:%S'}")
         return None
     if form in NUMBER_FORMATS:
+        if what.time.format is None and _number(first) > SINCE_1970_S[1]:
+            found.add(path, line, "time", f"is {first}, which is no count of seconds", _unit_since_1970(_number(first)))
+            return None
         unit = NUMBER_FORMATS[form]
         zero = _number(first)
         clock = lambda text: None if _number(text) is None else (_number(text) - (zero or 0.0)) * unit
@@ -166,13 +169,28 @@ def _clock(path, what, rows, places, found):
     else:
         clock = lambda text: _local(text, form)
     if clock(first) is None:
-        found.add(path, line, "time", f"is '{first[:LONGEST_SHOWN]}', not as time.format says", form)
+        found.add(path, line, "time", f"is '{first[:LONGEST_SHOWN]}', not as time.format says",
+                  _first_that(group, lambda t: clock(t) is not None) or form)
         return None
     return clock
 
 
+def _unit_since_1970(value):
+    units = [u for u, size in NUMBER_FORMATS.items() if SINCE_1970_S[0] <= value * size <= SINCE_1970_S[1]]
+    return "its unit in the map, " + (f"time.format: {units[0]}, perhaps" if units else
+                                      f"time.format: one of {', '.join(NUMBER_FORMATS)}")
+
+
+def _first_that(group, is_stamp):
+    """What to write where units or descriptions stand between the header and the readings; None where they do not."""
+    for line, stamp in list(zip(group.lines, group.stamps))[1:READINGS_WITHIN]:
+        if is_stamp(stamp):
+            return f"if the readings begin at line {line}, file.data_line: {line}"
+    return None
+
+
 def _number(text):
-    return decimal_number(text, find_decimal([text]))
+    return decimal_number(text, find_decimal([text])[0])
 
 
 def _iso(text, zoned):
@@ -187,50 +205,22 @@ def _local(text, form):
         return None
 
 
-def _cut(path, what, clock, rows, places, found):
+def _cut(path, what, clock, group, found):
     """The rows within time.from and time.to."""
     ends = []
     for key, stamp, open_end in (("from", what.time.first, -np.inf), ("to", what.time.last, np.inf)):
         at = open_end if stamp is None else clock(stamp)
         if at is None:
             found.add(what.path, what.time.line, f"time.{key}", f"is '{stamp}'",
-                      f"a stamp as in the log, '{_stamp_text(rows[0][1], places)}'")
-            return rows
+                      f"a stamp as in the log, '{group.stamps[0]}'")
+            return group
         ends.append(at)
     if ends == [-np.inf, np.inf]:
-        return rows
-    times = [clock(_stamp_text(cells, places)) for _, cells in rows]
-    kept = [row for row, t in zip(rows, times) if t is None or ends[0] <= t <= ends[1]]
-    if not kept:
+        return group
+    times = list(map(clock, group.stamps))
+    cut = group.only([k for k, t in enumerate(times) if t is None or ends[0] <= t <= ends[1]])
+    if not cut.lines:
         found.add(what.path, what.time.line, "time.from", f"no row of {path.name} is within from and to",
-                  f"stamps from '{_stamp_text(rows[0][1], places)}' to '{_stamp_text(rows[-1][1], places)}'")
-        return rows
-    return kept
-
-
-def _values(what, rows, place, faults):
-    cells = {name: [row[place[name]] for _, row in rows] for name in what.channels}
-    decimal = what.file.decimal or find_decimal(c for column in cells.values() for c in column)
-    right = "a number" + (" with a decimal comma" if decimal == "," else "") + \
-        "; if it means that there is no reading, list it under file.missing"
-    values = {}
-    for name, channel in what.channels.items():
-        column = np.full(len(rows), np.nan)
-        for k, text in enumerate(cells[name]):
-            if text.lower() in what.file.missing:
-                continue
-            value = decimal_number(text, decimal)
-            if value is None:
-                faults.append((rows[k][0], channel.column, f"is '{text[:LONGEST_SHOWN]}'", right))
-            else:
-                column[k] = channel.slope * value + channel.intercept
-        values[name] = column
-    return values
-
-
-def some_rows(lines, what="row", most=5):
-    """How many, and which: "7 rows (lines 3, 4, 5, 9, 12 and 2 more)"."""
-    lines = sorted(int(i) for i in lines)
-    more = f" and {len(lines) - most} more" if len(lines) > most else ""
-    s = "s" if len(lines) > 1 else ""
-    return f"{len(lines)} {what}{s} (line{s} {', '.join(map(str, lines[:most]))}{more})"
+                  f"stamps from '{group.stamps[0]}' to '{group.stamps[-1]}'")
+        return group
+    return cut

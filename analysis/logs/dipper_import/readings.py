@@ -1,10 +1,10 @@
 """The readings of one channel: what no machine can have done is left out, and holes are found."""
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from .clock import goes_on
-from .log_file import some_rows
+from .phrases import some_rows
 from .units import CHANNELS
 
 BEYOND = 0.1        # of a drive's range: a reading further outside is no reading
@@ -22,6 +22,19 @@ class Readings:
     value: np.ndarray
     lines: np.ndarray
     kept: np.ndarray   # of the log's rows
+
+
+def held_readings(rows, what, notes):
+    """The rows with the last reading of a held channel where a row has none."""
+    values = dict(rows.values)
+    for name, channel in what.channels.items():
+        empty = ~np.isfinite(values[name])
+        if channel.held and empty.any():
+            last = np.maximum.accumulate(np.where(empty, -1, np.arange(len(empty))))
+            values[name] = np.where(last >= 0, values[name][last], np.nan)
+            notes.append(f"{name}: {some_rows(rows.lines[empty & (last >= 0)])} without a reading have the last one "
+                         "before (held)")
+    return replace(rows, values=values)
 
 
 def sound_readings(rows, name, channel, limits, what, path, found, notes):
@@ -94,17 +107,22 @@ def _tell(which, rows, name, value, why, notes):
 
 def _find_gaps(kept, rows, name, what, path, found, notes):
     """Holes in the readings of a channel. What is missing of all of them, whole rows, is told once (row_gaps)."""
+    too_long = []
     for k in np.flatnonzero(np.diff(kept.time_s) > HOLE * rows.interval_s):
         a, b = kept.lines[k], kept.lines[k + 1]
         length = kept.time_s[k + 1] - kept.time_s[k]
         if _row_gap_within(rows, kept.time_s[k], kept.time_s[k + 1]) >= length - 1e-9:
             continue
-        where = f"{name}: no reading for {length:.3g} s, between lines {a} and {b}"
         if length > what.longest_gap_s:
-            found.add(path, int(a), what.channels[name].column, f"no reading for {length:.4g} s, up to line {b}",
-                      f"{what.longest_gap_s:g} s at most (longest_gap_s); choose a part with time.from and time.to")
+            too_long.append((length, a, b))
         else:
-            notes.append(where + ": bridged")
+            notes.append(f"{name}: no reading for {length:.3g} s, between lines {a} and {b}: bridged")
+    if too_long:
+        length, a, b = max(too_long)
+        more = f", and {len(too_long) - 1} such gaps more" if len(too_long) > 1 else ""
+        found.add(path, int(a), what.channels[name].column, f"no reading for {length:.4g} s, up to line {b}{more}",
+                  f"{what.longest_gap_s:g} s at most (longest_gap_s): channels.{name}.held: true if it is written only "
+                  "as it changes; else choose a part with time.from and time.to")
 
 
 def _row_gap_within(rows, start, end):

@@ -11,7 +11,7 @@ def words(made, what, path, notes):
     rows = made.rows
     out = [f"{path.name}: {len(rows.time_s)} rows of {rows.time_s[-1]:.6g} s, one each {rows.interval_s:.3g} s, "
            f"from {rows.first_stamp} to {rows.last_stamp}"]
-    out += [f"  {note}" for note in notes]
+    out += [f"  {note}" for note in notes if not note.startswith("warning: ")]
     out.append("  drive      lowest   highest    top speed        top acceleration   largest change, at line     rms")
     for name in DRIVES:
         fit, readings, unit = made.fits[name], made.readings[name], CHANNELS[name].unit
@@ -28,7 +28,7 @@ def words(made, what, path, notes):
         masses = ", ".join(f"{p.truck_mass_t:.1f}" for p in made.measured.passes)
         out.append(f"measured: {len(made.measured.time_s)} readings of {', '.join(made.measured.signals)}"
                    + (f"; passes of {masses} t" if TRUCK_MASS in what.channels else ""))
-    return out
+    return out + [note for note in notes if note.startswith("warning: ")]
 
 
 def _most(what, name, key):

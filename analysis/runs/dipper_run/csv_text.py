@@ -7,7 +7,38 @@ from .text_file import number
 
 DELIMITERS = (";", "\t", "|", ",")  # a comma last: it may stand in a name, "Hoist, ft"
 WITH_DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?", re.ASCII)
+GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}([.,])\d{3}(\1\d{3})*", re.ASCII)  # thousands, or three decimals
+BLANKS = "\u00a0\u2009\u202f"  # that part thousands, beside a blank
+THOUSANDS = {",": ",", ".": ".", "'": "'\u2019", "space": " " + BLANKS}
+MINUS = str.maketrans("\u2212\u2012\u2013\ufe63\uff0d", "-----")  # as word processors and web pages write it
+LINE_END = re.compile(r"\r*\n|\r")
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d.*", re.ASCII)
+SEPARATOR = re.compile(r"sep=.", re.IGNORECASE)  # a spreadsheet's first line, which is no header
+LONGEST_QUOTE = 20  # lines: a quote that is still open then is a slip
+
+
+def lines_of(text):
+    """(number, line) of each line with more than blanks that is no # comment. Lines end as Windows, Unix or old Macs
+    end them; quotes may hold line breaks, and the line then has the number of its first."""
+    out, open_line, since = [], None, 0
+    for i, line in enumerate(LINE_END.split(text), 1):
+        if open_line is not None and i - since < LONGEST_QUOTE:
+            line, at = f"{open_line} {line}", since
+        elif line.strip() and not line.lstrip().startswith("#"):
+            at = i
+        else:
+            continue
+        if _is_open(line):
+            open_line, since = line, at
+            continue
+        open_line = None
+        out.append((at, line))
+    return out if open_line is None else [*out, (since, open_line)]
+
+
+def _is_open(line):
+    """Whether a quoted cell, which begins a cell, goes on in the next line."""
+    return line.count('"') % 2 == 1 and re.search(r'(^|[;\t|,])\s*"', line) is not None
 
 
 def find_delimiter(header):
@@ -20,23 +51,55 @@ def cells_of(line, delimiter):
     """The cells of a line, without quotes and the blanks round them."""
     if '"' in line:
         try:
-            read = csv.reader([line.rstrip("\r")], delimiter=delimiter, skipinitialspace=True)
-            return [c.strip() for c in next(read)]
-        except csv.Error:  # a carriage return within the line
+            return [c.strip() for c in next(csv.reader([line], delimiter=delimiter, skipinitialspace=True))]
+        except csv.Error:
             pass
     return [c.strip() for c in line.split(delimiter)]
 
 
+def one_blank(name):
+    """A column's name with a blank for each stretch of blanks and line breaks."""
+    return " ".join(name.split())
+
+
 def find_decimal(cells):
-    """"," where a cell is a number with a decimal comma, else "."."""
-    return "," if any(WITH_DECIMAL_COMMA.fullmatch(c) for c in cells if "," in c) else "."
+    """(decimal, doubtful) of the numbers among cells: "," or ".", and a cell that leaves it open, or None. `943,981` is
+    943.981 or 943981; a number such as 0,5 or 1234,5 in any cell settles it."""
+    sure, grouped = set(), {}
+    for cell in cells:
+        cell = cell.translate(MINUS)
+        if m := GROUPED.fullmatch(cell):
+            grouped.setdefault(m[1], cell)
+        elif "," in cell:
+            sure.update("," if WITH_DECIMAL_COMMA.fullmatch(cell) else "")
+        elif "." in cell and number(cell) is not None:
+            sure.add(".")
+    decimal = "," if "," in sure or (not sure and "," in grouped) else "."
+    return decimal, None if sure else grouped.get(decimal)
 
 
-def decimal_number(text, decimal):
-    """The finite number of a text; None when it says none. With decimal commas a point is no part of a number."""
+def decimal_number(text, decimal, thousands=""):
+    """The finite number of a text; None when it says none. With decimal commas a point is no part of a number.
+    `thousands`, a key of THOUSANDS, may part whole groups of three digits before the decimals."""
+    text = text.translate(MINUS)
+    if thousands:
+        text = _ungrouped(text, decimal, THOUSANDS[thousands])
     if decimal == ",":
         return None if "." in text else number(text.replace(",", "."))
     return number(text)
+
+
+def _ungrouped(text, decimal, marks):
+    whole, point, rest = text.partition(decimal)
+    if not re.fullmatch(rf"[+-]?\d{{1,3}}([{re.escape(marks)}]\d{{3}})+", whole, re.ASCII):
+        return text
+    return re.sub(f"[{re.escape(marks)}]", "", whole) + point + rest
+
+
+def parted_by(text, decimal):
+    """What parts the thousands of a text that is no number otherwise, a key of THOUSANDS; None where nothing does."""
+    return next((mark for mark in THOUSANDS if mark != decimal
+                 and decimal_number(text, decimal, mark) is not None), None)
 
 
 def read_stamp(text):

@@ -131,3 +131,19 @@ def test_bad_measurements_start_nothing(words, tmp_path):
     _, err = gap.communicate(timeout=30)
     assert gap.returncode == 2 and f"{passes}:3: t_start_s" in err and err.strip().endswith("error")
     assert not (tmp_path / "started").exists()
+
+
+def test_masses_alone_are_refused_before_a_run_unless_asked_for(words, tmp_path):
+    mine = tmp_path / "mine"
+    (mine / "signals.csv").unlink()
+    channels = (mine / "channels.yaml").read_text().splitlines()
+    (mine / "channels.yaml").write_text("\n".join(c for c in channels if c.startswith("truck_mass_t")) + "\n")
+    gap = start(words, tmp_path)
+    _, said = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and "forces: neither hoist_force_kN nor crowd_force_kN is there" in said
+    assert "--masses-only" in said and not (tmp_path / "started").exists()
+    gap = start([*words, "--masses-only"], tmp_path)
+    wait_for_runs(gap, tmp_path, 1)
+    gap.send_signal(signal.SIGINT)
+    gap.communicate(timeout=60)
+    assert gap.returncode == 4

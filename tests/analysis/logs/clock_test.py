@@ -24,7 +24,8 @@ class Read:
         self.file.write_text("\n".join([head, *(f"{stamps[k]},{hoist[k]:.5f}" for k in order)]) + "\n")
         told = dict(columns=("t",), format=None, clock_set_at=frozenset(), first=None, last=None, spread=False, line=1)
         self.what = ImportMap(folder / "map.yaml", FileFormat(), TimeFormat(**{**told, **time}),
-                              {"hoist": Channel("h", 1.0, 0.0, False, None, 0.0, None, 2)}, {"hoist": Limits()})
+                              {"hoist": Channel("h", "m", 1.0, 0.0, False, False, None, None, None, 0.0, None, 2)},
+                              {"hoist": Limits()})
         self.found, self.notes, self.rows, self.gaps = Findings(), [], None, None
         log = read_log(self.file, self.what, self.found, self.notes)
         if not self.found.all:

@@ -73,3 +73,14 @@ def test_what_is_no_map_is_refused(sound, text):
     sound.write_text(text)
     with pytest.raises(BadInput):
         read_map(sound)
+
+
+def test_what_a_drive_can_pull_is_the_machine_s(sound):
+    assert read_map(sound).stall_kN == {"hoist_force": 4800, "crowd_force": 3000}
+
+
+def test_thousands_and_decimals_have_marks_of_their_own(sound):
+    sound.write_text(sound.read_text() + 'file: {decimal: ",", thousands: ","}\n')
+    with pytest.raises(BadInput) as e:
+        read_map(sound)
+    assert "file.thousands: is ,, as file.decimal; another mark than the decimal one" in e.value.findings[0]

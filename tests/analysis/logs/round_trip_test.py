@@ -182,3 +182,99 @@ def test_damaged_logs_are_read_or_refused(log, map_file):
         except BadInput:
             refused += 1
     assert 3 < refused < 30
+
+
+def plain(truth, mass, keep_door=lambda k: True):
+    """A row a reading of everything, in the channels' own units, without noise."""
+    c = truth.channels
+    rows = ["t,h,c,s,d,f,m"]
+    for k, t in enumerate(truth.time_s):
+        door = f"{c['door'][k]:.3f}" if keep_door(k) else ""
+        rows.append(f"{t:.3f},{c['hoist'][k]:.4f},{c['crowd'][k]:.4f},{c['swing'][k]:.3f},{door},"
+                    f"{c['hoist_force'][k]:.1f},{mass[k]:.2f}")
+    return "\n".join(rows) + "\n"
+
+
+PLAIN_MAP = """\
+time: {column: t}
+channels:
+  hoist: {column: h, unit: m, sigma: 0.01}
+  crowd: {column: c, unit: m, sigma: 0.01}
+  swing: {column: s, unit: deg, sigma: 0.1}
+  door: {column: d, unit: deg}
+  hoist_force: {column: f, unit: kN, sigma: 20}
+  truck_mass: {column: m, unit: t, reads: total, sigma: 0.5}
+limits: {machine: MACHINE}
+"""
+
+
+@pytest.fixture
+def plain_map(tmp_path):
+    file = tmp_path / "plain.yaml"
+    file.write_text(PLAIN_MAP.replace("MACHINE", str(ugly_log.ROOT / "mbs/bucyrus495.yaml")))
+    return file
+
+
+def hung_in_dipper(truth, loads):
+    """A payload monitor: shows the load from the swing until the door opens, else 0."""
+    c, mass = truth.channels, np.zeros(len(truth.time_s))
+    openings = np.flatnonzero((c["door"][1:] > 1) & (c["door"][:-1] <= 1))
+    for load, k in zip(loads, openings):
+        mass[(truth.time_s > truth.time_s[k] - 6) & (truth.time_s <= truth.time_s[k])] = load
+    return mass
+
+
+def test_a_payload_monitor_is_read_before_the_dump(tmp_path, plain_map):
+    truth, loads = known(), (68.4, 71.2, 65.0)
+    log = tmp_path / "plain.csv"
+    log.write_text(plain(truth, hung_in_dipper(truth, loads)))
+    for reads in ("pass", "total"):
+        change(plain_map, "reads: total", f"reads: {reads}")
+        told = findings(log, plain_map)
+        assert len(told) == 1 and "reads: dipper what hangs in the dipper, until it is dumped" in told[0], told
+        change(plain_map, f"reads: {reads}", "reads: total")
+    change(plain_map, "reads: total", "reads: dipper")
+    made, _, _ = read(log, plain_map)
+    assert [p.truck_mass_t for p in made.measured.passes] == pytest.approx(loads)
+
+
+def test_a_channel_that_is_written_only_as_it_changes(tmp_path, plain_map):
+    truth = known()
+    door, log = truth.channels["door"], tmp_path / "plain.csv"
+    still = lambda k: 0 < k < len(door) - 1 and door[k - 1] == door[k]
+    log.write_text(plain(truth, truth.channels["truck_mass"], lambda k: not still(k)))
+    told = findings(log, plain_map)
+    assert len(told) == 1 and "2 s at most (longest_gap_s): channels.door.held: true if it is" in told[0]
+    change(plain_map, "unit: deg}", "unit: deg, held: true}")
+    made, _, said = read(log, plain_map)
+    assert np.abs(made.fits["door"].value - np.interp(made.grid, truth.time_s, door)).max() < 3
+    assert any(line.startswith("  door: ") and "have the last one before (held)" in line for line in said)
+
+
+def test_readings_beyond_the_machine_are_warned_of(tmp_path, plain_map):
+    truth, log = known(), tmp_path / "plain.csv"
+    force = truth.channels["hoist_force"]
+    log.write_text(plain(truth, truth.channels["truck_mass"]))
+    assert not any("warning" in line for line in read(log, plain_map)[2])
+    force[40:43] = -5000
+    log.write_text(plain(truth, truth.channels["truck_mass"]))
+    assert "warning: hoist_force: 3 readings (lines 42, 43, 44) beyond -1800 to 7200 kN (1.5 times its stall force)" \
+        in read(log, plain_map)[2][-1]
+
+
+@pytest.mark.parametrize("unit_s, what", [(1e-3, "ms: 0.1 s"), (3600, "h: 0.1 s")])
+def test_times_in_another_unit_are_refused(tmp_path, plain_map, unit_s, what):
+    truth, log = known(), tmp_path / "plain.csv"
+    truth = ugly_log.Truth(truth.time_s / unit_s, truth.channels)
+    text = plain(truth, truth.channels["truck_mass"]).splitlines()
+    text = [text[0], *(f"{t:.9g}," + row.split(",", 1)[1] for t, row in zip(truth.time_s, text[1:]))]
+    log.write_text("\n".join(text))
+    told = findings(log, plain_map)
+    assert len(told) == 1 and "time: is one row each" in told[0], told
+    assert "in time.format, perhaps? " in told[0] and what in told[0], told
+
+
+def test_rows_too_far_apart_are_refused(tmp_path, plain_map):
+    truth, log = known(rate_hz=1 / 3), tmp_path / "plain.csv"
+    log.write_text(plain(truth, truth.channels["truck_mass"]))
+    assert "plain.csv:2: time: is one row each 3 s; 0.001 to 2 s (longest_gap_s)" in findings(log, plain_map)[0]

@@ -64,6 +64,24 @@ TEST(Effects, AddScaleAndSetChangeTheValuesAndTheTextAlone) {
   EXPECT_EQ(load(checkout, {{"effects.mine", "0"}}, &findings).text, plain.text);
 }
 
+TEST(Effects, ANumberThatFollowsAnotherFollowsItsChange) {
+  const Checkout checkout;
+  fs::create_directories(checkout.folder() / "effects");
+  write_text(checkout.folder() / "effects/mine.yaml",
+             "title: t\nkind: rock\n"
+             "parameter: {name: p, unit: '-', low: 0, high: 1, scale: 1, source: s}\n"
+             "overlay:\n"
+             "  contact.normal_damping: {add: 0.1}\n"
+             "  contact.friction_truck_sphere: {add: 0.1}\n");
+  std::vector<Finding> findings;
+  const ContactCase plain = load(checkout, {}, &findings).contact;
+  const ContactCase c = load(checkout, {{"effects.mine", "1"}}, &findings).contact;
+  ASSERT_TRUE(findings.empty()) << to_string(findings[0]);
+  EXPECT_DOUBLE_EQ(*c.normal_damping_other, *plain.normal_damping_other + 0.1);
+  EXPECT_DOUBLE_EQ(*c.friction_truck_sphere, plain.friction_truck + 0.1);
+  EXPECT_EQ(c.friction_truck, plain.friction_truck);
+}
+
 TEST(Effects, SayWhatIsWrongWithThem) {
   const Checkout checkout;
   std::vector<Finding> findings;

@@ -19,6 +19,11 @@ cases::Case paper_case() {
   return c;
 }
 
+TEST(ContactTable, RumpfInvertsToTheStrength) {
+  // s = (1 - e)/e F/d^2: 1 kPa, porosity 0.4, 0.2 m: F = 1000 * 0.04 * 0.4/0.6 = 26.7 N.
+  EXPECT_NEAR(pull_off_stress(1000, 0.4) * 0.2 * 0.2, 26.6667, 1e-3);
+}
+
 TEST(ContactTable, ThePapersTwoSpheres) {
   // Svanberg et al. 2021: two 200 mm spheres, K_n = 9.4e7 N/m, sqrt(m/K_n) = 4.1e-4 s.
   const cases::Case c = paper_case();

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "coupler/setup/info_json.hpp"
+#include "coupler/setup/machine_setup.hpp"
 #include "coupler/setup/peer_config.hpp"
+#include "coupler/setup/rock_setup.hpp"
 
 namespace dipper::setup {
 namespace {
@@ -16,6 +18,43 @@ TEST(InfoJson, RoundTrip) {
   EXPECT_EQ(back.bodies, info.bodies);
   EXPECT_EQ(back.channels[0].unit, "N");
   EXPECT_EQ(back.timestep_s, 2e-4);
+}
+
+TEST(MachineSetup, RoundTrip) {
+  MachineSetup s;
+  s.model = "a.yaml";
+  s.motion = "b.csv";
+  s.drives = machine::DriveMode::limited;
+  s.contact_on_return = false;
+  s.base_position_m = {1, 2, 3};
+  s.rake_angle_deg = 61.8;
+  s.condition = {1e3, 0.1, 2, 500, {4, 5, 6}, {7, 8, 9}};
+  const MachineSetup back = machine_setup_from(to_json(s));
+  EXPECT_EQ(to_json(back), to_json(s));
+  EXPECT_EQ(back.drives, s.drives);
+  EXPECT_EQ(back.condition.added_inertia_kg_m2.z(), 9);
+}
+
+TEST(MachineSetup, MissingKeyThrows) {
+  nlohmann::json j = to_json(MachineSetup{});
+  j.erase("rake_angle_deg");
+  EXPECT_THROW(machine_setup_from(j), nlohmann::json::exception);
+}
+
+TEST(RockSetup, RoundTrip) {
+  RockSetup s;
+  s.ranks = 3;
+  s.deck = "dig.in";
+  s.variables = {{"out", "dumps"}};
+  s.bodies = {"dipper"};
+  s.hold.emplace().below_m_s = 0.02;
+  s.layer = HeldLayer{0.5, 30, 6};
+  s.floor = FloorStrip{13, 10, 3};
+  s.resumed.emplace(1).at(0).load = {Vector3d(1, 2, 3), Vector3d(4, 5, 6)};
+  const RockSetup back = rock_setup_from(to_json(s));
+  EXPECT_EQ(to_json(back), to_json(s));
+  EXPECT_EQ(back.ranks, 3);
+  EXPECT_EQ(back.resumed->at(0).load.force.z(), 6);
 }
 
 TEST(RandomSecret, IsNewEachTime) {

@@ -12,7 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
-from dipper_run.csv_text import cells_of, decimal_number, find_decimal, find_delimiter, read_stamp, stamp_seconds
+from dipper_run.csv_text import (SEPARATOR, cells_of, decimal_number, find_decimal, find_delimiter, lines_of,
+                                 read_stamp, stamp_seconds)
 from dipper_run.findings import Findings
 from dipper_run.section import Section
 from dipper_run.text_file import read_text, read_yaml
@@ -117,6 +118,9 @@ def read_measured(folder, need_passes=1, simulated=False):
     channels = _channels(folder / "channels.yaml", found)
     passes = _passes(folder / "passes.csv", channels, need_passes, found)
     time_s, signals = _signals(folder / "signals.csv", channels, [] if simulated else passes, found)
+    if not simulated and passes and all(p.truck_mass_t == 0 for p in passes):
+        found.add(folder / "passes.csv", 0, MASS, "is 0 for every pass", "what each pass brought; of a shovel's own "
+                  "monitor dipper import reads it with reads: dipper")
     if simulated and signals:
         passes = [p for p in passes if _readings(time_s, p) >= LEAST_SAMPLES]
     _optional_table(folder / "pile_angle.csv", ("pile", "angle_deg"), found)
@@ -155,18 +159,21 @@ def _channel(channels, name):
 
 
 def _rows(file, found):
-    """Line and cells of the header, and of each row, of a CSV; `#` starts a comment line."""
+    """Line and cells of the header, and of each row that is not empty, of a CSV; `#` starts a comment line."""
     text = read_text(file, found)
     if text is None:
         return 0, [], [], ","
-    lines = [(i, line) for i, line in enumerate(text.split("\n"), 1)
-             if line.strip() and not line.lstrip().startswith("#")]
+    lines = lines_of(text)
+    if lines and SEPARATOR.fullmatch(lines[0][1].strip()):
+        del lines[0]
     if not lines:
         found.add(file, 1, "file", "empty", "a header and a row a reading")
         return 0, [], [], ","
     delimiter = find_delimiter(lines[0][1])
     (header_line, header), *rows = [(i, cells_of(line, delimiter)) for i, line in lines]
-    return header_line, header, rows, delimiter
+    named = max((k for k, name in enumerate(header, 1) if name), default=0)
+    rows = [(i, cells[:named] if not any(cells[named:]) else cells) for i, cells in rows if any(cells)]
+    return header_line, header[:named], rows, delimiter
 
 
 def read_table(file, need, found, allowed=None):
@@ -194,7 +201,7 @@ def read_table(file, need, found, allowed=None):
               for line, row in rows if len(row) != len(header)]
     lines = [line for line, _ in rows]
     rows = [(row + [""] * len(header))[:len(header)] for _, row in rows]
-    decimal = find_decimal(cell for row in rows for cell in row)
+    decimal, _ = find_decimal(cell for row in rows for cell in row)
     values = {}
     for name, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
         read = _stamps if name in TIMES and cells and read_stamp(cells[0]) else _numbers

@@ -47,6 +47,27 @@ def test_masses_alone_are_enough(folder):
     assert read_measured(folder, 3).signals == {}
 
 
+def test_passes_that_all_bring_nothing_are_refused(folder):
+    rows = [line.split(",") for line in (folder / "passes.csv").read_text().splitlines()]
+    at = rows[0].index("truck_mass_t")
+    (folder / "passes.csv").write_text("\n".join(",".join(["0.0" if k == at and i else c for k, c in enumerate(row)])
+                                                 for i, row in enumerate(rows)) + "\n")
+    assert "passes.csv: truck_mass_t: is 0 for every pass; what each pass brought" in findings(folder)[0]
+
+
+@pytest.mark.parametrize("end", ["\r", "\r\r\n"])
+def test_what_spreadsheets_leave_in_tables(folder, end):
+    """As dipper import reads logs: line ends, empty rows and columns, minus signs of text, sep= before the header."""
+    before = read_measured(folder)
+    for name in ("passes.csv", "signals.csv"):
+        lines = (folder / name).read_text().replace("-", "\u2212").splitlines()
+        lines = [lines[0] + ",,", *(line + ",," for line in lines[1:]), "," * lines[0].count(",") + ",,"]
+        (folder / name).write_bytes(end.join(["sep=,", *lines]).encode())
+    again = read_measured(folder)
+    assert again.passes == before.passes
+    assert np.array_equal(again.signals["crowd_force_kN"], before.signals["crowd_force_kN"])
+
+
 @pytest.mark.parametrize("file, old, new, where, what", [
     ("channels.yaml", "unit: kN", "unit: N", 5, "hoist_force_kN.unit: is N; kN"),
     ("channels.yaml", "crowd_m:", "bucket_m:", 3, "bucket_m: unknown channel"),

@@ -1,8 +1,8 @@
-#include "dem/rock_setup.hpp"
+#include "coupler/setup/rock_setup.hpp"
 
 #include "common/json_values.hpp"
 
-namespace dipper::dem {
+namespace dipper::setup {
 
 using nlohmann::json;
 
@@ -39,7 +39,8 @@ json to_json(const RockSetup& setup) {
     fall = {{"deck", f->deck}, {"at_step", f->at_step}, {"mass_kg", f->mass_kg}};
   json floor;  // null: not cleared
   if (const auto& f = setup.floor) floor = {f->to_x_m, f->half_width_m, f->height_m};
-  return {{"fast_loop", setup.fast_loop},
+  return {{"ranks", setup.ranks},
+          {"fast_loop", setup.fast_loop},
           {"deck", setup.deck},
           {"variables", setup.variables},
           {"log", setup.log},
@@ -59,6 +60,7 @@ json to_json(const RockSetup& setup) {
 
 RockSetup rock_setup_from(const json& j) {
   RockSetup setup;
+  setup.ranks = j.at("ranks");
   setup.deck = j.at("deck");
   setup.variables = j.at("variables").get<decltype(setup.variables)>();
   setup.log = j.at("log");
@@ -108,4 +110,4 @@ RockSetup rock_setup_from(const json& j) {
   return setup;
 }
 
-}  // namespace dipper::dem
+}  // namespace dipper::setup

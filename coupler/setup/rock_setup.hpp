@@ -11,9 +11,8 @@
 
 #include "common/box.hpp"
 #include "common/frames.hpp"
-#include "dem/hold_policy.hpp"
 
-namespace dipper::dem {
+namespace dipper::setup {
 
 /// What a wall remembers of its last step, beyond what LIGGGHTS's restart file holds.
 struct WallMemory {
@@ -27,6 +26,21 @@ struct Scale {
   std::string body;  ///< "" for a fixed box
   Pose X_WS;         ///< the fixed box's frame; unused with a body
   Box box;           ///< in the body's frame, or in S
+};
+
+/// When rock at rest is held (dem/hold_policy.hpp).
+struct HoldSettings {
+  double below_m_s = 0.01;  ///< centre slower than this, from look to look ...
+  double rest_s = 0.2;      ///< ... for this long: at rest
+  double unbalance = 2.0;   ///< change of a held rock's load, of its weight, that wakes it
+  double average_s =
+      0.1;                ///< over which the load is averaged: rock chatters, and impacts are short
+  double margin_m = 1.0;  ///< no rock rests nearer to a moving wall than this
+  double ahead_s = 0.5;   ///< nor to where the wall will be within this time
+  double check_s = 0.01;  ///< between looks at what must wake at once
+  double gather_s = 0.1;  ///< between looks at who may rest, and who is disturbed
+  double layer_m = 0.5;   ///< of held rock between moving and parked rock (the paper's)
+  double sight_s = 0.1;   ///< and on the moving rock's way over this time
 };
 
 /// Where rock is bonded when a run begins (not when it is resumed).
@@ -58,6 +72,7 @@ struct FloorStrip {
 
 /// What dipper-dem is started with (written by the launcher as JSON).
 struct RockSetup {
+  int ranks = 1;          ///< of MPI
   bool fast_loop = true;  ///< the loop of dem/fast; false: LIGGGHTS's own
   std::string deck;       ///< LIGGGHTS input script
   std::vector<std::pair<std::string, std::string>> variables;  ///< -var NAME VALUE
@@ -87,4 +102,4 @@ inline std::string image_of(const std::filesystem::path& restart) {
 nlohmann::json to_json(const RockSetup& setup);
 RockSetup rock_setup_from(const nlohmann::json& j);
 
-}  // namespace dipper::dem
+}  // namespace dipper::setup

@@ -1,0 +1,113 @@
+"""What the cells of a channel say, in its own unit: readings that are none, or not good ones, become NaN."""
+import re
+
+import numpy as np
+
+from dipper_run.csv_text import THOUSANDS, decimal_number, find_decimal, parted_by
+
+from .units import DRIVES
+from .phrases import LONGEST_SHOWN, some_names, some_rows
+
+WITH_UNIT = re.compile(r"(.*\d[.,]?)\s*([^\d\s.,+-].*)", re.DOTALL)
+OTHER_NAMES = {"°": "deg", "º": "deg", "degrees": "deg", "tonnes": "t"}
+SENTINELS = {s * float(n) for n in ("999", "9999", "99999", "999999") for s in (1, -1)} | \
+    {-999.25, -32768.0, 32767.0, 65535.0, -2147483648.0, 2147483647.0}
+OTHER_MARK = {",": ".", ".": ","}
+SPIKE = 0.2  # of the range of all other readings: so far off its neighbours, a 9999 is no reading
+
+
+class CellReader:
+    """Reads the cells of a log's channels with one decimal mark for all of them; that it is left open is a finding."""
+
+    def __init__(self, what, cells, path, found):
+        self._what = what
+        known, file = {c.unit for c in what.channels.values()}, what.file
+        marks = {ord(m): None for m in THOUSANDS[file.thousands]} if file.thousands in ("'", "space") else {}
+        self._decimal, doubtful = find_decimal(_bare(c, known).translate(marks) for c in cells)
+        if file.decimal:
+            self._decimal = file.decimal
+        elif file.thousands in OTHER_MARK:
+            self._decimal = OTHER_MARK[file.thousands]
+        elif doubtful and not file.thousands:
+            mark = self._decimal
+            name = {",": "comma", ".": "point"}[mark]
+            found.add(path, 0, "numbers", f"every {name} has three digits after it, as in '{doubtful}'",
+                      f"say in the map whether it is a decimal {name}, file.decimal: \"{mark}\", or parts thousands, "
+                      f"file.thousands: \"{mark}\"")
+
+    def values(self, name, group, faults, notes):
+        """Array of a channel of a layout.Group; faults (line, what, wrong, right) are appended."""
+        channel, file = self._what.channels[name], self._what.file
+        raw = np.full(len(group.lines), np.nan)
+        for k, text in enumerate(group.cells[name]):
+            if text.lower() in file.missing:
+                continue
+            value = decimal_number(_bare(text, {channel.unit}), self._decimal, file.thousands)
+            if value is None:
+                faults.append((group.lines[k], channel.column, f"is '{text[:LONGEST_SHOWN]}'",
+                               self._right(text, channel)))
+            elif value not in file.missing_numbers:
+                raw[k] = value
+        if name in group.quality:
+            self._leave_out_bad(name, group, raw, faults, notes)
+        _doubt_sentinels(name, channel, self._what.limits.get(name), group.lines, raw, notes)
+        return channel.slope * raw + channel.intercept
+
+    def _right(self, text, channel):
+        mark = parted_by(text, self._decimal)
+        if mark:
+            return f"file.thousands: \"{mark}\", if that parts its thousands"
+        unit = WITH_UNIT.fullmatch(text)
+        if unit and decimal_number(unit[1], self._decimal) is not None and unit[2] not in ("e", "E"):
+            return f"a number in {channel.unit}, as the map says, or another unit in the map"
+        return "a number" + (" with a decimal comma" if self._decimal == "," else "") + \
+            "; if it means that there is no reading, list it under file.missing"
+
+    def _leave_out_bad(self, name, group, raw, faults, notes):
+        texts = group.quality[name]
+        bad = np.array([not self._good(t) for t in texts], bool) & np.isfinite(raw)
+        if bad.any() and bad.sum() == np.isfinite(raw).sum():
+            faults.append((group.lines[0], self._what.channels[name].quality, f"no reading of {name} is good: they are "
+                           + some_names(sorted(set(texts)), 4), "list what says that one is under file.good"))
+        elif bad.any():
+            told = some_names(sorted({t or "empty" for t, b in zip(texts, bad) if b}), 4)
+            lines = np.array(group.lines)[bad]
+            notes.append(f"{name}: {some_rows(lines, 'reading')} with the quality {told}, left out")
+        raw[bad] = np.nan
+
+    def _good(self, text):
+        good = self._what.file.good
+        if good:
+            return text.lower() in good
+        value = decimal_number(text, ".")  # OPC: 192 and more are good
+        return text.lower().startswith("good") or text.lower() in ("ok", "valid") or \
+            (value is not None and value >= 192)
+
+
+def _bare(text, units):
+    """The text without a unit behind its number, where that is one of `units`."""
+    if not text or text[-1].isdigit():
+        return text
+    m = WITH_UNIT.fullmatch(text)
+    return m[1].strip() if m and OTHER_NAMES.get(m[2], m[2]).lower() in {u.lower() for u in units} else text
+
+
+def _doubt_sentinels(name, channel, limits, lines, raw, notes):
+    """Warns of readings such as -9999 that stand far off their neighbours: loggers write them for "no reading". Those
+    of a drive outside its limits are left out later on, and told."""
+    if name in DRIVES and limits is not None and np.isfinite([limits.min, limits.max]).all():
+        return
+    there = np.flatnonzero(np.isfinite(raw))
+    like = np.isin(raw[there], list(SENTINELS)) | (np.abs(raw[there]) >= 1e30)
+    others = there[~like]
+    if not like.any() or len(others) < 2:
+        return
+    before = np.clip(np.searchsorted(others, there[like]) - 1, 0, len(others) - 1)
+    after = np.clip(before + 1, 0, len(others) - 1)
+    value = raw[there[like]]
+    off = np.minimum(np.abs(value - raw[others[before]]), np.abs(value - raw[others[after]]))
+    alone = off > SPIKE * max(np.ptp(raw[others]), 1e-9)
+    if alone.any():
+        at = there[like][alone]
+        notes.append(f"warning: {name}: {some_rows(np.array(lines)[at], 'reading')} of {raw[at[0]]:.6g} "
+                     f"{channel.unit}, far off those beside it: if that means no reading, file: {{missing: [{raw[at[0]]:.12g}]}}")

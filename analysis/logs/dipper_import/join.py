@@ -1,0 +1,36 @@
+"""Channels that were logged at times of their own, brought to those of one drive."""
+import numpy as np
+
+from .units import DRIVES
+
+
+def join(logs, what, notes):
+    """One log of several (log_file.Log): at the times of the drive with the most readings. Between two readings no
+    further apart than the map bridges a channel is a straight line; a held one keeps its last."""
+    if len(logs) == 1:
+        return logs[0]
+    base = max(logs, key=lambda g: (any(n in DRIVES for n in g.values), len(g.lines)))
+    values = dict(base.values)
+    for log in logs:
+        if log is not base:
+            for name, value in log.values.items():
+                values[name] = _at(base.stamp_s, log.stamp_s, value, what.channels[name].held, what.longest_gap_s)
+    told = ", ".join(n for log in logs if log is not base for n in log.values)
+    notes.append(f"{told}: logged at times of their own, taken at those of "
+                 + next(n for n in base.values if n in DRIVES))
+    order = [n for n in what.channels if n in values]
+    return type(base)(base.lines, base.stamp_s, base.stamps, {n: values[n] for n in order}, base.has_date)
+
+
+def _at(times, stamp_s, value, held, longest_gap_s):
+    there = np.isfinite(value) & np.isfinite(stamp_s)
+    if not there.any():
+        return np.full(len(times), np.nan)
+    order = np.argsort(stamp_s[there], kind="stable")
+    t, v = stamp_s[there][order], value[there][order]
+    before = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 1)
+    if held:
+        return np.where(times >= t[0], v[before], np.nan)
+    after = np.clip(np.searchsorted(t, times, side="left"), 0, len(t) - 1)
+    near = (times >= t[0]) & (times <= t[-1]) & (t[after] - t[before] <= longest_gap_s)
+    return np.where(near, np.interp(times, t, v), np.nan)

@@ -1,0 +1,192 @@
+"""How a log lays its readings out: a column a channel; a time column beside each; or a row a reading, with its tag."""
+import re
+from dataclasses import dataclass
+
+from dipper_run.csv_text import decimal_number, find_decimal
+from dipper_run.text_file import nearest
+
+from .phrases import some_names
+
+QUALITY = re.compile(r"quality|status|valid|\bqual\b|_q$", re.IGNORECASE)
+UNSOUND = re.compile(r"bad|uncertain|questionable|invalid|fail|error|stale|comm|false", re.IGNORECASE)
+ROWS_LOOKED_AT = 5000  # of a log with a row a reading: where tags and numbers are looked for
+
+
+@dataclass(frozen=True)
+class Group:
+    """Channels that share their rows: a line, a stamp's text and a cell of each channel a row."""
+
+    lines: list
+    stamps: list
+    cells: dict      # {channel: list}
+    quality: dict    # {channel: list}, of the channels whose quality is logged
+
+    def only(self, rows):
+        take = lambda cells: [cells[k] for k in rows]
+        return Group(take(self.lines), take(self.stamps), {n: take(c) for n, c in self.cells.items()},
+                     {n: take(c) for n, c in self.quality.items()})
+
+
+def find_layout(what, path, header_line, names, rows, found, notes):
+    """The log's Groups; None after a finding."""
+    header = _Header(what, path, header_line, names, found)
+    missing = [n for n, c in what.channels.items() if c.column not in names]
+    if len(missing) == len(what.channels) and rows:
+        tags = _column_of_tags(what, names, rows)
+        if tags is not None:
+            return _long(header, rows, tags, notes)
+        found.add(what.path, what.time.line, "channels",
+                  f"none of their columns is in the header of {path.name}, line {header_line}",
+                  f"file.header_line, if that is not the header; it has {some_names(names)}")
+        return None
+    return _wide(header, rows, notes)
+
+
+class _Header:
+    """Where the map's columns stand in the header."""
+
+    def __init__(self, what, path, line, names, found):
+        self.what, self.path, self.line, self.names, self.found = what, path, line, names, found
+
+    def place(self, column, key, line, right_of=None):
+        """Index of a column; None after a finding. Of columns of one name the next to the left of `right_of`."""
+        places = [k for k, n in enumerate(self.names) if n == column]
+        if right_of is not None and len(places) > 1:
+            places = [k for k in places if k < right_of][-1:]
+        if len(places) == 1:
+            return places[0]
+        if places:
+            wrong, right = f"'{column}' is the name of {len(places)} columns", "names that differ"
+        else:
+            like = nearest(column, self.names)
+            wrong = f"'{column}' is no column of {self.path.name} (line {self.line})"
+            right = (f"'{like}', perhaps? " if like else "") + f"it has {some_names(self.names)}"
+        self.found.add(self.what.path, line, key, wrong, right)
+        return None
+
+    def time(self, right_of=None):
+        what = self.what.time
+        return [self.place(c, "time.column", what.line, right_of) for c in what.columns]
+
+    def quality(self, name):
+        channel = self.what.channels[name]
+        return None if channel.quality is None else \
+            self.place(channel.quality, f"channels.{name}.quality", channel.line)
+
+
+def _wide(header, rows, notes):
+    """A column a channel, and one time for all of them, or one for each: the next one to the left."""
+    what, before = header.what, len(header.found.all)
+    place = {n: header.place(c.column, f"channels.{n}.column", c.line) for n, c in what.channels.items()}
+    quality = {n: header.quality(n) for n in place}
+    if len(header.found.all) > before:
+        return None
+    times = {}
+    for name, at in place.items():
+        own = what.channels[name].time
+        cells = [header.place(own, f"channels.{name}.time", what.channels[name].line)] if own else header.time(at)
+        if None in cells:
+            return None
+        times.setdefault(tuple(cells), []).append(name)
+    if len(times) == 1:
+        return [_group(rows, next(iter(times)), place, quality, list(place))]
+    notes.append(f"{len(times)} columns of time, each for the readings beside it")
+    groups = [_group([r for r in rows if any(r[1][t] for t in at) or any(r[1][place[n]] for n in names)], at, place,
+                     quality, names) for at, names in times.items()]
+    return _merged([g for g in groups if g.lines] or groups)
+
+
+def _group(rows, times, place, quality, names):
+    return Group([line for line, _ in rows], [" ".join(cells[t] for t in times) for _, cells in rows],
+                 {n: [cells[place[n]] for _, cells in rows] for n in names},
+                 {n: [cells[quality[n]] for _, cells in rows] for n in names if quality[n] is not None})
+
+
+def _column_of_tags(what, names, rows):
+    """Index of the column in which the channels' names stand; None where there is none."""
+    wanted = {c.column for c in what.channels.values()}
+    seen = [set() for _ in names]
+    for _, cells in rows:
+        for k, cell in enumerate(cells):
+            if cell in wanted:
+                seen[k].add(cell)
+    best = max(range(len(names)), key=lambda k: len(seen[k]))
+    return best if seen[best] else None
+
+
+def _long(header, rows, tags, notes):
+    """A row a reading: its tag, its time, its value."""
+    what, found = header.what, header.found
+    before = len(found.all)
+    times, value = header.time(), _column_of_values(header, rows, tags)
+    if len(found.all) > before or value is None:
+        return None
+    by_tag = {}
+    for row in rows:
+        by_tag.setdefault(row[1][tags], []).append(row)
+    groups = []
+    for name, channel in what.channels.items():
+        if channel.column not in by_tag:
+            found.add(what.path, channel.line, f"channels.{name}.column",
+                      f"'{channel.column}' is neither a column of {header.path.name} nor in its '{header.names[tags]}'",
+                      f"there are {some_names(by_tag)}")
+            continue
+        groups.append(_group(by_tag[channel.column], times, {name: value}, {name: header.quality(name)}, [name]))
+    if len(found.all) > before:
+        return None
+    notes.append(f"a row a reading: '{header.names[tags]}' says whose, '{header.names[value]}' what")
+    return _merged(groups)
+
+
+def _column_of_values(header, rows, tags):
+    """Index of file.value, else of the one column whose every cell is a number, as far as there is a reading."""
+    what, names = header.what, header.names
+    if what.file.value is not None:
+        return header.place(what.file.value, "file.value", what.time.line)
+    qualities = {c.quality for c in what.channels.values()}
+    others = [k for k, n in enumerate(names) if k != tags and n not in what.time.columns and n not in qualities]
+    few = rows[:ROWS_LOOKED_AT]
+    numbers = [k for k in others if any(_is_number(cells[k]) for _, cells in few)]
+    named = [k for k in numbers if names[k].lower() == "value"]
+    if len(named or numbers) == 1:
+        return (named or numbers)[0]
+    header.found.add(what.path, what.time.line, "file.value",
+                     f"missing: {header.path.name} has a row a reading, and {len(numbers)} columns of numbers",
+                     f"the column of the values, one of {some_names([names[k] for k in numbers or others])}")
+    return None
+
+
+def _is_number(cell):
+    return decimal_number(cell, find_decimal([cell])[0]) is not None
+
+
+def _merged(groups):
+    """Groups with the same stamps in the same order become one."""
+    out = []
+    for g in groups:
+        same = next((k for k, o in enumerate(out) if o.stamps == g.stamps), None)
+        if same is None:
+            out.append(g)
+        else:
+            o = out[same]
+            out[same] = Group(o.lines, o.stamps, {**o.cells, **g.cells}, {**o.quality, **g.quality})
+    return out
+
+
+def unnamed_qualities(what, names, rows, notes):
+    """Warns of columns that say what readings are worth, and that the map does not name."""
+    used = {*what.time.columns, *(c.column for c in what.channels.values()),
+            *(c.quality for c in what.channels.values()), *(c.time for c in what.channels.values())}
+    doubtful = {}
+    for k, name in enumerate(names):
+        if name in used or not QUALITY.search(name):
+            continue
+        cells = [cells[k] for _, cells in rows]
+        bad = sorted({c for c in cells if UNSOUND.search(c)} or (set(cells) if len(set(cells)) > 1 else set()))
+        if bad:
+            doubtful[name] = (bad, sum(c in bad for c in cells))
+    if doubtful:
+        texts = sorted({t for bad, _ in doubtful.values() for t in bad})
+        notes.append(f"warning: {some_names(doubtful)} in {sum(n for _, n in doubtful.values())} cells "
+                     f"{'say' if len(doubtful) > 1 else 'says'} {some_names(texts, 4)}, and these readings are taken "
+                     "all the same; channels.NAME.quality names the column that says whether a reading is good")

@@ -1,0 +1,273 @@
+"""What historians, spreadsheets and loggers of the field send: read, or refused with the key that helps."""
+import numpy as np
+import pytest
+
+from dipper_import.import_map import read_map
+from dipper_import.log_file import read_log
+from dipper_run.findings import Findings
+
+MAP = """\
+time: {column: Time}
+channels:
+  hoist: {column: Hoist, unit: m, sigma: 0.1}
+  crowd: {column: Crowd, unit: m, sigma: 0.1}
+  swing: {column: Swing, unit: deg, sigma: 0.1}
+  door: {column: Door, unit: deg}
+  hoist_force: {column: Pull, unit: N, sigma: 1000}
+limits: {hoist: {min: -12, max: 1}, crowd: {min: -2, max: 4}, swing: {min: -90, max: 90}, door: {min: 0, max: 90}}
+"""
+NAMES = ["Time", "Hoist", "Crowd", "Swing", "Door", "Pull"]
+N = 12
+PULL = 150000 + 12345.0 * np.arange(N)
+
+
+def stamp(k, late_ms=0):
+    return f"2026-03-14 06:12:{k // 5:02d}.{200 * (k % 5) + late_ms:03d}"
+
+
+def rows(pull="{:.0f}", force=PULL):
+    return [[stamp(k), f"{-0.25 * k:.3f}", f"{0.1 * k:.2f}", f"{k:.1f}", "0.0", pull.format(force[k])]
+            for k in range(N)]
+
+
+def text(body, delimiter=",", names=NAMES, end="\n"):
+    return end.join(delimiter.join(f'"{c}"' if delimiter in c else c for c in row) for row in [names, *body]) + end
+
+
+@pytest.fixture
+def read(tmp_path):
+    def reader(log, more="", map_text=MAP):
+        (tmp_path / "map.yaml").write_text(map_text + more)
+        (tmp_path / "log.csv").write_bytes(log.encode())
+        found, notes = Findings(), []
+        return read_log(tmp_path / "log.csv", read_map(tmp_path / "map.yaml"), found, notes), found.all, notes
+
+    return reader
+
+
+def is_whole(log, force=PULL):
+    return len(log.lines) == N and np.allclose(log.values["hoist"], -0.25 * np.arange(N)) and \
+        np.allclose(log.values["swing"], np.arange(N)) and np.allclose(log.values["hoist_force"], 1e-3 * force)
+
+
+@pytest.mark.parametrize("written", ["-9999", "-9999.0", "-9999.000", "-9.999e3"])
+@pytest.mark.parametrize("listed", ["-9999", "'-9999.00'"])
+def test_a_number_that_means_no_reading_is_compared_as_a_number(read, written, listed):
+    body = rows()
+    body[3][5] = written
+    log, found, notes = read(text(body), "file: {missing: [%s]}\n" % listed)
+    assert not found and not notes and np.isnan(log.values["hoist_force"][3])
+
+
+@pytest.mark.parametrize("value", [-9999, 999999, -999.25])
+def test_a_reading_that_looks_like_none_is_warned_of(read, value):
+    body = rows()
+    body[3][5] = body[4][5] = str(value)
+    _, found, notes = read(text(body))
+    assert not found and f"warning: hoist_force: 2 readings (lines 5, 6) of {value:g} N, far off" in notes[0]
+    assert f"file: {{missing: [{value:g}]}}" in notes[0]
+
+
+def test_a_sound_reading_of_999_is_no_matter(read):
+    _, found, notes = read(text(rows("{:.0f}", 999 + 0.01 * PULL)))
+    assert not found and not notes
+
+
+def with_quality(*bad, good="Good"):
+    return [[c for k, cell in enumerate(row) for c in ([cell] if k == 0 else [cell, "Bad" if (i, k) in bad else good])]
+            for i, row in enumerate(rows())]
+
+
+QUALITY_NAMES = [c for n in NAMES for c in ([n] if n == "Time" else [n, n + " Quality"])]
+WITH_QUALITY = MAP.replace("unit: N,", "unit: N, quality: Pull Quality,")
+
+
+@pytest.mark.parametrize("good", ["Good", "good [NonSpecific]", "192", "OK"])
+def test_readings_whose_quality_is_bad_are_left_out(read, good):
+    log, found, notes = read(text(with_quality((2, 5), good=good), names=QUALITY_NAMES), map_text=WITH_QUALITY)
+    assert not found and np.flatnonzero(np.isnan(log.values["hoist_force"])).tolist() == [2]
+    assert notes == ["hoist_force: 1 reading (line 4) with the quality 'Bad', left out"]
+
+
+def test_own_words_for_good(read):
+    log = text(with_quality((2, 5), good="G"), names=QUALITY_NAMES)
+    _, found, _ = read(log, map_text=WITH_QUALITY)
+    assert "Pull Quality: no reading of hoist_force is good: they are 'Bad', 'G'; list what says that one is under " \
+        "file.good" in found[0]
+    log, found, _ = read(log, "file: {good: [g]}\n", WITH_QUALITY)
+    assert not found and np.isnan(log.values["hoist_force"]).sum() == 1
+
+
+def test_a_quality_that_the_map_does_not_name_is_warned_of(read):
+    _, found, notes = read(text(with_quality((2, 5), (3, 5)), names=QUALITY_NAMES))
+    assert not found and len(notes) == 1
+    assert notes[0].startswith("warning: 'Pull Quality' in 2 cells says 'Bad'") and "channels.NAME.quality" in notes[0]
+    assert not read(text(with_quality(), names=QUALITY_NAMES))[2]
+
+
+@pytest.mark.parametrize("first, unit", [("1773468720000", "ms"), ("1773468720000000", "us"),
+                                         ("1773468720000000000", "ns")])
+def test_numbers_that_are_no_seconds_ask_for_their_unit(read, first, unit):
+    body = [[f"{int(first) + 200 * k}", *row[1:]] for k, row in enumerate(rows())]
+    _, found, _ = read(text(body))
+    assert f"log.csv:2: time: is {first}, which is no count of seconds; its unit in the map, time.format: " \
+        f"{unit}" in found[0]
+
+
+def german(body):
+    return [[row[0], *(c.replace(".", ",") for c in row[1:])] for row in body]
+
+
+def grouped(mark, decimals=""):
+    return [f"{int(f):,}".replace(",", mark) + decimals for f in PULL]
+
+
+def with_pull(cells, body=None):
+    return [[*row[:-1], c] for row, c in zip(body or rows(), cells)]
+
+
+WHOLE = [[stamp(k), f"{-k}", f"{k}", f"{k}", "0", ""] for k in range(N)]
+
+
+@pytest.mark.parametrize("mark, word", [(",", "comma"), (".", "point")])
+def test_three_digits_after_every_mark_are_asked_about(read, mark, word):
+    """943,981 is 943.981 or 943981: nothing in the file says which."""
+    log = text(with_pull(grouped(mark), WHOLE), ";")
+    _, found, _ = read(log)
+    assert found and f"every {word} has three digits after it, as in '150{mark}000'" in found[0]
+    assert f'file.decimal: "{mark}"' in found[0] and f'file.thousands: "{mark}"' in found[0]
+    log_read, found, _ = read(log, f'file: {{thousands: "{mark}"}}\n')
+    assert not found and np.allclose(log_read.values["hoist_force"], 1e-3 * PULL)
+    log_read, found, _ = read(log, f'file: {{decimal: "{mark}"}}\n')
+    assert not found and np.allclose(log_read.values["hoist_force"], 1e-6 * PULL)
+
+
+@pytest.mark.parametrize("mark, thousands, body", [
+    (",", ",", rows()), ("'", "'", rows()), ("\u2019", "'", rows()), (" ", "space", rows()),
+    (".", ".", german(rows())), ("\u202f", "space", german(rows())), ("\u00a0", "space", german(rows()))])
+def test_parted_thousands_are_refused_with_the_key_and_read_with_it(read, mark, thousands, body):
+    decimals = ",0" if "," in body[1][1] else ".0"
+    log = text(with_pull(grouped(mark, decimals), body), ";")
+    _, found, _ = read(log)
+    assert len(found) == 1 and f'file.thousands: "{thousands}", if that parts its thousands' in found[0]
+    log_read, found, _ = read(log, f'file: {{thousands: "{thousands}"}}\n')
+    assert not found and is_whole(log_read)
+
+
+def test_names_with_line_breaks_match_their_names_with_blanks(read):
+    names = [f'"{n}\n(x)"' for n in NAMES]
+    log = ",".join(names) + "\n" + text(rows()).split("\n", 1)[1]
+    for blank in ("\\n", " "):
+        named = MAP
+        for n in NAMES:
+            named = named.replace(f"column: {n}", f'column: "{n}{blank}(x)"')
+        log_read, found, _ = read(log, map_text=named)
+        assert not found and is_whole(log_read) and log_read.lines[0] == 8
+
+
+def test_bars_in_names_do_not_part_them(read):
+    named = MAP
+    for n in NAMES[1:]:
+        named = named.replace(f"column: {n}", f"column: S12|{n}")
+    log, found, _ = read(text(rows(), names=["Time", *(f"S12|{n}" for n in NAMES[1:])]), map_text=named)
+    assert not found and is_whole(log)
+
+
+def test_a_long_preamble(read):
+    log, found, _ = read("".join(f"Tag {k},{3 * k}\n" for k in range(400)) + text(rows()))
+    assert not found and is_whole(log) and log.lines[0] == 402
+
+
+def test_a_header_without_any_of_the_names_is_one_line(read):
+    _, found, _ = read("Site,7\n" + text(rows(), names=["a", "b", "c", "d", "e", "f"]))
+    assert len(found) == 1 and "none of their columns is in the header of log.csv, line 2; file.header_line" in found[0]
+    assert "it has 'a', 'b', 'c', 'd', 'e', 'f'" in found[0]
+
+
+@pytest.mark.parametrize("end", ["\r", "\r\n", "\r\r\n"])
+def test_line_ends_of_every_system(read, end):
+    log, found, _ = read(text(rows(), end=end))
+    assert not found and is_whole(log)
+
+
+def test_empty_rows_and_columns_of_spreadsheets(read):
+    body = [row + ["", ""] for row in rows()]
+    body[4:4] = [[""] * 8] * 2
+    log, found, _ = read(text(body + [[""] * 8] * 3, names=[*NAMES, "", ""]))
+    assert not found and is_whole(log)
+
+
+@pytest.mark.parametrize("minus", ["\u2212", "\u2013"])
+def test_minus_signs_of_word_processors(read, minus):
+    log, found, _ = read(text(rows()).replace(",-", f",{minus}"))
+    assert not found and is_whole(log)
+
+
+def test_units_behind_numbers(read):
+    body = [[t, f"{h} m", f"{c}m", f"{s}°", f"{d}", f"{p} N"] for t, h, c, s, d, p in rows()]
+    log, found, _ = read(text(body))
+    assert not found and is_whole(log)
+    body = [[*row[:-1], row[-1].replace("N", "kN")] for row in body]
+    _, found, _ = read(text(body))
+    assert "Pull: is '150000 kN', and so in 11 more lines; a number in N, as the map says, or another unit" in found[0]
+
+
+def test_rows_of_units_below_the_header_name_the_key(read):
+    log = text([["", "m", "m", "deg", "deg", "N"], ["", "rope", "handle", "house", "trip", "pull"], *rows()])
+    iso = MAP.replace("{column: Time}", "{column: Time, format: iso}")
+    for map_text in (MAP, iso):
+        _, found, _ = read(log, map_text=map_text)
+        assert "log.csv:2: time: is ''" in found[0] and "file.data_line: 4" in found[0]
+    log_read, found, _ = read(log, "file: {data_line: 4}\n")
+    assert not found and is_whole(log_read)
+
+
+def long(body, late_ms=0, by_tag=False):
+    """A row a reading: tag, time, value and quality."""
+    out = [[name, stamp(k, j * late_ms), row[j], "Good"] for k, row in enumerate(body)
+           for j, name in enumerate(NAMES) if j]
+    return sorted(out, key=lambda r: r[0]) if by_tag else out
+
+
+@pytest.mark.parametrize("by_tag", [False, True])
+def test_a_row_a_reading(read, by_tag):
+    log, found, notes = read(text(long(rows(), by_tag=by_tag), names=["Tag", "Time", "Value", "Quality"]))
+    assert not found and is_whole(log)
+    assert notes == ["a row a reading: 'Tag' says whose, 'Value' what"]
+
+
+def test_a_row_a_reading_at_times_of_their_own(read):
+    log, found, notes = read(text(long(rows(), late_ms=10), names=["Tag", "Time", "x", "Quality"]))
+    assert not found and "swing" in notes[-1] and "logged at times of their own, taken at those of hoist" in notes[-1]
+    inner = slice(1, None)  # before its first reading a channel has none
+    assert np.allclose(log.values["swing"][inner], np.arange(N)[inner] - 0.1)
+    assert np.isnan(log.values["swing"][0])
+
+
+def test_a_row_a_reading_says_what_it_lacks(read):
+    log = [[*row, "7"] for row in long(rows())]
+    names = ["Tag", "Time", "Reading", "Quality", "Site"]
+    _, found, _ = read(text(log, names=names))
+    assert "file.value: missing: log.csv has a row a reading, and 2 columns of numbers; the column of the values, one " \
+        "of 'Reading', 'Site'" in found[0]
+    log_read, found, _ = read(text(log, names=names), "file: {value: Reading}\n")
+    assert not found and is_whole(log_read)
+    _, found, _ = read(text([r for r in long(rows()) if r[0] != "Door"], names=names[:4]))
+    assert "'Door' is neither a column of log.csv nor in its 'Tag'; there are 'Hoist', 'Crowd', " \
+        "'Swing', 'Pull'" in found[0]
+
+
+def paired(names_of_time):
+    body = [[c for j in range(1, 6) for c in (stamp(k, 10 * (j - 1)), row[j])] for k, row in enumerate(rows())]
+    return text(body, names=[c for t, n in zip(names_of_time, NAMES[1:]) for c in (t, n)])
+
+
+def test_a_time_beside_each_reading(read):
+    own = [f"{n} t" for n in NAMES[1:]]
+    named = MAP.replace("column: Time", "column: Hoist t")
+    for n in NAMES[1:]:
+        named = named.replace(f"column: {n},", f"column: {n}, time: {n} t,")
+    for log, map_text in ((paired(["Time"] * 5), MAP), (paired(own), named)):
+        log, found, notes = read(log, map_text=map_text)
+        assert not found and notes[0] == "5 columns of time, each for the readings beside it"
+        assert np.allclose(log.values["crowd"][1:], 0.1 * np.arange(N)[1:] - 0.005)
