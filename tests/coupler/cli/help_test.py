@@ -43,7 +43,7 @@ class Help(unittest.TestCase):
                 self.assertEqual(asked.stdout, told(*words))
 
     def test_the_options_of_a_python_program_are_those_of_its_command(self):
-        options = re.compile(r"--\w+")
+        options = re.compile(r"--[\w-]+")
         path = os.pathsep.join(str(SOURCE / "analysis" / name) for name in ("gap", "logs", "runs", "study"))
         for name in ("gap", "study", "import"):
             with self.subTest(name):
@@ -51,7 +51,7 @@ class Help(unittest.TestCase):
                                      capture_output=True, text=True, env={**os.environ, "PYTHONPATH": path}).stdout
                 listed_options = told(name).split("Options:")[1]
                 self.assertEqual(set(options.findall(own.split("options:")[1])),
-                                 set(re.findall(r"^  (?:-h,)?(--\w+)", listed_options, re.M)))
+                                 set(re.findall(r"^  (?:-h,)?(--[\w-]+)", listed_options, re.M)))
 
     def test_set_up_without_rights_lists_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -17,5 +17,5 @@ export function limits(rows) {
       { name: 'limit', cell: (r) => shown(r, r.limit) },
       { name: 'of the limit', cell: (r) => percent(r.most / r.limit) },
       { name: 'time above', unit: 's', cell: (r) => (r.over_s > 0 ? fixed(r.over_s, 1) : '–') },
-    ], rows, { compact: true }));
+    ], rows, { compact: true, cells: true }));
 }

@@ -5,7 +5,7 @@ import { table } from '../../parts/table.js';
 import { eachPass } from '../work.js';
 
 const PRESCRIBED = 'Beyond: the drive takes more force than the machine\'s has.';
-const LIMITED = 'At the limit: the drive needs more force or power than it has. Lost: by how much the machine falls behind its motion. '
+const LIMITED = 'At limit: the drive needs more force or power than it has. Lost: by how much the machine falls behind its motion. '
   + 'Let back: how far at most the operator moves the crowd back, which makes the cut shallower.';
 
 const percent = (share) => fixed(100 * share, 1);
@@ -27,7 +27,7 @@ function byPhase(phases, limited) {
     { name: 'ropes slack', unit: '%', cell: (row) => percent(row.slack_fraction) },
     { name: 'teeth off', unit: 'm', cell: (row) => fixed(row.teeth_deviation_m, 2) },
     ...(limited ? [
-      ...['hoist', 'crowd', 'swing'].map((name) => ({ name: `${name} at the limit`, unit: 's', cell: (row) => fixed(row[`${name}_saturated_s`], 1) })),
+      ...['hoist', 'crowd', 'swing'].map((name) => ({ name: `${name} at limit`, unit: 's', cell: (row) => fixed(row[`${name}_saturated_s`], 1) })),
       { name: 'lost', unit: 's', cell: (row) => fixed(row.late_s, 1) },
       { name: 'crowd let back', unit: 'm', cell: (row) => fixed(row.crowd_relief_most_m, 2) },
     ] : ['hoist', 'crowd'].map((name) => ({ name: `${name} beyond`, unit: '%', cell: (row) => percent(row[`${name}_beyond_fraction`]) }))),
