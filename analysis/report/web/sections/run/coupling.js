@@ -17,7 +17,8 @@ export function coupling(model, clock) {
   const steady = within?.length > 0 && Math.max(...within) - Math.min(...within) < 1e-6;
   const share = Math.abs(c.energy_residual_J / c.interface_work_J);
   return section('coupling', 'The coupling',
-    `Rock and machine exchanged forces and motion ${fixed(c.syncs, 0)} times. The residual is the energy that the exchange created or lost: ${percent(share, 2)} of the work between them.`,
+    `Rock and machine exchanged forces and motion ${fixed(c.syncs, 0)} times. `
+    + `The residual is the energy that the exchange created or lost: ${percent(share, 2)} of the work between them.`,
     work && residual && curve(time, [
       { label: 'work between rock and machine', values: work, colour: 'blue' },
       { label: 'residual', values: residual, colour: 'orange', width: 1.4 },
