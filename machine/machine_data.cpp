@@ -117,7 +117,8 @@ MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
                 g.vector("bail", "m"),
                 g.number("mass", "kg", kPositive),
                 g.vector("mass_center", "m"),
-                g.vector("inertia", "kg m^2")};
+                g.vector("inertia", "kg m^2"),
+                g.has("rated_load") ? g.number("rated_load", "kg", kPositive) : 0};
   }
   {
     auto g = root.group("door");

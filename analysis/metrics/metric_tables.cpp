@@ -19,17 +19,17 @@ std::string weight_note(const PassFacts& f) {
       fmt::format("The weight on dipper and door differs from the rocks inside by {:+.2f} t",
                   tonnes(difference));
   if (!f.suspended)
-    return note + "; no frame with velocities lies in that time, so it cannot be told what it is.";
+    return note + "; no frame with velocities lies in that time, so the cause is unknown.";
   note += fmt::format(": {:+.2f} t is rock that rides outside the cavity",
                       tonnes(f.suspended->riding_kg));
   if (!f.suspended->accelerating_kg)
     return note + "; one frame does not show the load's acceleration.";
   const double rest = difference - f.suspended->riding_kg - *f.suspended->accelerating_kg;
-  return note +
-         fmt::format(
-             ", {:+.2f} t the load's acceleration (a load that is let down weighs less); {:+.2f} t "
-             "remain, since the frames show both only now and then.",
-             tonnes(*f.suspended->accelerating_kg), tonnes(rest));
+  return note + fmt::format(
+                    ", {:+.2f} t the load's acceleration (a load that starts to sink weighs less); "
+                    "{:+.2f} t "
+                    "remain, as the frames are too few to show both exactly.",
+                    tonnes(*f.suspended->accelerating_kg), tonnes(rest));
 }
 
 /// Why the three payloads differ, in figures.

@@ -18,6 +18,7 @@ PassFigureMaker::Known known_of(const run::RunData& run, const rock::StruckVolum
     known.machine = machine::load_machine(file);
     known.rake_rad = radians(run.number("machine.rake_angle_deg"));
   }
+  known.limited_drives = run.text("machine.drives") == "limited";
   known.struck_volume_m3 = run.struck_given_m3 > 0 ? run.struck_given_m3 : struck.volume_m3;
   known.bulk_density_kg_m3 = run.bulk_density_kg_m3;
   return known;
@@ -56,6 +57,9 @@ json dipper_table(const run::RunData& run, const rock::StruckVolume& struck) {
   json out = {{"struck_volume_m3", struck.volume_m3},
               {"strike_normal_B", {struck.up.x(), struck.up.y(), struck.up.z()}}};
   if (run.struck_given_m3 > 0) out["struck_volume_given_m3"] = run.struck_given_m3;
+  if (const auto file = run.folder / run::kMachineFile; std::filesystem::exists(file))
+    if (const double load_kg = machine::load_machine(file).dipper.rated_load; load_kg > 0)
+      out["rated_load_kg"] = load_kg;
   const Box& r = *run.regions.dipper;
   out["cavity"] = {{"min_m", {r.min_m.x(), r.min_m.y(), r.min_m.z()}},
                    {"max_m", {run.regions.lip_x_m, r.max_m.y(), r.max_m.z()}}};
@@ -106,7 +110,7 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
       {"timestep_s", dumps.timestep_s},
       {"mass_from", rock::mass_source(dumps.frames.front(), run.clumps)}};
   v["run"] = run_table(run, dumps, survey);
-  for (const char* key : {"coupling", "dem", "mbs"})
+  for (const char* key : {"coupling", "dem", "mbs", "drives"})
     if (run.summary.is_object() && run.summary.contains(key)) v[key] = run.summary[key];
   if (run.regions.dipper && struck.volume_m3 > 0) v["dipper"] = dipper_table(run, struck);
   if (run.is_shovel) {

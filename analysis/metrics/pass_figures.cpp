@@ -24,6 +24,7 @@ std::optional<MonitorFigures> read_monitor(const signals::PayloadMonitor& monito
 PassFigureMaker::PassFigureMaker(const run::RunSignals& signals,
                                  const std::filesystem::path& record, Known known)
     : signals_(signals), known_(std::move(known)), rattle_(record) {
+  if (known_.limited_drives) limits_.emplace(record);
   if (!known_.machine) return;
   monitor_.emplace(*known_.machine, known_.rake_rad);
   demand_.emplace(*known_.machine, known_.rake_rad,
@@ -54,7 +55,8 @@ PassFigures PassFigureMaker::figures(const signals::PassPhases& pass,
 
 PhaseFigures PassFigureMaker::of_phase(const signals::Phase& phase) const {
   return {phase, effort(signals_, phase.t_start_s, phase.t_end_s),
-          signals::slack_fraction(signals_.pass, phase.t_start_s, phase.t_end_s), demand(phase)};
+          signals::slack_fraction(signals_.pass, phase.t_start_s, phase.t_end_s), demand(phase),
+          limits_ ? std::optional(limits_->over(phase)) : std::nullopt};
 }
 
 std::optional<signals::Demand> PassFigureMaker::demand(const signals::TimeSpan& time) const {

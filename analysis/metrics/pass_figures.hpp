@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/metrics/drive_limits.hpp"
 #include "analysis/metrics/load_in_dipper.hpp"
 #include "analysis/metrics/pass_signals.hpp"
 #include "analysis/metrics/rattle.hpp"
@@ -22,6 +23,7 @@ struct PhaseFigures {
   Effort effort;
   double slack_fraction = 0;              ///< of its time, in which the hoist ropes are slack
   std::optional<signals::Demand> demand;  ///< none: the machine's data are not known
+  std::optional<LimitsMet> limits;        ///< none: the drives have no limits
 };
 
 /// The payload as the shovel's own monitor would show it.
@@ -50,6 +52,7 @@ class PassFigureMaker {
   struct Known {
     std::optional<machine::MachineData> machine;  ///< none: neither monitor nor demand
     double rake_rad = 0;
+    bool limited_drives = false;
     double struck_volume_m3 = 0;    ///< 0: not known
     double bulk_density_kg_m3 = 0;  ///< of the settled pile, with its fines; 0: not known
   };
@@ -71,6 +74,7 @@ class PassFigureMaker {
   Rattle rattle_;
   std::optional<signals::PayloadMonitor> monitor_;
   std::optional<signals::MachineDemand> demand_;
+  std::optional<DriveLimits> limits_;
 };
 
 }  // namespace dipper::analysis::metrics

@@ -65,6 +65,7 @@ json phase_row(const PhaseFigures& f) {
               {"mass_gain_kg", f.effort.mass_gain_kg},
               {"slack_fraction", f.slack_fraction}};
   put_demand(row, f.demand);
+  if (f.limits) row.update(json_of(*f.limits));
   const signals::DrivesWork& work = f.effort.drives;
   for (const auto& [name, drive] :
        {std::pair{"hoist", &work.hoist}, {"crowd", &work.crowd}, {"swing", &work.swing}}) {

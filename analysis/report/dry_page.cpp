@@ -27,7 +27,7 @@ json read_summary(const fs::path& folder) {
   return json::parse(in, nullptr, false);
 }
 
-/// The teeth's way in the plane of the boom in each pass: from its start until the door opens.
+/// The teeth's path in the plane of the boom in each pass: from its start until the door opens.
 json ways(const json& summary, const record::Columns& record) {
   const auto time_s = record.get("time_s"), x = record.get("rock/teeth_x"),
              y = record.get("rock/teeth_y"), z = record.get("rock/teeth_z");
@@ -48,17 +48,20 @@ json ways(const json& summary, const record::Columns& record) {
   return out;
 }
 
-/// The machine over the bench, and a line where the teeth go from first to last.
-ReplayBlocks at_work(const run::RunData& run, const record::Columns& record) {
-  std::vector<Vector3d> way;
-  const auto x = record.get("rock/teeth_x"), y = record.get("rock/teeth_y"),
-             z = record.get("rock/teeth_z");
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const Vector3d tip(x[i], y[i], z[i]);
-    if (way.empty() || (tip - way.back()).norm() > kLineStep_m) way.push_back(tip);
-  }
+/// The machine over the bench, and a line for each pass where the teeth go.
+ReplayBlocks at_work(const run::RunData& run, const json& passes, const record::Columns& record) {
+  const auto time_s = record.get("time_s"), x = record.get("rock/teeth_x"),
+             y = record.get("rock/teeth_y"), z = record.get("rock/teeth_z");
   run::Figure figure = run::read_figure(run);
-  figure.ropes.push_back({kLineRadius_m, [way](double) { return way; }});
+  for (const json& pass : passes) {
+    std::vector<Vector3d> way;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Vector3d tip(x[i], y[i], z[i]);
+      if (time_s[i] < pass.at("t_start_s") || time_s[i] > pass.at("t_end_s")) continue;
+      if (way.empty() || (tip - way.back()).norm() > kLineStep_m) way.push_back(tip);
+    }
+    figure.ropes.push_back({kLineRadius_m, [way](double) { return way; }, pass.at("pass")});
+  }
   ReplayBlocks replay = encode_replay(RecordReplay(run));
   replay.head["figure"] = json_of_figure(figure, replay.head["times_s"]);
   return replay;
@@ -88,7 +91,7 @@ void write_dry_page(const fs::path& folder, const fs::path& file) {
     for (const auto& [name, unit] : kChannels)
       input.curves.push_back({name, unit, record.get(name)});
     const run::RunData run = run::read_run_folder(folder);
-    ReplayBlocks replay = at_work(run, record);
+    ReplayBlocks replay = at_work(run, summary.at("passes"), record);
     const std::string title = fs::weakly_canonical(folder).filename().string();
     write_text(file, page({{"kind", "dry"},
                            {"title", title},

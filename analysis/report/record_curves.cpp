@@ -1,5 +1,6 @@
 #include "analysis/report/record_curves.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +15,20 @@ using Columns = std::vector<std::pair<const char*, const char*>>;  // name, unit
 void read(const fs::path& record, const Columns& channels, ReportInput& input) {
   for (const auto& [name, unit] : channels)
     input.curves.push_back({name, unit, record::read_channel(record, name)});
+}
+
+/// Where limited drives are at their limit, and how late they are.
+void read_limits(const fs::path& record, ReportInput& input) {
+  read(record,
+       {{"machine/crowd_relief", "m"},
+        {"machine/hoist_saturated", "1"},
+        {"machine/crowd_saturated", "1"},
+        {"machine/swing_saturated", "1"}},
+       input);
+  ReportCurve late{"late", "s", record::read_channel(record, "machine/path_time")};
+  const std::size_t rows = std::min(late.values.size(), input.time_s.size());
+  for (std::size_t i = 0; i < rows; ++i) late.values[i] = input.time_s[i] - late.values[i];
+  input.curves.push_back(std::move(late));
 }
 
 /// The length of a vector whose parts are columns.
@@ -43,6 +58,7 @@ void read_curves(const run::RunData& run, ReportInput& input) {
           {"rock/mass_in_truck", "kg"}},
          input);
     input.curves.push_back(length("dig_force", {input.curves[0].values, input.curves[1].values}));
+    if (run.text("machine.drives") == "limited") read_limits(record, input);
   } else {
     for (const std::string& channel : run.masses)
       input.curves.push_back(

@@ -48,7 +48,9 @@ json json_of_figure(const run::Figure& figure, const std::vector<double>& times_
         for (const double x : {p.x(), p.y(), p.z()}) way.push_back(rounded(x, 1e3));
       ways.push_back(std::move(way));
     }
-    out["ropes"].push_back({{"radius_m", rounded(rope.radius_m, 1e3)}, {"ways", std::move(ways)}});
+    out["ropes"].push_back({{"radius_m", rounded(rope.radius_m, 1e3)},
+                            {"pass", rope.pass},
+                            {"ways", std::move(ways)}});
   }
   return out;
 }

@@ -24,6 +24,7 @@ struct FigureBody {
 struct FigureRope {
   double radius_m;
   std::function<std::vector<Vector3d>(double time_s)> way_W;
+  int pass = 0;  ///< of a line that shows a pass's path; 0: a rope
 };
 
 struct Figure {

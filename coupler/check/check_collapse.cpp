@@ -21,16 +21,18 @@ void check_slab(const cases::Case& c, const deck::CollapseSlab& slab, Findings& 
   if (slab.mass_kg < heaviest) {
     findings.push_back(cases::finding_at(
         c, kHeight,
-        fmt::format("{:g} m of slab weigh {:.2g} t, less than a rock of {:.2g} t; write at least "
-                    "{:.2g}, or 0",
-                    c.collapse.height_m, slab.mass_kg / 1000, heaviest / 1000,
-                    c.collapse.height_m * heaviest / slab.mass_kg)));
+        fmt::format(
+            "a slab of {:g} m weighs {:.2g} t, less than one rock of {:.2g} t; write at least "
+            "{:.2g}, or 0",
+            c.collapse.height_m, slab.mass_kg / 1000, heaviest / 1000,
+            c.collapse.height_m * heaviest / slab.mass_kg)));
   }
   if (slab.top_m > c.domain.max_m.z()) {
     findings.push_back(cases::finding_at(
         c, kHeight,
-        fmt::format("the slab reaches z = {:.4g} m as it comes loose, above domain.max_m's {:g}",
-                    slab.top_m, c.domain.max_m.z())));
+        fmt::format(
+            "the slab reaches z = {:.4g} m when it comes loose, above domain.max_m ({:g} m)",
+            slab.top_m, c.domain.max_m.z())));
   }
 }
 
@@ -59,12 +61,11 @@ void check_clear(const cases::Case& c, const deck::CollapseSlab& slab, double at
                      [&](const Eigen::Vector3d& p_B) { return in_slab_or_bench(X * p_B); })) {
       continue;
     }
-    findings.push_back(cases::finding_at(
-        c, kTime,
-        fmt::format(
-            "at {:.2f} s the {} is where the slab comes down; write when it is away from the "
-            "bench, over the truck",
-            at_s, name)));
+    findings.push_back(cases::finding_at(c, kTime,
+                                         fmt::format("at {:.2f} s the {} is where the slab comes "
+                                                     "down; write a time at which it is away from "
+                                                     "the bench, over the truck",
+                                                     at_s, name)));
   }
 }
 
@@ -84,13 +85,14 @@ void check_collapse(const cases::Case& c, const machine::ShovelKinematics& shove
   const auto at_s = deck::collapse_time_s(c, motion);
   if (!at_s) {
     findings.push_back(cases::finding_at(
-        c, kTime, "the motion never opens the door; write when the slab comes down"));
+        c, kTime, "the motion never opens the door; write the time at which the slab comes down"));
     return;
   }
   // A shorter end_s is meant as such.
   if (const double end_s = seconds(motion.end_ns()); *at_s >= end_s) {
     findings.push_back(cases::finding_at(
-        c, kTime, fmt::format("{:g} s is not before the motion's end at {:.2f} s", *at_s, end_s)));
+        c, kTime,
+        fmt::format("{:g} s is not before the end of the motion, {:.2f} s", *at_s, end_s)));
   }
   check_clear(c, slab, *at_s, shovel, motion, bodies, findings);
 }

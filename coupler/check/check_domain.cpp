@@ -71,8 +71,8 @@ void check_bodies_in_domain(const cases::Case& c, const PoseAt& pose_at, std::in
       const bool low = i < 3;
       findings.push_back(cases::finding_at(
           c, low ? "domain.min_m" : "domain.max_m",
-          fmt::format("the {} leaves the box at {:.2f} s; at {:.2f} s it reaches {} = {:.4g} m, "
-                      "{:.3g} m outside of {:g}",
+          fmt::format("the {} leaves the domain at {:.2f} s; at {:.2f} s it reaches {} = {:.4g} m, "
+                      "{:.3g} m outside {:g}",
                       name, e.first_s, e.worst_s, "xyz"[i % 3], e.worst, e.beyond,
                       (low ? c.domain.min_m : c.domain.max_m)[static_cast<int>(i % 3)])));
     }

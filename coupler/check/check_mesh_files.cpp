@@ -35,7 +35,7 @@ void check_box(const cases::Case& c, const std::string& key, const std::string& 
     const auto report = [&](double reached, double limit, const char* corner) {
       findings.push_back(cases::finding_at(
           c, key,
-          fmt::format("{} reaches {} = {:.4g} m, {:.3g} m outside of {}'s {:g}", what, "xyz"[i],
+          fmt::format("{} reaches {} = {:.4g} m, {:.3g} m outside {} ({:g} m)", what, "xyz"[i],
                       reached, std::abs(reached - limit), corner, limit)));
     };
     if (box.min_m[i] < c.domain.min_m[i]) report(box.min_m[i], c.domain.min_m[i], "domain.min_m");
@@ -57,8 +57,8 @@ void check_profile_points(const cases::Case& c, Findings& findings) {
       const std::string corner = at < low ? "domain.min_m" : "domain.max_m";
       if (!told.insert(corner + "xz"[i]).second) continue;
       findings.push_back({c.pile.profile, lines[k], "pile.profile",
-                          fmt::format("{}_m is {:g}, outside of {}'s {:g}; end the profile there "
-                                      "or make the domain larger",
+                          fmt::format("{}_m is {:g}, outside {} ({:g}); end the profile there or "
+                                      "enlarge the domain",
                                       "xz"[i], at, corner, at < low ? low : high)});
     }
 }
@@ -81,7 +81,7 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
     }
     if (faults.size() > faults_shown) {
       findings.push_back(
-          {file, 0, key, fmt::format("and {} faults more", faults.size() - faults_shown)});
+          {file, 0, key, fmt::format("and {} more faults", faults.size() - faults_shown)});
     }
     return mesh;
   } catch (const InputError& e) {

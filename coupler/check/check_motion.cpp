@@ -35,7 +35,7 @@ void check_times_of_motion(const cases::Case& c, Findings& findings) {
   if (c.machine.drives != machine::DriveMode::limited) return;
   if (c.collapse.height_m > 0 && c.collapse.at_s == 0) {
     findings.push_back(cases::finding_at(
-        c, "collapse.at_s", "when the door opens is not known with limited drives; write a time"));
+        c, "collapse.at_s", "limited drives do not keep the motion's times; write a time"));
   }
 }
 
@@ -44,7 +44,7 @@ void check_clean_floor(const cases::Case& c, Findings& findings) {
   if (c.pile.clean_floor_to_x_m == 0 || !c.machine.contact_on_return) return;
   findings.push_back(
       cases::finding_at(c, "pile.clean_floor_to_x_m",
-                        "needs a way back without rock: machine.contact_on_return: off"));
+                        "needs a return without rock; write machine.contact_on_return: off"));
 }
 
 }  // namespace
@@ -56,17 +56,16 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
   for (const auto& body : c.bodies) {
     if (body.first == "dipper" || body.first == "door") continue;
     known.erase(body.first);
-    findings.push_back(
-        cases::finding_at(c, "bodies." + body.first,
-                          "the machine moves no such body; it has dipper and door. "
-                          "Bodies of your own: machine.kind: poses (docs/poses.md)"));
+    findings.push_back(cases::finding_at(
+        c, "bodies." + body.first,
+        "the machine has no such body; it has dipper and door. For bodies of your "
+        "own: machine.kind: poses (docs/poses.md)"));
   }
   if (!c.bodies.count("dipper"))
-    findings.push_back(
-        cases::finding_at(c, "bodies.dipper", "missing key; without it nothing digs"));
+    findings.push_back(cases::finding_at(c, "bodies.dipper", "missing key; it is what digs"));
   if (!c.bodies.count("door"))
     findings.push_back(
-        cases::finding_at(c, "bodies.door", "missing key; without it nothing stays in the dipper"));
+        cases::finding_at(c, "bodies.door", "missing key; without it the dipper holds nothing"));
 
   const auto machine =
       load_reported(c, "machine.model", c.machine.model, machine::load_machine, findings);
@@ -123,10 +122,11 @@ void check_windows(const cases::Case& c, std::int64_t start_ns, std::int64_t end
   if (window_s > end_s) {
     findings.push_back(cases::finding_at(
         c, "coupling.sync_steps",
-        fmt::format("a window of {} steps takes {:g} s, longer than the {:g} s simulated; at most "
-                    "{:.0f} steps",
-                    c.coupling.sync_steps, window_s, end_s,
-                    std::max(1.0, std::floor(end_s / c.dem.timestep_s)))));
+        fmt::format(
+            "a sync step of {} DEM steps takes {:g} s, longer than the {:g} s simulated; write at "
+            "most {:.0f}",
+            c.coupling.sync_steps, window_s, end_s,
+            std::max(1.0, std::floor(end_s / c.dem.timestep_s)))));
   }
 }
 

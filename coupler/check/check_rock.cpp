@@ -37,7 +37,7 @@ void check_shape(const cases::Case& c, const std::string& shape, Findings& findi
     for (std::size_t i = 0; i < faults.size() && i < shown; ++i)
       findings.push_back({stl, 0, key, faults[i]});
     if (faults.size() > shown)
-      findings.push_back({stl, 0, key, fmt::format("and {} faults more", faults.size() - shown)});
+      findings.push_back({stl, 0, key, fmt::format("and {} more faults", faults.size() - shown)});
   } catch (const InputError& e) {
     cases::add_file_findings(c, key, e, findings);
   }
@@ -60,7 +60,7 @@ void check_shapes(const cases::Case& c, Findings& findings) {
       if (!known.count(shape)) {
         findings.push_back(cases::finding_at(
             c, fmt::format("rock.classes.{}.shapes.{}", i, j),
-            fmt::format("no shape '{}'; there are {}", shape, fmt::join(known, ", "))));
+            fmt::format("no shape '{}'; choose from {}", shape, fmt::join(known, ", "))));
         continue;
       }
       if (looked_at.insert(shape).second) check_shape(c, shape, findings);
@@ -69,7 +69,7 @@ void check_shapes(const cases::Case& c, Findings& findings) {
       findings.push_back(
           cases::finding_at(c, fmt::format("rock.classes.{}.shapes", i),
                             "mixes spheres and other shapes, whose friction differs; make "
-                            "two classes of it"));
+                            "two classes"));
     }
   }
 }
@@ -92,11 +92,12 @@ void check_rock(const cases::Case& c, Findings& findings) {
     const double percent = c.rock.classes[i].mass_percent / counts[i].rocks;
     findings.push_back(cases::finding_at(
         c, fmt::format("rock.classes.{}.mass_percent", i),
-        fmt::format("the pile holds {:.2g} rocks of {}; for one write {}a size_m below {:.2g}, or "
-                    "a larger pile",
-                    counts[i].rocks, counts[i].name,
-                    percent < 100 ? fmt::format("at least {:.2g} percent, ", percent) : "",
-                    c.rock.classes[i].size_m * std::cbrt(counts[i].rocks))));
+        fmt::format(
+            "the pile holds only {:.2g} rocks of {}; write {}a size_m below {:.2g}, or a larger "
+            "pile",
+            counts[i].rocks, counts[i].name,
+            percent < 100 ? fmt::format("at least {:.2g} percent, ", percent) : "",
+            c.rock.classes[i].size_m * std::cbrt(counts[i].rocks))));
   }
 
   const bool needs_voids =
@@ -104,7 +105,7 @@ void check_rock(const cases::Case& c, Findings& findings) {
   if (needs_voids && deck::porosity(c) <= 0) {
     findings.push_back(cases::finding_at(
         c, "rock.bulk_density_kg_m3",
-        fmt::format("{:g} leaves no voids in rock of {:g} kg/m3; fines and moisture need some",
+        fmt::format("{:g} leaves no voids in rock of {:g} kg/m3, but fines and moisture need some",
                     c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
   }
 

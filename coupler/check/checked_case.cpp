@@ -52,8 +52,9 @@ CaseSize size_of(const cases::Case& c) {
 std::string summary(const cases::Case& c) {
   const CaseSize s = size_of(c);
   return fmt::format(
-      "about {:.0f} rocks, {:g} s simulated in {:.0f} steps and {:.0f} windows of {:g} ms, after "
-      "{:.0f} steps that settle the pile; the step is {:.0f} % of the largest stable one, {:.3g} s",
+      "about {:.0f} rocks; {:g} s simulated in {:.0f} DEM steps and {:.0f} sync steps of {:g} ms, "
+      "after {:.0f} DEM steps to settle the pile; the DEM step is {:.0f} % of the largest stable "
+      "one, {:.3g} s",
       s.rocks, s.simulated_s, s.steps, s.windows, c.coupling.sync_steps * c.dem.timestep_s * 1e3,
       s.settle_steps, 100 * c.dem.timestep_s / deck::stable_timestep(c), deck::stable_timestep(c));
 }
@@ -69,8 +70,9 @@ void tell_digs(const cases::Case& c, Reporter& reporter) {
        swept_passes(machine::Motion::load(c.machine.motion), shovel, face)) {
     const double volume_m3 = pass.area_m2 * data.dipper.inside.y();
     reporter.line(fmt::format(
-        "pass {}: the teeth sweep {:.0f} m3{}, up to {:.1f} m deep; the dipper takes {:.0f} m3",
-        ++number, volume_m3, pass.first ? "" : " of what is left, if no rock comes down",
+        "pass {}: the teeth sweep {:.0f} m3{}, up to {:.1f} m deep; the dipper holds {:.0f} m3, "
+        "struck",
+        ++number, volume_m3, pass.first ? "" : " of the remaining face, if no rock comes down",
         pass.deepest_m, data.dipper.struck_volume));
     if (pass.first && volume_m3 < kLeanPass * data.dipper.struck_volume)
       reporter.line(fmt::format(

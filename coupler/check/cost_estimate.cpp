@@ -77,9 +77,9 @@ CostEstimate cost_estimate(const cases::Case& c) {
 
 std::string to_string(const CostEstimate& e) {
   return fmt::format(
-      "it will take about {} of processor time ({} to dig, {} to settle the pile if it is not in "
-      "the "
-      "cache), {} on the cores asked for, {} of memory, {} of disk; right to a factor of 1.5",
+      "estimate: {} of processor time ({} to dig, {} to settle the pile unless it is in the "
+      "cache), "
+      "{} on the requested cores, {} of memory, {} of disk; accurate within a factor of 1.5",
       duration(e.dig_s + e.settle_s), duration(e.dig_s), duration(e.settle_s), duration(e.wall_s),
       bytes(e.memory_B), bytes(e.disk_B));
 }
@@ -95,9 +95,8 @@ void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, R
   cases::Case quiet = c;
   quiet.output.dump_every_s = 0;
   reporter.line(fmt::format(
-      "warning: output.dump_every_s: {} has {} free, and the run takes about {}; 0, the dumps of "
-      "the start "
-      "alone, takes {}",
+      "warning: output.dump_every_s: {} has {} free, but the run needs about {}; with 0, dumps at "
+      "the start only, it needs {}",
       there.string(), bytes(free_B), bytes(wanted_B), bytes(cost_estimate(quiet).disk_B)));
 }
 

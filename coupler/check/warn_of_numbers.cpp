@@ -31,7 +31,7 @@ void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (scale > kOtherUnit || scale < 1 / kOtherUnit) {
     const double factor = scale > 100 ? 0.001 : 1 / scale;
     return say(fmt::format(
-        "the mesh is {:.4g} units long where {:g} m are wanted: in {}? scale it "
+        "the mesh is {:.4g} units long, but the machine's dipper is {:g} m: is it in {}? scale it "
         "by {:.3g}",
         sides.maxCoeff(), wanted.maxCoeff(), scale > 100 ? "mm" : "another unit", factor));
   }
@@ -39,15 +39,15 @@ void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Vector3d y_up(sides.x(), sides.z(), sides.y());
   if (misfit(y_up) + 1 < misfit(sides))
     return say(
-        fmt::format("the mesh is {:.1f} x {:.1f} x {:.1f} m along x, y and z where about "
-                    "{:g} x {:g} x {:g} are wanted: is its y up? turn it so that z is",
+        fmt::format("the mesh is {:.1f} x {:.1f} x {:.1f} m along x, y and z, but the machine's "
+                    "dipper is {:g} x {:g} x {:g} m: is its y up? rotate it so that z is up",
                     sides.x(), sides.y(), sides.z(), wanted.x(), wanted.y(), wanted.z()));
   const Vector3d middle = 0.5 * (box.min_m + box.max_m);
   if (std::abs(middle.y()) > kShift_m || std::abs(middle.z()) > kShift_m ||
       std::abs(box.min_m.x()) > kShift_m)
     say(
-        fmt::format("the mesh begins at x = {:.2f} m and its middle is at y = {:.2f}, z = {:.2f}; "
-                    "its origin should be in the middle of the rear opening (docs/frames.md)",
+        fmt::format("the mesh begins at x = {:.2f} m with its middle at y = {:.2f}, z = {:.2f}; "
+                    "its origin must be in the middle of the rear opening (docs/frames.md)",
                     box.min_m.x(), middle.y(), middle.z()));
 }
 
@@ -56,9 +56,10 @@ void warn_of_angles(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (rake > 0 && rake < 2)
     warnings.push_back(cases::finding_at(
         parts.c, "machine.rake_angle_deg",
-        fmt::format("{:g} degrees lay the dipper along its handle: is it in rad? {:.1f} degrees "
-                    "are",
-                    parts.c.machine.rake_angle_deg, degrees(parts.c.machine.rake_angle_deg))));
+        fmt::format(
+            "{:g} degrees put the dipper almost in line with its handle: is the value in rad? "
+            "write {:.1f}",
+            parts.c.machine.rake_angle_deg, degrees(parts.c.machine.rake_angle_deg))));
   double swing = 0, door = 0;
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += 100'000'000) {
     const machine::Drives d = parts.motion.value(t);
@@ -70,7 +71,7 @@ void warn_of_angles(const CaseParts& parts, std::vector<Finding>& warnings) {
     if (in_rad(most))
       warnings.push_back(
           {parts.c.machine.motion, 0, name,
-           fmt::format("never goes beyond {:.2f} degrees: is it in rad?", degrees(most))});
+           fmt::format("never exceeds {:.2f} degrees: is it in rad?", degrees(most))});
 }
 
 /// A body's radius of gyration is of its own size.
@@ -89,10 +90,9 @@ void warn_of_masses(const CaseParts& parts, std::vector<Finding>& warnings) {
     if (gyration_m > p.size_m || gyration_m < kSlightest * p.size_m)
       warnings.push_back(
           {parts.c.machine.model, 0, p.name + ".mass",
-           fmt::format(
-               "{:g} kg with an inertia of {:g} kg m2 has a radius of gyration of {:.2g} m, "
-               "in a body of some {:g} m: is one of them in another unit?",
-               p.mass_kg, p.inertia_kg_m2, gyration_m, p.size_m)});
+           fmt::format("{:g} kg and an inertia of {:g} kg m2 give a radius of gyration of {:.2g} m "
+                       "for a body of about {:g} m: is one of them in another unit?",
+                       p.mass_kg, p.inertia_kg_m2, gyration_m, p.size_m)});
   }
 }
 
@@ -105,20 +105,20 @@ void warn_of_rock(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (largest > kLargestRock * mouth)
     warnings.push_back(cases::finding_at(
         c, c.rock.coarse_graining > 1 ? "rock.coarse_graining" : "rock.classes",
-        fmt::format("rocks of {:.2f} m are larger than a third of the dipper's mouth of {:g} m and "
+        fmt::format("rocks of {:.2f} m are larger than a third of the dipper's mouth ({:g} m) and "
                     "bridge it; write rock.coarse_graining_limit_m: {:.2g} or less",
                     largest, mouth, kLargestRock * mouth)));
   if (c.rock.bulk_density_kg_m3 > c.rock.density_kg_m3)
-    warnings.push_back(
-        cases::finding_at(c, "rock.bulk_density_kg_m3",
-                          fmt::format("{:g} kg/m3 is more than the solid rock's {:g}",
-                                      c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
+    warnings.push_back(cases::finding_at(
+        c, "rock.bulk_density_kg_m3",
+        fmt::format("{:g} kg/m3 is more than the density of solid rock, {:g} kg/m3",
+                    c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
   const double wide = mesh::bounding_box(parts.dipper).sides_m().y();
   if (c.pile.width_m < wide)
-    warnings.push_back(
-        cases::finding_at(c, "pile.width_m",
-                          fmt::format("a pile of {:g} m is narrower than the dipper, {:.1f} m",
-                                      c.pile.width_m, wide)));
+    warnings.push_back(cases::finding_at(
+        c, "pile.width_m",
+        fmt::format("the pile, {:g} m wide, is narrower than the dipper, {:.1f} m", c.pile.width_m,
+                    wide)));
 }
 
 void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
@@ -126,17 +126,19 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (window_s > kWindow_s)
     warnings.push_back(cases::finding_at(
         parts.c, "coupling.sync_steps",
-        fmt::format("a window of {:.3g} s is long against the swing of the dipper on its ropes; "
-                    "{} steps or fewer keep the coupling stable (docs/coupling.md)",
-                    window_s, std::max(1.0, std::floor(kWindow_s / parts.c.dem.timestep_s)))));
+        fmt::format(
+            "a sync step of {:.3g} s is too long for the vibration of the dipper on its ropes; "
+            "at most {} steps keep the coupling stable (docs/coupling.md)",
+            window_s, std::max(1.0, std::floor(kWindow_s / parts.c.dem.timestep_s)))));
   for (std::int64_t t = parts.motion.start_ns(); t < parts.motion.end_ns();) {
     const std::int64_t next = std::min(parts.motion.next_row_ns(t), parts.motion.end_ns());
     const machine::Drives a = parts.motion.value(t), b = parts.motion.value(next);
     if (seconds(next - t) > kHole_s &&
         (std::abs(b.hoist - a.hoist) > 1 || std::abs(b.crowd - a.crowd) > 0.5)) {
-      warnings.push_back({parts.c.machine.motion, 0, "time_s",
-                          fmt::format("no row between {:.2f} and {:.2f} s, while the drives go far",
-                                      seconds(t), seconds(next))});
+      warnings.push_back(
+          {parts.c.machine.motion, 0, "time_s",
+           fmt::format("no row between {:.2f} and {:.2f} s, although the drives move far",
+                       seconds(t), seconds(next))});
       return;
     }
     t = next;

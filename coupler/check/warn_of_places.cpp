@@ -59,14 +59,15 @@ void warn_of_the_start(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (dipper > kDeep_m)
     warnings.push_back(cases::finding_at(
         c, "machine.motion",
-        fmt::format("the dipper stands {:.1f} m deep in the pile at the start, which throws the "
-                    "rock out; begin in front of the toe, or write pile.clear_machine: on",
-                    dipper)));
+        fmt::format(
+            "at the start the dipper is {:.1f} m deep in the pile, which throws rock out; begin "
+            "in front of the toe, or write pile.clear_machine: on",
+            dipper)));
   if (const double truck = deepest_in(bench, parts.truck, Pose{}); truck > kDeep_m)
     warnings.push_back(cases::finding_at(
         c, "truck.position_m",
-        fmt::format("the truck stands {:.1f} m deep in the pile, and its bed counts rock that was "
-                    "never dumped; move it, or the pile",
+        fmt::format("the truck is {:.1f} m deep in the pile, so its bed counts rock that was never "
+                    "dumped; move the truck or the pile",
                     truck)));
 }
 
@@ -86,9 +87,10 @@ void warn_of_the_way(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (deepest > kDeep_m)
     warnings.push_back(cases::finding_at(
         parts.c, "truck.position_m",
-        fmt::format("the dipper goes {:.1f} m deep through the truck at {:.1f} s; move the truck, "
-                    "or lift the dipper higher",
-                    deepest, at_s)));
+        fmt::format(
+            "the dipper passes through the truck, {:.1f} m deep, at {:.1f} s; move the truck "
+            "or lift the dipper higher",
+            deepest, at_s)));
 }
 
 /// Where the door is when it opens.
@@ -106,11 +108,11 @@ void warn_of_the_dump(const CaseParts& parts, std::vector<Finding>& warnings) {
       continue;
     warnings.push_back(cases::finding_at(
         parts.c, "truck.position_m",
-        fmt::format("no truck is under the dipper as its door opens at {:.1f} s: the door is at x "
-                    "= {:.1f}, y = {:.1f} m, the truck between x = {:.1f} and {:.1f}, y = {:.1f} "
-                    "and {:.1f} m",
-                    seconds(t), p.x(), p.y(), bed.min_m.x(), bed.max_m.x(), bed.min_m.y(),
-                    bed.max_m.y())));
+        fmt::format(
+            "no truck is under the dipper when its door opens at {:.1f} s: the door is at x "
+            "= {:.1f}, y = {:.1f} m, the truck between x = {:.1f} and {:.1f}, y = {:.1f} "
+            "and {:.1f} m",
+            seconds(t), p.x(), p.y(), bed.min_m.x(), bed.max_m.x(), bed.min_m.y(), bed.max_m.y())));
     return;
   }
 }
@@ -123,10 +125,11 @@ void warn_of_the_return(const CaseParts& parts, std::vector<Finding>& warnings) 
     if (turns_rad_s <= kTurning_rad_s) continue;
     warnings.push_back(cases::finding_at(
         parts.c, "machine.motion",
-        fmt::format("the dipper swings into the rock: it is felt again at {:.1f} s, where the "
-                    "crowd is all in, and the house still turns by {:.0f} deg/s; bring the crowd "
-                    "in later, or end the swing sooner",
-                    seconds(leg.end_ns), degrees(turns_rad_s))));
+        fmt::format(
+            "the dipper swings into the rock: contact is on again from {:.1f} s, when the crowd "
+            "is fully in, but the house still turns at {:.0f} deg/s; bring the crowd in "
+            "later, or end the swing sooner",
+            seconds(leg.end_ns), degrees(turns_rad_s))));
     return;
   }
 }
@@ -150,10 +153,11 @@ void warn_of_the_heel(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (most <= kClosed_m) return;
   warnings.push_back(cases::finding_at(
       parts.c, "machine.motion",
-      fmt::format("the dipper closes on the ground: at {:.1f} s its heel is {:.2f} m above it, "
-                  "{:.2f} m lower than the teeth went there, and jams what has gone under the lip; "
-                  "let the teeth rise sooner (docs/motion.md)",
-                  at_s, above_m, most)));
+      fmt::format(
+          "the dipper closes on the ground: at {:.1f} s its heel is {:.2f} m above it, "
+          "{:.2f} m lower than the teeth passed there, and jams rock under the lip; let the "
+          "teeth rise sooner (docs/motion.md)",
+          at_s, above_m, most)));
 }
 
 }  // namespace

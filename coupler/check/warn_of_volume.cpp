@@ -43,25 +43,25 @@ void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings) {
   };
   if (held_m3 < kMuch * given_m3)
     say(fmt::format(
-        "the mesh holds {:.1f} m3 of water with its door shut where its YAML says {:g}: "
-        "has it a gap, or does the door stand open at the start?",
+        "with the door shut the mesh holds {:.1f} m3, but its YAML says struck_volume_m3: {:g}; is "
+        "there a gap, or is the door open at the start?",
         held_m3, given_m3));
   else if (std::abs(held_m3 - given_m3) > kMuch * given_m3)
-    say(
-        fmt::format("the mesh holds {:.1f} m3, struck, where its YAML says struck_volume_m3: {:g}, "
-                    "by which the fill factor is reckoned",
-                    held_m3, given_m3));
+    say(fmt::format(
+        "the mesh holds {:.1f} m3, struck, but its YAML says struck_volume_m3: {:g}, which "
+        "the fill factor uses",
+        held_m3, given_m3));
   const double of_machine_m3 = parts.machine.dipper.struck_volume;
   if (std::abs(of_machine_m3 - given_m3) > kMuch * given_m3)
-    warnings.push_back(
-        {parts.c.machine.model, 0, "dipper.struck_volume",
-         fmt::format("{:g} m3, where the dipper's mesh has {:g}", of_machine_m3, given_m3)});
+    warnings.push_back({parts.c.machine.model, 0, "dipper.struck_volume",
+                        fmt::format("is {:g} m3, but the YAML of the dipper's mesh says {:g}",
+                                    of_machine_m3, given_m3)});
   const double out_m = std::max((box.min_m - facts.cavity.min_m).maxCoeff(),
                                 (facts.cavity.max_m - box.max_m).maxCoeff());
   if (out_m > kOutside_m)
     say(fmt::format(
-        "the cavity of its YAML reaches {:.1f} m out of the mesh: rock beside the dipper "
-        "would be weighed",
+        "the cavity in its YAML extends {:.1f} m beyond the mesh: rock beside the dipper would "
+        "count as payload",
         out_m));
 }
 

@@ -64,7 +64,7 @@ int run(CalibrateOptions& o, Reporter& reporter) {
     return o.what == "pile-angle" ? calibrate::calibrate_pile_angle(request, reporter)
                                   : calibrate::calibrate_bulk_density(request, reporter);
   } catch (const launch::Interrupted&) {
-    reporter.error("interrupted; finished runs are kept, the same command goes on");
+    reporter.error("interrupted; finished runs are kept, and the same command continues");
     return 4;
   }
 }
@@ -81,34 +81,35 @@ Command add_calibrate_command(CLI::App& app, Reporter& reporter) {
                        const char* size) {
     auto* sub = command->add_subcommand(name, what);
     sub->footer(fmt::format(
-        "Runs what the paper measured, finds what the case needs to give it, and writes "
-        "calibrated.set for the case (docs/calibration.md). Example:\n  dipper calibrate {} "
+        "Simulates the paper's measurement, finds the values with which the case reproduces it, "
+        "and "
+        "writes them to calibrated.set (docs/calibration.md). Example:\n  dipper calibrate {} "
         "cases/quick",
         name));
     sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
-    sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
+    sub->add_option("--set", o->set, "KEY=VALUE: overrides the case");
     sub->add_option("--target", request.target, target)->check(number_in(targets));
     sub->add_option("--size", request.size_m, size)->check(number_in({0, 1000, true}));
-    sub->add_option("--seeds", request.seeds, "runs that differ in the seed alone, each time")
+    sub->add_option("--seeds", request.seeds, "runs per value, which differ in the seed only")
         ->check(whole_number_in({1, 1000}));
-    sub->add_option("--seed", o->seed, "the first of them (default: the case's)")
+    sub->add_option("--seed", o->seed, "the first seed (default: the case's)")
         ->check(whole_number_in(kSeeds));
     sub->add_option("--jobs", request.jobs, "runs at once (default: one a core)")
         ->check(whole_number_in({1, 1000}));
-    sub->add_option("--out", o->out, "the result's folder (default: runs/calibrate-...)");
+    sub->add_option("--out", o->out, "folder of the results (default: runs/calibrate-...)");
     sub->callback([o, name] { o->what = name; });
     return sub;
   };
   auto* pile =
-      add("pile-angle", "the angle at which the rock comes to rest in front of a lifted sheet",
-          "deg (default: 34.7, the paper's mean of six piles)", {0, 90, true, true},
-          "m, lift of the sheet (default: 7 of the largest rocks; the paper: 12.2)");
+      add("pile-angle", "the angle at which rock comes to rest when a sheet is lifted",
+          "angle in deg (default: 34.7, the paper's mean of six piles)", {0, 90, true, true},
+          "lift of the sheet in m (default: 7 of the largest rocks; the paper: 12.2)");
   pile->add_option("--search", o->search, "KEY=LOW:HIGH: find the value that gives the target");
-  pile->add_option("--sigma", request.sigma, "deg, of the target (default: 1)")
+  pile->add_option("--sigma", request.sigma, "uncertainty of the target in deg (default: 1)")
       ->check(number_in({0, 90, true}));
   add("bulk-density", "the density of the rock at which a box of it has the bulk density",
-      "kg/m3 (default: the case's rock.bulk_density_kg_m3)", {100, 20000},
-      "m, edge of the box (default: 5 of the largest rocks, at least the paper's 3.037)");
+      "density in kg/m3 (default: the case's rock.bulk_density_kg_m3)", {100, 20000},
+      "edge of the box in m (default: 5 of the largest rocks, at least the paper's 3.037)");
   return {command, [o, &reporter] { return run(*o, reporter); }};
 }
 

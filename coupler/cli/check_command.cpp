@@ -20,12 +20,14 @@ struct CheckOptions {
 
 Command add_check_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<CheckOptions>();
-  auto* sub = app.add_subcommand("check", "check a case: every error at once");
+  auto* sub =
+      app.add_subcommand("check", "check a case: all errors at once, and what a run will take");
   sub->footer(
-      "Reads case.yaml and every file it names, starts nothing, and tells what a run will take. "
+      "Reads case.yaml and every file it names, starts nothing, and estimates time, memory and "
+      "disk of a run. "
       "Example:\n  dipper check cases/quick --set seed=7");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
-  sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
+  sub->add_option("--set", o->set, "KEY=VALUE: overrides the case");
   sub->add_flag("--json", o->json, "findings, hash, size and values, for programs");
   return {sub, [o, &reporter] {
             const auto set = overrides_of(o->set, "coupling.scheme=serial");

@@ -38,11 +38,11 @@ std::uintmax_t size_B(const fs::path& path) {
 
 std::vector<Load> load_of_run(const fs::path& run) {
   if (!fs::exists(run / "record.h5"))
-    throw InputError({{run, 0, "", "holds no run; name a run's folder, or `cache`"}});
+    throw InputError({{run, 0, "", "is not a run; name a run's folder, or `cache`"}});
   std::vector<Load> loads = {
-      {"dumps", "frames of rock and walls: no new report, nothing to see in ParaView", {}},
-      {"checkpoints", "it cannot go on (--resume)", {}},
-      {"messages", "it cannot be replayed", {}}};
+      {"dumps", "frames of rock and walls: without them no new report, nothing for ParaView", {}},
+      {"checkpoints", "without them the run cannot continue (--resume)", {}},
+      {"messages", "without them the run cannot be replayed", {}}};
   for (const auto& entry : fs::directory_iterator(run)) {
     const fs::path name = entry.path().filename();
     if (name == "dumps") loads[0].paths.push_back(entry.path());
@@ -57,7 +57,7 @@ std::vector<Load> of_cache() {
   if (!fs::is_directory(cache_folder())) return loads;
   for (const auto& kind : fs::directory_iterator(cache_folder())) {
     if (!kind.is_directory()) continue;
-    Load load{kind.path().filename().string(), "made again when they are needed", {}};
+    Load load{kind.path().filename().string(), "made again when needed", {}};
     for (const auto& entry : fs::directory_iterator(kind.path()))
       if (entry.path().extension() != ".lock") load.paths.push_back(entry.path());
     loads.push_back(std::move(load));
@@ -88,7 +88,7 @@ int clean(const CleanOptions& o, Reporter& reporter) {
     }
   }
   reporter.line(fmt::format("{:>9.1f} MB  {}", static_cast<double>(sum_B) * 1e-6,
-                            o.yes ? "freed" : "would be free; --yes removes it"));
+                            o.yes ? "freed" : "can be freed with --yes"));
   return 0;
 }
 
@@ -96,13 +96,13 @@ int clean(const CleanOptions& o, Reporter& reporter) {
 
 Command add_clean_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<CleanOptions>();
-  auto* sub = app.add_subcommand("clean", "what runs and the cache hold on disk, and room again");
+  auto* sub = app.add_subcommand("clean", "disk space of runs and the cache: list it, or free it");
   sub->footer(
-      "Of a run its frames, checkpoints and messages; record, summary and report stay. Nothing "
-      "goes without --yes. "
+      "Of a run: frames, checkpoints and messages; record, summary and report stay. Removes "
+      "nothing without --yes. "
       "Example:\n  dipper clean runs/quick cache");
-  sub->add_option("PLACE", o->places, "runs' folders, or the word cache")->required();
-  sub->add_flag("--yes", o->yes, "remove it; else it is only told");
+  sub->add_option("PLACE", o->places, "folders of runs, or the word cache")->required();
+  sub->add_flag("--yes", o->yes, "remove it; without this, only list it");
   return {sub, [o, &reporter] { return clean(*o, reporter); }};
 }
 

@@ -9,10 +9,6 @@
 namespace dipper::cli {
 namespace {
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 /// Words of roff: a hyphen stays one, and no line begins with what roff takes for itself.
 std::string roff(const std::string& text) {
   std::string out;
@@ -32,36 +28,63 @@ std::string words_of(const CLI::Option& option) {
   return type.empty() ? name : name + " " + type;
 }
 
+std::string names_of(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* command : listed_commands(app))
+    names += (names.empty() ? "" : " ") + command->get_name();
+  return names;
+}
+
+/// A command's lines in the script, after those of its own commands: the first that matches holds.
+std::string completion_case(const CLI::App& command, const std::string& before) {
+  const std::string words = before + command.get_name() + " ";
+  std::string lines, options;
+  for (const CLI::App* own : listed_commands(command)) lines += completion_case(*own, words);
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames())
+      options += (options.empty() ? "--" : " --") + name;
+  return lines + fmt::format("    \"{}\"*) options=\"{}\" commands=\"{}\" ;;\n", words, options,
+                             names_of(command));
+}
+
+std::string manual_section(const CLI::App& command, const std::string& before) {
+  const std::string words = before + " " + command.get_name();
+  std::string out = fmt::format(".SS {}\n{}\n", roff(words), roff(command.get_description()));
+  if (const std::string more = command.get_footer(); !more.empty())
+    out += fmt::format(".PP\n{}\n", roff(more));
+  for (const CLI::Option* option : command.get_options())
+    out +=
+        fmt::format(".TP\n.B {}\n{}\n", roff(words_of(*option)), roff(option->get_description()));
+  for (const CLI::App* own : listed_commands(command)) out += manual_section(*own, words);
+  return out;
+}
+
 }  // namespace
 
+std::vector<const CLI::App*> listed_commands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+}
+
 std::string bash_completion(const CLI::App& app) {
-  std::string names, cases;
-  for (const CLI::App* command : commands_of(app)) {
-    names += (names.empty() ? "" : " ") + command->get_name();
-    std::string options;
-    for (const CLI::Option* option : command->get_options())
-      for (const std::string& name : option->get_lnames()) options += " --" + name;
-    if (!options.empty())
-      cases += fmt::format("    {}) options=\"{}\" ;;\n", command->get_name(), options.substr(1));
-  }
+  std::string cases;
+  for (const CLI::App* command : listed_commands(app)) cases += completion_case(*command, "");
   return fmt::format(
       "# bash completion of dipper: eval \"$(dipper completion)\"\n"
       "_dipper() {{\n"
-      "  local word=${{COMP_WORDS[COMP_CWORD]}} options=\n"
+      "  local word=${{COMP_WORDS[COMP_CWORD]}} all=\"{0}\" options= commands=\n"
       "  COMPREPLY=()\n"
-      "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-      "    COMPREPLY=($(compgen -W \"{} --help --version\" -- \"$word\"))\n"
-      "    return\n"
-      "  fi\n"
-      "  case ${{COMP_WORDS[1]}} in\n"
-      "{}"
+      "  case \"${{COMP_WORDS[*]:1:COMP_CWORD-1}} \" in\n"
+      "    \" \") options=\"--help --version\" commands=$all ;;\n"
+      "    \"help \") commands=$all ;;\n"
+      "{1}"
       "  esac\n"
       "  case $word in\n"
       "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$word\")) ;;\n"
+      "    *) COMPREPLY=($(compgen -W \"$commands\" -- \"$word\")) ;;\n"
       "  esac\n"
       "}}\n"
       "complete -o default -F _dipper dipper\n",
-      names, cases);
+      names_of(app), cases);
 }
 
 std::string manual_page(const CLI::App& app) {
@@ -69,15 +92,7 @@ std::string manual_page(const CLI::App& app) {
       ".TH DIPPER 1 \"\" \"dipper {}\" \"Dipper\"\n.SH NAME\ndipper \\- {}\n.SH SYNOPSIS\n.B "
       "dipper\n.I COMMAND\n[\\fIOPTIONS\\fR]\n.SH COMMANDS\n",
       roff(version()), roff(app.get_description()));
-  for (const CLI::App* command : commands_of(app)) {
-    out += fmt::format(".SS dipper {}\n{}\n", roff(command->get_name()),
-                       roff(command->get_description()));
-    if (const std::string more = command->get_footer(); !more.empty())
-      out += fmt::format(".PP\n{}\n", roff(more));
-    for (const CLI::Option* option : command->get_options())
-      out +=
-          fmt::format(".TP\n.B {}\n{}\n", roff(words_of(*option)), roff(option->get_description()));
-  }
+  for (const CLI::App* command : listed_commands(app)) out += manual_section(*command, "dipper");
   out +=
       ".SH EXIT STATUS\n.TP\n.B 0\ndone\n.TP\n.B 2\nbad usage or input: nothing started\n.TP\n.B "
       "3\n"
@@ -88,12 +103,11 @@ std::string manual_page(const CLI::App& app) {
 
 Command add_completion_command(CLI::App& app, Reporter& reporter) {
   const auto man = std::make_shared<bool>(false);
-  auto* sub = app.add_subcommand(
-      "completion", "the script by which bash completes dipper's words, or the manual page");
+  auto* sub = app.add_subcommand("completion", "bash completion, or the manual page");
   sub->footer(
-      "Both are made from the options themselves. Example, in ~/.bashrc:\n  eval \"$(dipper "
+      "Both list every command and option. Example, in ~/.bashrc:\n  eval \"$(dipper "
       "completion)\"");
-  sub->add_flag("--man", *man, "the manual page instead: dipper completion --man | man -l -");
+  sub->add_flag("--man", *man, "print the manual page: dipper completion --man | man -l -");
   return {sub, [man, &app, &reporter] {
             reporter.line(*man ? manual_page(app) : bash_completion(app));
             return 0;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "common/reporter.hpp"
 #include "coupler/cli/command.hpp"
 
 namespace dipper::cli {
+
+/// The commands that help lists, in its order: without those that other programs call.
+std::vector<const CLI::App*> listed_commands(const CLI::App& app);
 
 /// A script for bash that completes commands, options, and files elsewhere.
 std::string bash_completion(const CLI::App& app);

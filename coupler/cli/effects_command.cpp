@@ -59,9 +59,9 @@ int effects_command(const std::filesystem::path& case_folder, Reporter& reporter
 
 Command add_effects_command(CLI::App& app, Reporter& reporter) {
   const auto folder = std::make_shared<std::string>();
-  auto* sub = app.add_subcommand("effects", "the effects a case can take, as JSON");
+  auto* sub = app.add_subcommand("effects", "effects that a case can take, as JSON");
   sub->footer(
-      "Those that come with the program and the case's own, with parameter, unit and bounds. "
+      "Those of the catalogue and the case's own, with parameter, unit and bounds. "
       "Example:\n  dipper effects cases/quick");
   sub->add_option("CASE", *folder, "a folder with a case.yaml")->required();
   return {sub, [folder, &reporter] { return effects_command(*folder, reporter); }};

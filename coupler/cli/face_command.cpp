@@ -68,15 +68,17 @@ int face_command(const FaceOptions& o, Reporter& reporter) {
 
 Command add_face_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<FaceOptions>();
-  auto* sub = app.add_subcommand("face", "the face of a run as a CSV, to plan the next pass from");
+  auto* sub =
+      app.add_subcommand("face", "the face that a run leaves, as a CSV for planning the next pass");
   sub->footer(
-      "The rock along the boom as it stands at a time, for a cut in plan.yaml (docs/motion.md). "
+      "The surface of the rock along the boom at a time, for a cut in plan.yaml (docs/motion.md). "
       "Example:\n  dipper face runs/three --at 46 --out cases/mine/face_2.csv");
   sub->add_option("DIR", o->run, "a run's folder")->required();
-  sub->add_option("--at", o->at_s, "time in s; the last frame")->check(number_in({0, 1e5}));
-  sub->add_option("--heading", o->heading_deg, "of the boom, deg; 0")
+  sub->add_option("--at", o->at_s, "time in s (default: the last frame)")
+      ->check(number_in({0, 1e5}));
+  sub->add_option("--heading", o->heading_deg, "heading of the boom in deg (default: 0)")
       ->check(number_in({-360, 360}));
-  sub->add_option("--out", o->out, "the file; standard output");
+  sub->add_option("--out", o->out, "the file (default: standard output)");
   return {sub, [o, &reporter] {
             try {
               return face_command(*o, reporter);

@@ -28,11 +28,18 @@
 namespace dipper::cli {
 namespace {
 
+/// `dipper help WORDS` is `dipper WORDS --help`: command_line() rewrites it before it is parsed, so
+/// that this is only a line in the list of commands.
+Command add_help_command(CLI::App& app) {
+  return {app.add_subcommand("help", "this list, or the options of a command: dipper help run"),
+          [] { return 0; }};
+}
+
 /// What the user may have meant by the first word that the program does not know; empty: no guess.
 std::string guess(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* command = nullptr;
   std::vector<std::string> known;
-  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* sub : listed_commands(app)) {
     known.push_back(sub->get_name());
     if (!words.empty() && sub->get_name() == words.front()) command = sub;
   }
@@ -49,34 +56,47 @@ std::string guess(const CLI::App& app, const std::vector<std::string>& words) {
   return "";
 }
 
-int command_line(int argc, char** argv, Reporter& reporter) {
+/// In the order of work: help lists them so.
+std::vector<Command> add_commands(CLI::App& app, const std::vector<std::string>& words,
+                                  Reporter& reporter) {
+  return {add_import_command(app, words),
+          add_motion_command(app, reporter),
+          add_check_command(app, reporter),
+          add_preview_command(app, reporter),
+          add_calibrate_command(app, reporter),
+          add_run_command(app, reporter),
+          add_report_command(app, reporter),
+          add_face_command(app, reporter),
+          add_study_command(app, words),
+          add_gap_command(app, words),
+          add_observe_command(app),
+          add_replay_command(app, reporter),
+          add_effects_command(app, reporter),
+          add_phases_command(app, reporter),
+          add_page_command(app, reporter),
+          add_clean_command(app, reporter),
+          add_completion_command(app, reporter),
+          add_help_command(app)};
+}
+
+int command_line(std::vector<std::string> words, Reporter& reporter) {
   CLI::App app{"Dipper: a mining rope shovel and the rock it digs, co-simulated.", "dipper"};
   app.set_version_flag("--version", version());
+  app.footer("Options of a command, with an example:\n  dipper help run");
   app.require_subcommand(1);
-  std::vector<Command> commands = {
-      add_check_command(app, reporter),      add_run_command(app, reporter),
-      add_replay_command(app, reporter),     add_observe_command(app),
-      add_report_command(app, reporter),     add_phases_command(app, reporter),
-      add_effects_command(app, reporter),    add_calibrate_command(app, reporter),
-      add_face_command(app, reporter),       add_motion_command(app, reporter),
-      add_page_command(app, reporter),       add_clean_command(app, reporter),
-      add_completion_command(app, reporter), add_preview_command(app, reporter)};
-  const auto add_python = [&](const char* name, const char* package, const char* what) {
-    auto* sub = app.add_subcommand(name, what);
-    sub->prefix_command()->set_help_flag();  // its words are read by the program it becomes
-    commands.push_back({sub, [=] { return python_command(package, sub->remaining()); }});
-  };
-  add_python("gap", "dipper_gap", "find and name the effect a case misses");
-  add_python("study", "dipper_study", "runs of a case over parameters and seeds");
-  add_python("import", "dipper_import", "motion.csv and a measured folder of a mine's logger file");
+  if (!words.empty() && words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  const std::vector<Command> commands = add_commands(app, words, reporter);
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants them reversed
     for (const Command& command : commands)
       if (*command.subcommand) return command.run();
     return 2;
   } catch (const CLI::ParseError& e) {
     if (app.exit(e) == 0) return 0;
-    if (const std::string meant = guess(app, {argv + 1, argv + argc}); !meant.empty())
+    if (const std::string meant = guess(app, words); !meant.empty())
       reporter.error("did you mean " + meant + "?");
     return 2;
   }
@@ -89,7 +109,7 @@ int main(int argc, char** argv) {
   dipper::cli::Console console;
   try {
     dipper::cli::read_environment();
-    return dipper::cli::command_line(argc, argv, console);
+    return dipper::cli::command_line({argv + 1, argv + argc}, console);
   } catch (const dipper::InputError& e) {
     console.error(e.what());
     return 2;

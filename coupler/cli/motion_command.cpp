@@ -109,18 +109,20 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
 
 Command add_motion_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<MotionOptions>();
-  auto* sub = app.add_subcommand("motion", "motion.csv of a plan or of a path of the teeth");
+  auto* sub = app.add_subcommand("motion", "motion.csv from a plan, or from a path of the teeth");
   sub->footer(
-      "Checked against rope, crowd, door, speeds and the ground; nothing is written where the "
-      "machine cannot follow. Then tried against an estimate of the rock: warns of drives beyond "
-      "their limits, and leaves a page with the way over the pile (docs/motion.md). Examples:\n"
+      "Checks rope, crowd, door, speeds and the ground, and writes nothing where the machine "
+      "cannot follow. Then runs the motion against an estimate of the rock, warns of drives "
+      "beyond their limits, and writes a page with the path through the pile (docs/motion.md). "
+      "Examples:\n"
       "  dipper motion cases/aitik\n  dipper motion cases/quick docs/data/path.csv --out mine.csv");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
-  auto* path = sub->add_option("PATH", o->path, "points of the teeth with speeds, a CSV");
-  sub->add_option("--plan", o->plan, "the plan; plan.yaml in the case's folder")->excludes(path);
-  sub->add_option("--out", o->out, "the curves; the case's machine.motion");
+  auto* path = sub->add_option("PATH", o->path, "CSV of points of the teeth with speeds");
+  sub->add_option("--plan", o->plan, "the plan (default: plan.yaml in the case's folder)")
+      ->excludes(path);
+  sub->add_option("--out", o->out, "the file to write (default: the case's machine.motion)");
   sub->add_option("--page", o->page, "the page (default: NAME-motion.html)");
-  sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
+  sub->add_option("--set", o->set, "KEY=VALUE: overrides the case");
   return {sub, [o, &reporter] {
             try {
               return motion_command(*o, reporter);

@@ -35,13 +35,13 @@ int observe(const ObserveOptions& o) {
 
 Command add_observe_command(CLI::App& app) {
   const auto o = std::make_shared<ObserveOptions>();
-  auto* sub = app.add_subcommand("observe", "a run as the mine's instruments would show it");
+  auto* sub = app.add_subcommand("observe", "a run as the mine's instruments would record it");
   sub->footer(
-      "Writes a measured folder, as dipper gap reads it, with the instruments' rate and lag. "
+      "Writes a measured folder, which dipper gap reads, with the instruments' rate and lag. "
       "Example:\n  dipper observe runs/quick --out measured");
   sub->add_option("DIR", o->folder, "a run's folder")->required()->check(CLI::ExistingDirectory);
   sub->add_option("--out", o->out, "the folder to write")->required();
-  sub->add_option("--set", o->set, "observation.KEY=VALUE instead of what the run's case says");
+  sub->add_option("--set", o->set, "observation.KEY=VALUE: overrides the case of the run");
   return {sub, [o] { return observe(*o); }};
 }
 

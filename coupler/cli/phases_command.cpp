@@ -80,9 +80,9 @@ int phases_command(const std::string& folder, std::istream& in, Reporter& report
 
 Command add_phases_command(CLI::App& app, Reporter& reporter) {
   const auto folder = std::make_shared<std::string>();
-  auto* sub = app.add_subcommand("phases", "passes and phases as JSON");
+  auto* sub = app.add_subcommand("phases", "passes and phases of a run, as JSON for programs");
   sub->footer(
-      "The one definition of both, for programs in any language (docs/metrics.md). Example:\n  "
+      "For programs in any language (docs/metrics.md). Example:\n  "
       "dipper phases runs/quick");
   sub->add_option("DIR", *folder, "a run's folder, or - for readings on standard input")
       ->required();

@@ -54,13 +54,13 @@ int write_dry_page(cases::Case c, dry::RockModel rock, const fs::path& page, Rep
 Command add_preview_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<PreviewOptions>();
   auto* sub =
-      app.add_subcommand("preview", "a case in three dimensions before anything is computed");
+      app.add_subcommand("preview", "a case in 3-D, with its motion, before anything is computed");
   sub->footer(
-      "One page with the machine at work over the pile, the truck, the way of the teeth, and what "
-      "the drives are asked for. "
+      "Writes one page: the machine at work over the pile, the truck, the path of the teeth in "
+      "each pass, and what the motion demands of the drives. "
       "Example:\n  dipper preview cases/quick --out look.html");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
-  sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
+  sub->add_option("--set", o->set, "KEY=VALUE: overrides the case");
   sub->add_option("--out", o->out, "the page (default: NAME-preview.html)");
   return {sub, [o, &reporter] { return preview(*o, reporter); }};
 }

@@ -20,9 +20,9 @@ constexpr const char* kPython = "/usr/bin/python3";
 constexpr std::array kFolders = {"analysis/gap", "analysis/logs", "analysis/runs",
                                  "analysis/study"};
 
-}  // namespace
-
-int python_command(const std::string& package, const std::vector<std::string>& words) {
+/// Becomes `python3 -m package words...`. Returns only when that cannot be started; throws
+/// std::runtime_error.
+int run_python(const std::string& package, const std::vector<std::string>& words) {
   std::string path;
   for (const char* folder : kFolders)
     path += (path.empty() ? "" : ":") + (data_folder() / folder).string();
@@ -43,6 +43,59 @@ int python_command(const std::string& package, const std::vector<std::string>& w
   argv.push_back(nullptr);
   execv(kPython, argv.data());
   throw std::runtime_error(fmt::format("cannot start {}: {}", kPython, std::strerror(errno)));
+}
+
+Command python_command(CLI::App* sub, const char* package, const std::vector<std::string>& words) {
+  return {sub, [=] { return run_python(package, {words.begin() + 1, words.end()}); }};
+}
+
+CLI::Option* add_word(CLI::App* sub, const char* name, const char* type, const char* what) {
+  return sub->add_option(name)->type_name(type)->description(what);
+}
+
+}  // namespace
+
+Command add_import_command(CLI::App& app, const std::vector<std::string>& words) {
+  auto* sub = app.add_subcommand("import", "a mine's logger file as motion.csv and measured data");
+  sub->footer(
+      "Makes motion.csv, and a measured folder where the log has forces or masses, and says what "
+      "it "
+      "did to the data (docs/import.md). Example:\n  dipper import shift.csv --map shift.yaml "
+      "--out mine/shift --dry");
+  add_word(sub, "LOG", "FILE", "the logger's CSV")->required();
+  add_word(sub, "--map", "FILE",
+           "which column is which channel, in what unit, and the machine's limits")
+      ->required();
+  add_word(sub, "--out", "DIR",
+           "folder of motion.csv, measured/, import.png and import.txt (default: named as LOG)");
+  sub->add_flag("--dry", "write DIR/import.png only, and say what would be done");
+  return python_command(sub, "dipper_import", words);
+}
+
+Command add_study_command(CLI::App& app, const std::vector<std::string>& words) {
+  auto* sub = app.add_subcommand("study", "many runs of a case, over parameters and seeds");
+  sub->footer(
+      "Runs every combination that is not in the cache, and writes a table and a page with "
+      "intervals (docs/study.md). Example:\n  dipper study studies/screening_rake.yaml");
+  add_word(sub, "STUDY", "FILE", "case, seeds and parameters, as YAML")->required();
+  add_word(sub, "--out", "DIR", "folder of the results (default: runs/study-STUDY)");
+  sub->add_flag("--detach", "with Slurm: submit and exit; the same command collects");
+  sub->add_flag("--cancel", "with Slurm: cancel what an earlier call submitted");
+  return python_command(sub, "dipper_study", words);
+}
+
+Command add_gap_command(CLI::App& app, const std::vector<std::string>& words) {
+  auto* sub = app.add_subcommand("gap", "what a case misses that the mine's measurements show");
+  sub->footer(
+      "Compares a case with measured passes, names the missing effect, and confirms it with fresh "
+      "runs (docs/gap.md). Example:\n  dipper gap cases/screening --measured mine/shift/measured");
+  add_word(sub, "CASE", "DIR", "a folder with a case.yaml")->required();
+  add_word(sub, "--measured", "DIR", "channels.yaml, passes.csv and signals.csv of the mine")
+      ->required();
+  sub->add_flag("--masses-only",
+                "compare masses where the folder has no forces, which seldom names an effect");
+  add_word(sub, "--out", "DIR", "folder of the results (default: runs/gap-CASE)");
+  return python_command(sub, "dipper_gap", words);
 }
 
 }  // namespace dipper::cli

@@ -1,12 +1,18 @@
+// The commands that Python programs of analysis/ carry out. Their options stand here, with those of
+// all other commands, so that help, completion and manual page have them; the program then reads
+// the words as typed. `integration.help` compares the two lists.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "coupler/cli/command.hpp"
+
 namespace dipper::cli {
 
-/// `dipper gap` and the like: becomes a Python program of analysis/, as `python3 -m package`, which
-/// reads `words` itself. Returns only when that cannot be started; throws std::runtime_error.
-int python_command(const std::string& package, const std::vector<std::string>& words);
+/// \param words the command line without the program's name
+Command add_import_command(CLI::App& app, const std::vector<std::string>& words);
+Command add_study_command(CLI::App& app, const std::vector<std::string>& words);
+Command add_gap_command(CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace dipper::cli

@@ -34,26 +34,27 @@ std::vector<Finding> weigh_changes(const std::string& folder, const cases::Case&
     if (was == nullptr || was->value == line.value) continue;
     const cases::Affects affects = cases::spec_of(line.key)->affects;
     if (affects == cases::Affects::settling)
-      findings.push_back({folder, 0, line.key, "makes another pile, which takes a run"});
+      findings.push_back({folder, 0, line.key, "changes the pile, which takes a new run"});
     else if (affects == cases::Affects::dig)
-      reporter.line(fmt::format("{} changes what the rock meets as well: an answer of first order",
-                                line.key));
+      reporter.line(
+          fmt::format("{} also changes what the rock meets: the answer is first-order", line.key));
   }
   return findings;
 }
 
 int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
   if (o.side != "mbs" || o.out.empty()) {
-    throw CLI::ValidationError("--set", "replays another machine: it needs --side mbs and --out");
+    throw CLI::ValidationError("--set", "replays a changed machine: it needs --side mbs and --out");
   }
   std::vector<Finding> findings;
   const cases::Case changed = run::case_of_run(
       o.folder, o.case_folder, overrides_of(o.set, "effects.crowd_friction=100"), findings);
   if (findings.empty()) findings = check::check_case(changed);
   if (findings.empty() && changed.machine.drives == machine::DriveMode::limited) {
-    findings.push_back({o.folder, 0, "machine.drives",
-                        "is limited: another machine moves otherwise, and the recorded rock is not "
-                        "what it would meet; run the case"});
+    findings.push_back(
+        {o.folder, 0, "machine.drives",
+         "is limited: a changed machine moves differently, so the recorded rock forces "
+         "do not apply; run the case instead"});
   }
   if (findings.empty()) findings = weigh_changes(o.folder, changed, reporter);
   for (const Finding& f : findings) reporter.error(to_string(f));
@@ -88,15 +89,17 @@ int replay(const ReplayOptions& o, Reporter& reporter) {
 
 Command add_replay_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<ReplayOptions>();
-  auto* sub = app.add_subcommand("replay", "run one side against the other's recording");
+  auto* sub =
+      app.add_subcommand("replay", "run the rock or the machine again, against a recording");
   sub->footer(
-      "Shows whether a side gives the same answers again, to the bit, or what another machine "
-      "would have felt. Example:\n  dipper replay runs/quick --side dem");
+      "Shows whether a side gives the same answers again, to the bit, or what forces another "
+      "machine would have had. Example:\n  dipper replay runs/quick --side dem");
   sub->add_option("DIR", o->folder, "a run's folder")->required()->check(CLI::ExistingDirectory);
-  sub->add_option("--set", o->set,
-                  "KEY=VALUE of another machine, which is observed into --out (with --side mbs)");
-  sub->add_option("--out", o->out, "the folder to observe another machine into");
-  sub->add_option("--case", o->case_folder, "the run's case, where it is no longer at its place")
+  sub->add_option(
+      "--set", o->set,
+      "KEY=VALUE: replay a changed machine and observe it into --out (with --side mbs)");
+  sub->add_option("--out", o->out, "folder for the observation of a changed machine");
+  sub->add_option("--case", o->case_folder, "the run's case, if its folder has moved")
       ->check(CLI::ExistingDirectory);
   sub->add_option("--side", o->side, "the side to run: dem or mbs")
       ->check(CLI::IsMember({"dem", "mbs"}))

@@ -117,16 +117,16 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
 
 Command add_report_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<ReportOptions>();
-  auto* sub = app.add_subcommand("report", "metrics, tables and the page of a run, or of dumps");
+  auto* sub = app.add_subcommand("report", "report page, metrics and tables of a run, or of dumps");
   sub->footer(
-      "Writes report.html, metrics.json, tables and ParaView's files; of dumps of plain LIGGGHTS, "
-      "too. Example:\n  dipper report runs/quick --poster dig.png");
-  sub->add_option("DIR", o->folder, "a run's folder, or one with dumps of LIGGGHTS")->required();
+      "Writes report.html, metrics.json, tables and ParaView's files, also for dumps of plain "
+      "LIGGGHTS. Example:\n  dipper report runs/quick --poster dig.png");
+  sub->add_option("DIR", o->folder, "a run's folder, or a folder of LIGGGHTS dumps")->required();
   sub->add_option("--out", o->out, "the report's folder (default: DIR/report)");
-  sub->add_option("--timestep", o->timestep_s, "of the DEM [s], when no file tells it")
+  sub->add_option("--timestep", o->timestep_s, "DEM step in s, when no file has it")
       ->check(number_in({0, 1, true}));
   sub->add_option("--mesh", o->mesh, "the dipper's STL, for dumps without a record");
-  sub->add_option("--poses", o->poses, "its poses: time_s,x_m,y_m,z_m,qw,qx,qy,qz");
+  sub->add_option("--poses", o->poses, "its poses, CSV: time_s,x_m,y_m,z_m,qw,qx,qy,qz");
   sub->add_option("--video", o->film.video, "the dig as an .mp4; needs chromium and ffmpeg");
   sub->add_option("--poster", o->film.poster,
                   "a picture of the fullest moment of the dig, .png or .jpg; needs chromium");

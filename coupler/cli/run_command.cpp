@@ -83,15 +83,15 @@ launch::MpiPlaces place(int ranks, const std::string& mpirun, Reporter& reporter
   if (!placed.places.several_hosts) return placed.places;
   check_host_network();
   reporter.line(fmt::format(
-      "network: this host's, as MPI needs it: ranks are on {}. The run's own messages stay on this "
-      "host; they are sealed, so nobody can speak in them, but all its users can read them",
+      "network: the host's, which MPI needs, as ranks are on {}. The run's own messages stay on "
+      "this host: they are sealed, so nobody can forge them, but all its users can read them",
       placed.hosts));
   return placed.places;
 }
 
 int run(const RunOptions& o, Reporter& reporter) {
   if (o.resume && !o.no_rock.empty())
-    throw InputError({{{}, 0, "--resume", "a run without rock takes seconds and is begun anew"}});
+    throw InputError({{{}, 0, "--resume", "a run without rock takes seconds; start it again"}});
   launch::catch_interrupts();  // from the first word on: who reads them may be gone
   const fs::path out = run_folder(o);
   // A run that goes on keeps what it was asked for, but for what is asked now.
@@ -108,7 +108,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   if (const int cores = static_cast<int>(std::thread::hardware_concurrency());
       o.no_rock.empty() && mpirun.empty() && cores > 0 && c->dem.ranks > cores)
     reporter.line(
-        fmt::format("warning: dem.ranks: {} ranks share {} cores, and wait for each other; "
+        fmt::format("warning: dem.ranks: {} ranks share {} cores and wait for each other; "
                     "--ranks {} is faster",
                     c->dem.ranks, cores, cores));
   data_folder();  // throws where our own files are not there, before anything is written
@@ -132,7 +132,7 @@ int run(const RunOptions& o, Reporter& reporter) {
                              ? run::changed_since(folder.root(), *c, resumed_from_s(folder, *c))
                              : std::vector<std::string>{};
     for (const auto& line : changed)
-      reporter.error(fmt::format("not as in {}: {}", out.string(), line));
+      reporter.error(fmt::format("differs from {}: {}", out.string(), line));
     if (!changed.empty()) return 2;
     if (!mpirun.empty()) set.push_back({kMpirun, mpirun});
     run::write_settings(folder.root(), set);
@@ -158,20 +158,21 @@ int run(const RunOptions& o, Reporter& reporter) {
 
 Command add_run_command(CLI::App& app, Reporter& reporter) {
   const auto o = std::make_shared<RunOptions>();
-  auto* sub = app.add_subcommand("run", "run a case: LIGGGHTS digs, Simbody drives");
+  auto* sub =
+      app.add_subcommand("run", "run a case: LIGGGHTS computes the rock, Simbody the machine");
   sub->footer(
-      "Settles the pile or finds it in the cache, digs, and leaves record, dumps and summary in "
-      "the run's folder; Ctrl-C leaves a checkpoint. Example:\n  dipper run cases/quick --set "
+      "Settles the pile, or takes it from the cache; digs; writes record, dumps and summary into "
+      "the run's folder. Ctrl-C stops with a checkpoint. Example:\n  dipper run cases/quick --set "
       "machine.rake_angle_deg=63.8 --out runs/steep");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
-  sub->add_option("--set", o->set, "KEY=VALUE instead of what the case says");
+  sub->add_option("--set", o->set, "KEY=VALUE: overrides the case");
   sub->add_option("--out", o->out, "the run's folder (default: runs/NAME)");
   sub->add_option("--ranks", o->ranks, "MPI ranks of the rock side")
       ->check(whole_number_in({1, 4096}));
   sub->add_option("--mpirun", o->mpirun,
                   "options of mpirun, such as its hosts: --mpirun '--hostfile hosts'");
   sub->add_option("--seed", o->seed, "seed of the pile")->check(whole_number_in(kSeeds));
-  sub->add_flag("--resume", o->resume, "continue from the last checkpoint");
+  sub->add_flag("--resume", o->resume, "continue the run in --out from its last checkpoint");
   sub->add_flag(
          "--no-rock{none}", o->no_rock,
          "the machine alone, in seconds; --no-rock=estimate: against an estimate of the rock")

@@ -32,6 +32,7 @@ metrics::PassFigureMaker::Known known_of(const cases::Case& c, double struck_vol
   metrics::PassFigureMaker::Known known;
   known.machine = machine::load_machine(c.machine.model);
   known.rake_rad = radians(c.machine.rake_angle_deg);
+  known.limited_drives = c.machine.drives == machine::DriveMode::limited;
   known.struck_volume_m3 = struck_volume_m3;
   known.bulk_density_kg_m3 =
       with_fines(c.rock.bulk_density_kg_m3, c.rock.fines_fraction, deck::porosity(c));

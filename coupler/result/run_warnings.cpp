@@ -29,40 +29,41 @@ void warn_of_pass(const cases::Case& c, const json& p, bool whole,
   const int pass = p.at("pass").get<int>();
   const auto number = [&](const char* key) { return p.value(key, 0.0); };
   if (const double slack = number("dig_slack_fraction"); slack > kMuchSlack)
-    warnings.push_back(fmt::format(
-        "pass {}: the hoist ropes are slack in {:.0f} % of the dig, the teeth up to {:.1f} m off "
-        "their way: the dipper rides on rock (docs/motion.md)",
-        pass, 100 * slack, number("teeth_deviation_m")));
+    warnings.push_back(
+        fmt::format("pass {}: the hoist ropes are slack in {:.0f} % of the dig and the teeth up to "
+                    "{:.1f} m off "
+                    "their path: the dipper rides on rock (docs/motion.md)",
+                    pass, 100 * slack, number("teeth_deviation_m")));
   const double mean = number("dig_force_mean_N"), peak = number("dig_force_peak_N");
   if (mean > 0 && peak > kHighPeak * mean)
     warnings.push_back(fmt::format(
         "pass {}: the dig force peaks at {:.0f} MN, {:.0f} times its mean, at {:.2f} s: a rock is "
-        "caught between the dipper and what does not give way",
+        "caught between the dipper and something rigid",
         pass, peak * 1e-6, peak / mean, number("dig_force_peak_t_s")));
   const bool prescribed = c.machine.drives == machine::DriveMode::prescribed;
   for (const auto& [drive, key] :
        {std::pair{"hoist", "hoist_beyond_fraction"}, std::pair{"crowd", "crowd_beyond_fraction"}})
     if (const double beyond = number(key); beyond > kMuchBeyond && prescribed)
       warnings.push_back(fmt::format(
-          "pass {}: the {} takes more force than the machine has in {:.0f} % of the dig; "
-          "machine.drives: limited stalls instead (docs/drives.md)",
+          "pass {}: the {} takes more force than the machine has in {:.0f} % of the dig; with "
+          "machine.drives: limited it stalls instead (docs/drives.md)",
           pass, drive, 100 * beyond));
   if (const double rattle = number("dig_rattle_fraction"); rattle > kMuchRattle)
     warnings.push_back(fmt::format(
         "pass {}: in {:.0f} % of the dig the rock's force jumps from step to step: rocks pressed "
-        "between walls rattle, and press too hard; a dem.timestep_s below {:.1e} s has none of it, "
-        "contact.normal_damping_other 0.5 little (docs/rock.md#how-long-a-step-may-be)",
+        "between walls rattle and press too hard; a dem.timestep_s below {:.1e} s prevents it, "
+        "contact.normal_damping_other: 0.5 reduces it (docs/rock.md#how-long-a-step-may-be)",
         pass, 100 * rattle, deck::pressed_timestep(c)));
   if (const auto dumped = p.find("dumped"); whole && dumped != p.end() && *dumped == false)
     warnings.push_back(fmt::format(
-        "pass {}: unfinished, the run ends before the door opens; a later end_s lets it go on",
+        "pass {}: unfinished: the run ends before the door opens; continue it with a later end_s",
         pass));
   for (const auto& [key, where] :
        {std::pair{"payload_kg", "dipper"}, std::pair{"truck_kg", "truck"}})
     if (number(key) < -kLostMass_kg)
       warnings.push_back(fmt::format(
-          "pass {}: {:.1f} t more leave the {} than come in: does it stand in the pile?", pass,
-          -1e-3 * number(key), where));
+          "pass {}: {:.1f} t more leave the {} than enter it: is it in the pile at the start?",
+          pass, -1e-3 * number(key), where));
 }
 
 }  // namespace
@@ -82,7 +83,7 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
     if (path_s < motion_s - 1e-3)
       warnings.push_back(
           fmt::format("the run ends at {:.1f} s of the motion's {:.1f} s: a drive "
-                      "stalls for good (docs/drives.md)",
+                      "stalls permanently (docs/drives.md)",
                       path_s, motion_s));
   }
   const json& coupling = summary.at("coupling");
@@ -90,8 +91,8 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
                work = std::abs(coupling.at("interface_work_J").get<double>());
   if (residual > kMuchResidual * work && work > 0)
     warnings.push_back(fmt::format(
-        "the coupling's energy does not balance by {:.1f} % of the work of {:.0f} MJ; shorter "
-        "windows (coupling.sync_steps) make less (docs/coupling.md)",
+        "the coupling's energy error is {:.1f} % of the work of {:.0f} MJ; shorter sync steps "
+        "(coupling.sync_steps) reduce it (docs/coupling.md)",
         100 * residual / work, work * 1e-6));
   return warnings;
 }

@@ -28,14 +28,11 @@ from .workflow import analyse
 
 
 def arguments(words):
-    parser = argparse.ArgumentParser(prog="dipper gap", description=__doc__.split("\n")[0],
-                                     epilog="example: dipper gap cases/screening --measured mine/shift/measured")
-    parser.add_argument("case", metavar="CASE", type=Path, help="a folder with a case.yaml")
-    parser.add_argument("--measured", metavar="FOLDER", type=Path, required=True,
-                        help="channels.yaml, passes.csv and signals.csv of the mine")
-    parser.add_argument("--masses-only", action="store_true", help="compare masses where the folder has no forces: "
-                        "that is seldom enough to name an effect")
-    parser.add_argument("--out", metavar="DIR", type=Path, help="where the answer goes (default: runs/gap-CASE)")
+    parser = argparse.ArgumentParser(prog="dipper gap", description=__doc__.split("\n")[0])
+    parser.add_argument("case", metavar="CASE", type=Path)  # what they are: coupler/cli/python_command.cpp
+    parser.add_argument("--measured", metavar="DIR", type=Path, required=True)
+    parser.add_argument("--masses-only", action="store_true")
+    parser.add_argument("--out", metavar="DIR", type=Path)
     return parser.parse_args(words)
 
 

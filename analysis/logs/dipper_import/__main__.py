@@ -18,21 +18,13 @@ from .import_map import read_map
 from .log_file import read_log
 from .report import plot, words
 
-EXAMPLE = "example: dipper import shift.csv --map shift.yaml --out mine/shift --dry"
-
 
 def arguments(given):
-    parser = argparse.ArgumentParser(
-        prog="dipper import", epilog=EXAMPLE,
-        description="Makes motion.csv, and a measured folder where the log has forces or masses, of a mine's logger "
-                    "file. Says what it did to the data; docs/import.md explains the map.")
-    parser.add_argument("log", metavar="LOG", type=Path, help="the logger's CSV")
-    parser.add_argument("--map", metavar="MAP.yaml", type=Path, required=True,
-                        help="which column is which channel, in what unit, and the machine's limits")
-    parser.add_argument("--out", metavar="DIR", type=Path,
-                        help="where motion.csv, measured/, import.png and import.txt go (default: named as LOG)")
-    parser.add_argument("--dry", action="store_true",
-                        help="write nothing but DIR/import.png, and say what would be done")
+    parser = argparse.ArgumentParser(prog="dipper import", description=__doc__.split("\n")[0])
+    parser.add_argument("log", metavar="LOG", type=Path)  # what they are: coupler/cli/python_command.cpp
+    parser.add_argument("--map", metavar="FILE", type=Path, required=True)
+    parser.add_argument("--out", metavar="DIR", type=Path)
+    parser.add_argument("--dry", action="store_true")
     return parser.parse_args(given)
 
 

@@ -12,7 +12,8 @@ export class Model {
     this.curves = head.curves;
     this.slices = head.slices;
     this.replay = head.replay;
-    this.passes = m.passes ?? [];
+    this.passes = (m.passes ?? []).map((p) => ({ ...p, phases: (m.phases ?? []).filter((row) => row.pass === p.pass) }));
+    this.drives = m.drives; // of limited drives alone
     this.coupling = m.coupling;
     this.dem = m.dem;
     this.mbs = m.mbs;

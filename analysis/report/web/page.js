@@ -23,5 +23,5 @@ export function masthead(kind, title, lead, ...warnings) {
 }
 
 export function foot(version) {
-  return h('footer', `Written by ${['dipper', version].filter(Boolean).join(' ')}. This file is complete in itself and asks for nothing over the network.`);
+  return h('footer', `Written by ${['dipper', version].filter(Boolean).join(' ')}. This file is complete: it loads nothing over the network.`);
 }

@@ -5,6 +5,10 @@
 export const CLASSES = ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#f0e442', '#555555'];
 export const classColour = (type) => CLASSES[(type - 1) % CLASSES.length];
 
+/// The colour of a pass, by style.css's name.
+const PASSES = ['orange', 'blue', 'green', 'purple', 'ochre', 'sky'];
+export const passColour = (pass) => PASSES[(pass - 1) % PASSES.length];
+
 export const SPEED = ['#dcd8d0', '#e0b25c', '#cf6a2e', '#7b2d5b', '#1b1440'];
 export const SIZE = ['#e6e3dc', '#a9c3cf', '#5f97b3', '#2b6490', '#12305c'];
 

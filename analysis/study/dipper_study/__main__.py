@@ -29,12 +29,11 @@ from .study_file import read_study
 
 
 def arguments(words):
-    parser = argparse.ArgumentParser(prog="dipper study", description=__doc__.split("\n")[0],
-                                     epilog="example: dipper study studies/screening_rake.yaml")
-    parser.add_argument("study", metavar="STUDY.yaml", type=Path, help="case, seeds, parameters: docs/study.md")
-    parser.add_argument("--out", metavar="DIR", type=Path, help="where the answer goes (default: runs/study-STUDY)")
-    parser.add_argument("--detach", action="store_true", help="with Slurm: submit and end; the same command collects")
-    parser.add_argument("--cancel", action="store_true", help="with Slurm: end what an earlier call has submitted")
+    parser = argparse.ArgumentParser(prog="dipper study", description=__doc__.split("\n")[0])
+    parser.add_argument("study", metavar="STUDY", type=Path)  # what they are: coupler/cli/python_command.cpp
+    parser.add_argument("--out", metavar="DIR", type=Path)
+    parser.add_argument("--detach", action="store_true")
+    parser.add_argument("--cancel", action="store_true")
     return parser.parse_args(words)
 
 

@@ -76,7 +76,7 @@ def test_bad_input_writes_nothing(tmp_path):
 
 def test_help():
     said = dipper("import", "--help")
-    assert "--map" in said and "example: dipper import" in said
+    assert "--map" in said and "dipper import shift.csv" in said
     assert "import" in dipper("--help")
 
 

@@ -95,7 +95,7 @@ def motion(words):
         print("dipper: the plan: the dipper is under the ground", file=sys.stderr)
         return 2
     if cut["depth_m"] < 0:
-        print("warning: case.yaml:2: seed: is odd\ncase.yaml:1: domain.max_m: the dipper leaves the box\n1 error")
+        print("warning: case.yaml:2: seed: is odd\ncase.yaml:1: domain.max_m: the dipper leaves the domain\n1 error")
         return 2
     out.write_text(json.dumps(cut))
     return 0

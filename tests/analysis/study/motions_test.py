@@ -52,7 +52,7 @@ def test_another_case_has_other_motions(world):
 
 @pytest.mark.parametrize("values, said", [
     ("plan.passes.0.cut.depth_m: [1, 9]", "under the ground"),
-    ("plan.passes.0.cut.depth_m: [1, -1]", "case.yaml:1: domain.max_m: the dipper leaves the box"),
+    ("plan.passes.0.cut.depth_m: [1, -1]", "case.yaml:1: domain.max_m: the dipper leaves the domain"),
     ("plan.passes.1.cut.depth_m: [1]", "no such key"),
     ("plan.passes.0.cut.face: [1]", "is no number"),
     ("plan.passes.0.cut.depth_m: [deep]", "is deep; a number"),

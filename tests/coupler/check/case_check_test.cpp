@@ -248,10 +248,10 @@ TEST(CheckCase, CollapseThatCannotBe) {
   const Checkout checkout(true);
   expect_findings(check(checkout, {{"collapse.height_m", "1"}}), {});
   expect_findings(check(checkout, {{"collapse.height_m", "0.001"}, {"collapse.at_s", "1e3"}}),
-                  {{"--set", 0, "collapse.height_m", "less than a rock of "},
-                   {"--set", 0, "collapse.at_s", "1000 s is not before the motion's end at "}});
+                  {{"--set", 0, "collapse.height_m", "less than one rock of "},
+                   {"--set", 0, "collapse.at_s", "1000 s is not before the end of the motion, "}});
   expect_findings(check(checkout, {{"collapse.height_m", "8"}}),
-                  {{"--set", 0, "collapse.height_m", "above domain.max_m's 24"}});
+                  {{"--set", 0, "collapse.height_m", "above domain.max_m (24 m)"}});
   expect_findings(check(checkout, {{"collapse.height_m", "1"}, {"collapse.at_s", "9"}}),
                   {{"--set", 0, "collapse.at_s", "at 9.00 s the dipper is where the slab"}});
 }
@@ -259,7 +259,7 @@ TEST(CheckCase, CollapseThatCannotBe) {
 TEST(CheckCase, CollapseOfAMotionThatNeverOpensTheDoor) {
   const Checkout checkout;  // its motion ends before
   expect_findings(check(checkout, {{"collapse.height_m", "1"}}),
-                  {{"--set", 0, "collapse.at_s", "never opens the door; write when"}});
+                  {{"--set", 0, "collapse.at_s", "never opens the door; write the time"}});
 }
 
 TEST(CheckCase, InvertedTruck) {
@@ -399,10 +399,10 @@ TEST(CheckCase, BodiesTruckAndPileLeaveTheBox) {
   expect_findings(
       findings, {{file, checkout.line("position_m"), "truck.position_m", "the truck reaches y = "},
                  {file, checkout.line("pile"), "pile", "the pile reaches x = "},
-                 {file, top, "domain.max_m", "the dipper leaves the box at "},
-                 {file, top, "domain.max_m", "the door leaves the box at "}});
+                 {file, top, "domain.max_m", "the dipper leaves the domain at "},
+                 {file, top, "domain.max_m", "the door leaves the domain at "}});
   for (const Finding& f : findings) {
-    EXPECT_THAT(f.message, MatchesRegex(".* reaches [xy] = [0-9.]+ m, [0-9.]+ m outside of .*"));
+    EXPECT_THAT(f.message, MatchesRegex(".* reaches [xy] = [0-9.]+ m, [0-9.]+ m outside .*"));
   }
 }
 
@@ -431,7 +431,7 @@ TEST(CheckCase, Shapes) {
   std::vector<test::Expected> expected = {
       {checkout.file(), mixed, "rock.classes.1.shapes", "mixes spheres and other shapes"},
       {checkout.file(), unknown + 5, "rock.classes.2.shapes.1",
-       "no shape 'bolder'; there are blade, block, chunk, column, shard, slab, sphere, wedge"},
+       "no shape 'bolder'; choose from blade, block, chunk, column, shard, slab, sphere, wedge"},
       {wedge, 0, "rock.shape_folder", open_edge},
       {wedge, 0, "rock.shape_folder", open_edge},
       {wedge, 0, "rock.shape_folder", open_edge}};
@@ -486,8 +486,8 @@ TEST(CheckCase, ProfileThatLeavesTheDomain) {
   use_profile(checkout, "13,0\n16,6.5\n33,8\n60,25\n");
   const fs::path scan = checkout.folder() / "scan.csv";
   expect_findings(check(checkout, {{"domain.max_m", "[32, 28, 24]"}}),
-                  {{scan, 5, "pile.profile", "x_m is 33, outside of domain.max_m's 32; end the"},
-                   {scan, 6, "pile.profile", "z_m is 25, outside of domain.max_m's 24"}});
+                  {{scan, 5, "pile.profile", "x_m is 33, outside domain.max_m (32); end the"},
+                   {scan, 6, "pile.profile", "z_m is 25, outside domain.max_m (24)"}});
   expect_findings(
       check(checkout, {{"domain.max_m", "[61, 28, 26]"}}),
       {{"--set", 0, "domain.max_m", "the rock for this pile is poured up to z = 55 m"}});
@@ -580,7 +580,7 @@ TEST(CheckCase, SurfaceThatDoesNotFitTheBench) {
   expect(deck::height_field({13, 15, 21}, {-6, 6}, [](double x, double) { return x - 14; }), stl, 0,
          "is 1 m under the ground at x = 13 m");
   expect(deck::height_field({13, 33}, {-6, 6}, face), checkout.file(), line,
-         "reaches x = 33 m, 1 m outside of domain.max_m's 32");
+         "reaches x = 33 m, 1 m outside domain.max_m (32 m)");
   write_text(stl, mesh::to_stl("scan", deck::height_field({13, 21}, {-6, 6}, [](double x, double) {
                                  return 1.5 * (x - 13);
                                })));
@@ -677,16 +677,17 @@ TEST(CheckCase, ClassWithoutARock) {
   const int line = checkout.replace(
       "name: d600", "- {name: d600, size_m: 9.5, mass_percent: 44, shapes: [block]}");
   expect_findings(check(checkout), {{checkout.file(), line, "rock.classes.3.mass_percent",
-                                     "rocks of d600; for one write a size_m below "}});
+                                     "rocks of d600; write a size_m below "}});
 }
 
 TEST(CheckCase, WindowLongerThanTheRun) {
   Checkout checkout;
   const int sync = checkout.replace("sync_steps", "sync_steps: 100000");
-  expect_findings(check(checkout, {{"end_s", "5"}, {"dem.timestep_s", "1e-4"}}),
-                  {{checkout.file(), sync, "coupling.sync_steps",
-                    "a window of 100000 steps takes 10 s, longer than the 5 s simulated; at most "
-                    "50000 steps"}});
+  expect_findings(
+      check(checkout, {{"end_s", "5"}, {"dem.timestep_s", "1e-4"}}),
+      {{checkout.file(), sync, "coupling.sync_steps",
+        "a sync step of 100000 DEM steps takes 10 s, longer than the 5 s simulated; write at most "
+        "50000"}});
 }
 
 TEST(CheckCase, EndBeforeTheMotion) {
@@ -706,9 +707,9 @@ TEST(CheckCase, BodiesThatTheMachineDoesNotHave) {
   Checkout checkout;
   const int line = checkout.replace("dipper:", "bucket: ../../meshes/dipper.stl");
   expect_findings(check(checkout), {{checkout.file(), line, "bodies.bucket",
-                                     "the machine moves no such body; it has dipper and door"},
+                                     "the machine has no such body; it has dipper and door"},
                                     {checkout.file(), checkout.line("bodies"), "bodies.dipper",
-                                     "missing key; without it nothing digs"}});
+                                     "missing key; it is what digs"}});
 }
 
 TEST(CheckCase, ABoomThatPointsAwayFromTheBenchMeetsNone) {
@@ -728,9 +729,9 @@ TEST(CheckCase, ADipperWithoutADoor) {
   Checkout checkout;
   const int line = checkout.replace("door:", "flap: ../../meshes/door.stl");
   expect_findings(check(checkout), {{checkout.file(), line, "bodies.flap",
-                                     "the machine moves no such body; it has dipper and door"},
+                                     "the machine has no such body; it has dipper and door"},
                                     {checkout.file(), checkout.line("bodies"), "bodies.door",
-                                     "missing key; without it nothing stays in the dipper"}});
+                                     "missing key; without it the dipper holds nothing"}});
 }
 
 TEST(CheckedCase, SoundCase) {
@@ -739,13 +740,13 @@ TEST(CheckedCase, SoundCase) {
   EXPECT_TRUE(checked_case(checkout.folder(), {}, out));
   EXPECT_THAT(
       out.lines,
-      MatchesRegex(
-          "quick is sound: about [0-9]+ rocks, [0-9.]+ s simulated in [0-9]+ "
-          "steps and [0-9]+ windows of [0-9.]+ ms, after [0-9]+ steps that settle "
-          "the pile; the step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"
-          "it will take about .* right to a factor of 1.5\n"
-          "pass 1: the teeth sweep [0-9]+ m3, up to [0-9.]+ m deep; the dipper takes 42 m3\n"
-          "warning: pass 1 cannot fill the dipper; .*\n"));
+      MatchesRegex("quick is sound: about [0-9]+ rocks; [0-9.]+ s simulated in [0-9]+ DEM "
+                   "steps and [0-9]+ sync steps of [0-9.]+ ms, after [0-9]+ DEM steps to settle "
+                   "the pile; the DEM step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"
+                   "estimate: .* accurate within a factor of 1.5\n"
+                   "pass 1: the teeth sweep [0-9]+ m3, up to [0-9.]+ m deep; the dipper holds 42 "
+                   "m3, struck\n"
+                   "warning: pass 1 cannot fill the dipper; .*\n"));
 }
 
 TEST(CheckedCase, PrintsEveryFindingAndTheirNumber) {

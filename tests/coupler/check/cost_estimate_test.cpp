@@ -60,10 +60,11 @@ TEST(CostEstimate, SaysHowLongOnRanks) {
                      two = cost_estimate(load(checkout.folder(), {{"dem.ranks", "2"}}));
   EXPECT_DOUBLE_EQ(one.wall_s, one.settle_s + one.dig_s);
   EXPECT_DOUBLE_EQ(two.wall_s, one.wall_s / 2);
-  EXPECT_THAT(to_string({1e5, 600, 7200, 7800, 3e8, 2.5e9}),
-              testing::HasSubstr("about 2 h 10 min of processor time (2 h 0 min to dig, 10 min to "
-                                 "settle the pile if it is not in the cache), 2 h 10 min on the "
-                                 "cores asked for, 300 MB of memory, 2.5 GB of disk"));
+  EXPECT_THAT(
+      to_string({1e5, 600, 7200, 7800, 3e8, 2.5e9}),
+      testing::HasSubstr("estimate: 2 h 10 min of processor time (2 h 0 min to dig, 10 min to "
+                         "settle the pile unless it is in the cache), 2 h 10 min on the "
+                         "requested cores, 300 MB of memory, 2.5 GB of disk"));
 }
 
 TEST(CostEstimate, ComesWithAWarningWhereTheDiskIsTooSmall) {
@@ -74,9 +75,9 @@ TEST(CostEstimate, ComesWithAWarningWhereTheDiskIsTooSmall) {
   const cases::Case huge =
       load(checkout.folder(), {{"output.dump_every_s", "0.001"}, {"end_s", "100000"}});
   tell_full_disk(huge, "no/such/folder", full);
-  EXPECT_THAT(full.lines,
-              testing::MatchesRegex("warning: output.dump_every_s: /.* has .* free, and the run "
-                                    "takes about .*; 0, the dumps of the start alone, takes .*\n"));
+  EXPECT_THAT(full.lines, testing::MatchesRegex(
+                              "warning: output.dump_every_s: /.* has .* free, but the run "
+                              "needs about .*; with 0, dumps at the start only, it needs .*\n"));
   EXPECT_LT(cost_estimate(load(checkout.folder(), {{"output.dump_every_s", "0"}})).disk_B,
             0.6 * cost_estimate(load(checkout.folder(), {})).disk_B);
 }

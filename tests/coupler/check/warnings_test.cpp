@@ -59,17 +59,17 @@ TEST(Warnings, SoundCaseHasNone) { EXPECT_THAT(warnings_of(Checkout(true)), Elem
 TEST(Warnings, MachineAndTruckInThePile) {
   const Checkout checkout;
   EXPECT_THAT(warnings_of(checkout, {{"pile.toe_x_m", "8"}}),
-              ElementsAre(HasSubstr("m deep in the pile at the start")));
+              ElementsAre(HasSubstr("m deep in the pile, which throws rock out")));
   EXPECT_THAT(warnings_of(checkout, {{"pile.toe_x_m", "8"}, {"pile.clear_machine", "on"}}),
               ElementsAre());
   EXPECT_THAT(warnings_of(checkout, {{"truck.position_m", "[16, 0, 0]"}}),
-              testing::Contains(HasSubstr("the truck stands")));
+              testing::Contains(HasSubstr("so its bed counts rock")));
 }
 
 TEST(Warnings, TruckThatIsHitOrMissed) {
   const Checkout checkout(true);
   EXPECT_THAT(warnings_of(checkout, {{"truck.position_m", "[3.3, 18.6, 7]"}}),
-              ElementsAre(HasSubstr("deep through the truck at ")));
+              ElementsAre(HasSubstr("the dipper passes through the truck, ")));
   EXPECT_THAT(warnings_of(checkout, {{"truck.position_m", "[3.3, -18.6, 0]"}}),
               ElementsAre(HasSubstr("no truck is under the dipper")));
 }
@@ -77,9 +77,9 @@ TEST(Warnings, TruckThatIsHitOrMissed) {
 TEST(Warnings, NumbersInAnotherUnit) {
   const Checkout checkout;
   EXPECT_THAT(warnings_of(checkout, {{"machine.rake_angle_deg", "1.0786"}}),
-              testing::Contains(HasSubstr("is it in rad? 61.8 degrees are")));
+              testing::Contains(HasSubstr("is the value in rad? write 61.8")));
   EXPECT_THAT(warnings_of(checkout, {{"coupling.sync_steps", "200"}}),
-              ElementsAre(HasSubstr("steps or fewer keep the coupling stable")));
+              ElementsAre(HasSubstr("steps keep the coupling stable")));
   EXPECT_THAT(warnings_of(checkout, {{"pile.width_m", "4"}}),
               ElementsAre(HasSubstr("narrower than the dipper")));
   EXPECT_THAT(warnings_of(checkout, {}, false),
@@ -100,7 +100,7 @@ std::vector<std::string> with_text(const std::string& file, const std::string& f
 TEST(Warnings, MassesThatNoBodyHas) {
   const std::string machine = "mbs/bucyrus495.yaml";
   EXPECT_THAT(with_text(machine, "mass: {value: 42000.0", "mass: {value: 42"),  // t
-              ElementsAre(HasSubstr("dipper.mass: 42 kg with an inertia of")));
+              ElementsAre(HasSubstr("dipper.mass: 42 kg and an inertia of")));
 }
 
 TEST(Warnings, MotionWithAHole) {
@@ -160,13 +160,14 @@ TEST(Warnings, WhatTheMeshHoldsAgainstWhatIsSaidOfIt) {
   const auto as_it_is = [](const Vector3d& v) { return v; };
   EXPECT_THAT(with_dipper(as_it_is), ElementsAre());
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x(), 0.75 * v.y(), v.z()); }),
-              testing::Contains(HasSubstr("struck, where its YAML says struck_volume_m3: 42")));
+              testing::Contains(HasSubstr("struck, but its YAML says struck_volume_m3: 42")));
   const std::string shape = "heap_height_m: 1.0\ncavity: {min_m: [0, -2, -1.5], max_m: ";
-  EXPECT_THAT(with_dipper(as_it_is, "struck_volume_m3: 20\n" + shape + "[4, 2, 1.5]}\n"),
-              testing::IsSupersetOf({HasSubstr("struck_volume_m3: 20"),
-                                     HasSubstr("42 m3, where the dipper's mesh has 20")}));
+  EXPECT_THAT(
+      with_dipper(as_it_is, "struck_volume_m3: 20\n" + shape + "[4, 2, 1.5]}\n"),
+      testing::IsSupersetOf({HasSubstr("struck_volume_m3: 20"),
+                             HasSubstr("is 42 m3, but the YAML of the dipper's mesh says 20")}));
   EXPECT_THAT(with_dipper(as_it_is, "struck_volume_m3: 42\n" + shape + "[4, 3.5, 1.5]}\n"),
-              testing::Contains(HasSubstr("m out of the mesh: rock beside the dipper")));
+              testing::Contains(HasSubstr("m beyond the mesh: rock beside the dipper")));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_F(CleanCommand, TellsFirstAndRemovesWhenAsked) {
   EXPECT_THAT(said, HasSubstr("2.0 MB  " + (run / "dumps").string()));
   EXPECT_THAT(said, HasSubstr("1.5 MB  " + (run / "checkpoints").string()));
   EXPECT_THAT(said, HasSubstr("0.5 MB  " + (run / "messages").string()));
-  EXPECT_THAT(said, HasSubstr("4.0 MB  would be free"));
+  EXPECT_THAT(said, HasSubstr("4.0 MB  can be freed"));
   EXPECT_TRUE(fs::exists(run / "dumps" / "rocks_0.dump"));
 
   EXPECT_THAT(told({run.string(), "--yes"}), HasSubstr("4.0 MB  freed"));
@@ -73,7 +73,7 @@ TEST_F(CleanCommand, TellsFirstAndRemovesWhenAsked) {
 
 TEST_F(CleanCommand, LeavesWhatIsNoRunAndWhatIsBeingWritten) {
   EXPECT_THAT([&] { told({root.string()}); },
-              testing::ThrowsMessage<InputError>(HasSubstr("holds no run")));
+              testing::ThrowsMessage<InputError>(HasSubstr("is not a run")));
   put_run();
   FileLock writer(run / "run.lock");
   ASSERT_TRUE(writer.try_lock());

@@ -13,6 +13,7 @@ namespace dipper::cli {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// Two commands of a program.
 struct Program {
@@ -22,6 +23,11 @@ struct Program {
     run->add_option("--ranks", number, "MPI ranks");
     run->add_option("--resume-at", number, ".hidden line");
     app.add_subcommand("report", "makes a page");
+    app.add_subcommand("record", "what programs call")->group("");
+    auto* calibrate = app.add_subcommand("calibrate", "finds a value");
+    for (const char* what : {"angle", "density"})
+      calibrate->add_subcommand(what, "of the pile")->add_option("--seeds", number, "runs");
+    app.add_subcommand("help", "tells of a command");
   }
   CLI::App app{"what it is for", "dipper"};
   std::string text;
@@ -45,6 +51,14 @@ TEST(Completion, BashOffersCommandsAndTheirOptions) {
   EXPECT_EQ(offered(script, "dipper run --r", 2), "--ranks --resume-at\n");
   EXPECT_EQ(offered(script, "dipper run cases/", 2), "\n") << "files are bash's own";
   EXPECT_EQ(offered(script, "dipper report --r", 2), "\n");
+  EXPECT_EQ(offered(script, "dipper help re", 2), "report\n") << "not what programs call";
+}
+
+TEST(Completion, BashOffersACommandsOwnCommandsAndTheirOptions) {
+  const std::string script = bash_completion(Program().app);
+  EXPECT_EQ(offered(script, "dipper calibrate \"\"", 2), "angle density\n");
+  EXPECT_EQ(offered(script, "dipper calibrate angle --s", 3), "--seeds\n");
+  EXPECT_EQ(offered(script, "dipper calibrate angle cases/quick --s", 4), "--seeds\n");
 }
 
 TEST(Completion, TheManualHasEveryCommandAndOption) {
@@ -54,6 +68,8 @@ TEST(Completion, TheManualHasEveryCommandAndOption) {
   EXPECT_THAT(page, HasSubstr(".B CASE\na folder\n"));
   EXPECT_THAT(page, HasSubstr(".B \\-\\-ranks INT\nMPI ranks\n"));
   EXPECT_THAT(page, HasSubstr("\n\\&.hidden line\n")) << "no request of roff's";
+  EXPECT_THAT(page, HasSubstr(".SS dipper calibrate angle\nof the pile\n"));
+  EXPECT_THAT(page, Not(HasSubstr("what programs call")));
 }
 
 TEST(Completion, IsACommand) {

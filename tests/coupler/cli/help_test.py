@@ -15,18 +15,43 @@ def told(*words):
     return subprocess.run([DIPPER, *words, "--help"], capture_output=True, text=True, check=True).stdout
 
 
+def listed():
+    return re.findall(r"^  (\w+) ", told().split("Subcommands:")[1].split("\n\n")[0], re.M)
+
+
 class Help(unittest.TestCase):
     def test_every_command_has_an_example_of_itself(self):
-        listed = told().split("Subcommands:")[1]
-        names = set(re.findall(r"^  (\w+) ", listed, re.M))
-        self.assertLess({"run", "check", "preview", "clean"}, names)
-        for name in sorted(names):
+        names = listed()
+        self.assertLess({"run", "check", "preview", "clean"}, set(names))
+        for name in names:
             words = (name, "pile-angle") if name == "calibrate" else (name,)
             example = "dipper completion" if name == "completion" else "dipper " + " ".join(words)
             with self.subTest(name):
                 before, _, after = told(*words).lower().rpartition("example")
                 self.assertIn(name, before)
                 self.assertIn(example, " ".join(after.split()))
+
+    def test_commands_are_listed_in_the_order_of_work(self):
+        order = ("import", "motion", "check", "preview", "calibrate", "run", "report", "study", "gap", "clean", "help")
+        self.assertEqual([name for name in listed() if name in order], list(order))
+        self.assertNotIn("page", listed(), "other programs call it")
+
+    def test_help_is_a_command(self):
+        for words in ((), ("run",), ("gap",), ("calibrate", "pile-angle")):
+            with self.subTest(words):
+                asked = subprocess.run([DIPPER, "help", *words], capture_output=True, text=True, check=True)
+                self.assertEqual(asked.stdout, told(*words))
+
+    def test_the_options_of_a_python_program_are_those_of_its_command(self):
+        options = re.compile(r"--[\w-]+")
+        path = os.pathsep.join(str(SOURCE / "analysis" / name) for name in ("gap", "logs", "runs", "study"))
+        for name in ("gap", "study", "import"):
+            with self.subTest(name):
+                own = subprocess.run(["/usr/bin/python3", "-B", "-m", f"dipper_{name}", "--help"], check=True,
+                                     capture_output=True, text=True, env={**os.environ, "PYTHONPATH": path}).stdout
+                listed_options = told(name).split("Options:")[1]
+                self.assertEqual(set(options.findall(own.split("options:")[1])),
+                                 set(re.findall(r"^  (?:-h,)?(--[\w-]+)", listed_options, re.M)))
 
     def test_set_up_without_rights_lists_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -38,7 +38,7 @@ TEST(RunWarnings, SoundRunHasNone) { EXPECT_THAT(warnings({}), ElementsAre()); }
 
 TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
   EXPECT_THAT(warnings({{"dig_slack_fraction", 0.2}, {"teeth_deviation_m", 0.8}}),
-              ElementsAre(HasSubstr("slack in 20 % of the dig, the teeth up to 0.8 m")));
+              ElementsAre(HasSubstr("slack in 20 % of the dig and the teeth up to 0.8 m")));
   EXPECT_THAT(warnings({{"dig_force_peak_N", 343e6}}),
               ElementsAre(HasSubstr("peaks at 343 MN, 114 times its mean, at 5.50 s")));
   EXPECT_THAT(warnings({{"dig_rattle_fraction", 0.12}}),
@@ -49,7 +49,7 @@ TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
               ElementsAre(HasSubstr("28.0 t more leave the truck")));
   EXPECT_THAT(warnings({{"dumped", false}}), ElementsAre(HasSubstr("pass 1: unfinished")));
   EXPECT_THAT(warnings({{"dumped", false}}, 0, "interrupted"), ElementsAre()) << "it goes on";
-  EXPECT_THAT(warnings({}, -2e6), ElementsAre(HasSubstr("by 2.0 % of the work of 100 MJ")));
+  EXPECT_THAT(warnings({}, -2e6), ElementsAre(HasSubstr("2.0 % of the work of 100 MJ")));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class TwoHosts(RunTest):
                                 "--host 10.77.0.1:2 --bind-to none --mca mpi_yield_when_idle 1")
         self.assertIn("network: the run's own", said)
         said, _ = self.run_case(self.folder / "two", *few, "--mpirun", self.hosts.options)
-        self.assertIn("network: this host's, as MPI needs it: ranks are on h1 (1 rank), h2 (1 rank).", said)
+        self.assertIn("network: the host's, which MPI needs, as ranks are on h1 (1 rank), h2 (1 rank).", said)
         one, here, two = (self.summary(self.folder / name) for name in ("one", "here", "two"))
         self.assertEqual(one["state_hash"], two["state_hash"])
         self.assertEqual(one["state_hash"], here["state_hash"])

@@ -85,7 +85,7 @@ class Poses(RunTest):
                  r"machine.rake_angle_deg: is not used by machine.kind poses"),
                 (dict(machine="kind: poses\n  poses: none.csv"), r"machine.poses: no such file"),
                 (dict(table=TABLE + "1.2,scoop,0,0,0,1,0,0,0\n"), r"poses.csv:6:1: machine.poses: time_s is 1.2, not after"),
-                (dict(table=TABLE + "9,scoop,99,0,0,1,0,0,0\n"), r"domain.max_m: the scoop leaves the box")):
+                (dict(table=TABLE + "9,scoop,99,0,0,1,0,0,0\n"), r"domain.max_m: the scoop leaves the domain")):
             self.assertRegex(self.dipper("check", self.case(**case), status=2), said)
         self.assertIn("have no drives", self.dipper("preview", self.case(), status=2))
         shovel = self.dipper("check", TINY, "--set", f"bodies.blade={SOURCE}/meshes/bucket.stl", status=2)

@@ -102,9 +102,10 @@ def _failed(lead, members, strength, m, by_name, residual_p):
 
 
 def _rejected(lead, members, m, by_name):
+    """What is turned down, and why; not what is as sure as a name must be, beside a lead."""
     out = []
     for n in sorted(by_name, key=m.presence, reverse=True):
-        if n in members:
+        if n in members or (lead and m.presence(n) >= PROBABILITY):
             continue
         factor = m.log_bayes(lead, n) / np.log(10) if lead else None
         reason = (f"10^{factor:.1f} times less likely than {lead}" if lead

@@ -19,7 +19,6 @@ import { Frames } from '../unpack.js';
 showPage((data) => {
   const model = new Model(data);
   const frames = model.replay && new Frames(model.replay);
-  const phased = model.passes.map((p) => ({ ...p, phases: (model.metrics.phases ?? []).filter((row) => row.pass === p.pass) }));
   const clock = new Clock(frames?.times.length ? frames.times : model.curves.time_s);
   listenToKeys(clock);
   window.dipper = { clock, frames, model }; // for the console, and for tests
@@ -29,8 +28,8 @@ showPage((data) => {
     frames && section('replay', 'The dig', null, replay(model.replay, frames, clock, model.phases, { sizes: model.rockSizes(), classes: model.classes }, readout(model))),
     filling(model, clock),
     signals(model, clock),
-    work(phased),
-    demand(phased),
+    work(model.passes),
+    demand(model.passes),
     payload(model),
     rock(model),
     coupling(model, clock),

@@ -8,11 +8,12 @@ import { STRIP, drawBands } from './bands.js';
 const FONT = '12px "IBM Plex Sans", system-ui, sans-serif';
 const PAPER = 700; // px: as wide as a sheet of A4 has room; two columns of it beside each other
 const COLUMN = 340;
+const TICK = 36;   // between labels of given ticks
 const TIME = 'time (s)';
 
 /// lines: [{label, values, colour, width, dash, fill, stepped, gaps, dots, around, unnamed}]; x and values are arrays of the
 /// same length. colour: a name of style.css. fill: how much of it shows below the line, 0 to 1. gaps: null
-/// values are not drawn over. dots: no line. unnamed: no key. around: [low, high], two more arrays, a band about the line.
+/// values are not drawn over. faint: half seen through. dots: no line. unnamed: no key. around: [low, high], two more arrays, a band about the line.
 /// options: title, unit, height, bands [{name, from, to}], clock, together (name of the plots whose cursors go
 /// together), logX, logY, xLabel, xRange, yRange, xTicks (where labels stand), xNames (what they say, from x = 0 on).
 export function curve(x, lines, options) {
@@ -41,7 +42,7 @@ export function curve(x, lines, options) {
 
 function mark(line) {
   if (line.dots) return h('i.dot', { style: `background: var(--${line.colour})` });
-  return h('i', { style: `border-top: ${Math.max(line.width ?? 2, 2)}px ${line.dash ? 'dashed' : 'solid'} var(--${line.colour})` });
+  return h('i', { style: `border-top: ${Math.max(line.width ?? 2, 2)}px ${line.dash ? 'dashed' : 'solid'} var(--${line.colour})${line.faint ? '; opacity: 0.35' : ''}` });
 }
 
 /// What the picture shows, in words: each line's least and largest value, and where.
@@ -84,11 +85,11 @@ function settings(lines, around, options, width, showValues) {
     axes: [
       { ...axis, size: 26, label: options.xLabel, labelSize: options.xLabel ? 20 : 0, labelGap: 0, space: 56,
         values: options.xNames ? (_plot, ticks) => ticks.map((k) => options.xNames[k] ?? '') : labels,
-        splits: options.xTicks && (() => options.xTicks), filter: options.xTicks && ((_plot, ticks) => ticks) },
+        splits: options.xTicks && (() => options.xTicks), filter: options.xTicks && spaced },
       { ...axis, size: 48, space: 34, values: labels, splits: options.logY && decades },
     ],
     series: [{}, ...lines.map((line) => ({
-      label: line.label, stroke: colour(line.colour), width: line.width ?? 2, dash: line.dash,
+      label: line.label, stroke: line.faint ? alpha(line.colour, 0.35) : colour(line.colour), width: line.width ?? 2, dash: line.dash,
       fill: line.fill && alpha(line.colour, line.fill),
       points: { show: Boolean(line.dots), size: 5, width: 0, fill: colour(line.colour) }, spanGaps: !line.gaps,
       paths: line.dots ? () => null : line.stepped ? uPlot.paths.stepped({ align: 1 }) : undefined,
@@ -103,6 +104,17 @@ function settings(lines, around, options, width, showValues) {
 
 function alpha(name, share) {
   return colour(name) + Math.round(255 * share).toString(16).padStart(2, '0');
+}
+
+/// Ticks that have room for their labels; the others are left out.
+function spaced(plot, ticks) {
+  let last = -Infinity;
+  return ticks.map((tick) => {
+    const at = plot.valToPos(tick, 'x');
+    if (at - last < TICK) return null;
+    last = at;
+    return tick;
+  });
 }
 
 const labels = (_plot, ticks) => ticks.map((t) => (t === null ? '' : tick(t)));

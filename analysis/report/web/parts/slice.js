@@ -3,7 +3,7 @@ import { h, svg } from '../dom.js';
 import { fixed, tonnes } from '../format.js';
 
 /// slice: {time_s, spheres [[out, up, radius, relative speed, x, y, z in B, rock]], walls, stage};
-/// zone(speed, p_B): 'flow', 'bulk' or null for rock that is not in the dipper.
+/// stage.near: what its time cannot be told from; zone(speed, p_B): 'flow', 'bulk' or null for rock that is not in the dipper.
 export function sliceFigure(slice, zone, clock, index) {
   const kinds = slice.spheres.map((s) => zone(s[3], s.slice(4, 7)));
   const count = (kind) => kinds.filter((k) => k === kind).length;
@@ -25,7 +25,8 @@ export function sliceFigure(slice, zone, clock, index) {
     circles, svg('path', { d: slice.walls.map(([a, b, c, d]) => `M${a} ${-b}L${c} ${-d}`).join(''), 'stroke-width': 0.11, fill: 'none', 'stroke-linecap': 'round' })),
     h('figcaption', h('button.stage', { type: 'button', title: 'Show this moment in the replay', onclick: () => { clock.pause(); clock.set(slice.time_s); } },
       h('b', `${stage.stage ?? index + 1}`), h('span', `${fixed(slice.time_s, 2)} s`)),
-    h('span', stage.name ?? '', Number.isFinite(stage.mass_kg) && ` · ${tonnes(stage.mass_kg)} t in the dipper`)));
+    h('span', stage.name ?? '', Number.isFinite(stage.mass_kg) && ` · ${tonnes(stage.mass_kg)} t in the dipper`,
+      stage.near && ` · ${stage.near}`)));
 }
 
 function extent(slice) {

@@ -2,12 +2,12 @@
 import { h } from '../dom.js';
 
 /// columns: [{name, alone, unit, cell(row), kind}]; the first column names the row. kind 'text' is left-aligned. `alone`: the name
-/// where it does not stand beside its neighbours', as on a phone.
-export function table(caption, columns, rows, { foot = [], compact = false } = {}) {
+/// where it does not stand beside its neighbours', as on a phone. cells: on a phone each row is a grid of named values.
+export function table(caption, columns, rows, { foot = [], compact = false, cells = false } = {}) {
   const line = (row) => h('tr', columns.map((column, k) => h(k === 0 ? 'th' : 'td',
     { scope: k === 0 ? 'row' : undefined, class: column.kind === 'text' ? 'text' : undefined,
       'data-name': (column.alone ?? column.name) + (column.unit ? ` (${column.unit})` : '') }, column.cell(row))));
-  return h('div.table', h(`table${compact ? '.compact' : ''}`, caption && h('caption', caption),
+  return h(`div.table${cells ? '.cells' : ''}`, h(`table${compact ? '.compact' : ''}`, caption && h('caption', caption),
     h('thead', h('tr', columns.map((column) => h('th', { scope: 'col', class: column.kind === 'text' ? 'text' : undefined },
       column.name, column.unit && h('span.unit', column.unit))))),
     h('tbody', rows.map(line)), foot.length > 0 && h('tfoot', foot.map(line))));

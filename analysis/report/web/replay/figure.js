@@ -3,6 +3,8 @@ import {
   BufferAttribute, BufferGeometry, Color, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
   LineSegments, Mesh, MeshLambertMaterial, Vector3,
 } from 'three';
+import { passColour } from '../palette.js';
+import { colour } from '../theme.js';
 import { place } from './walls.js';
 
 const SIDES = 6; // of a rope
@@ -40,14 +42,14 @@ function solid({ name, triangles_m }) {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(triangles_m, 3));
   geometry.computeVertexNormals();
-  const colour = new Color(COLOURS[name] ?? PLAIN);
-  const sheet = new Mesh(geometry, new MeshLambertMaterial({ color: colour, flatShading: true }));
-  const edges = new LineSegments(new EdgesGeometry(geometry, 35), new LineBasicMaterial({ color: colour.clone().multiplyScalar(0.45) }));
+  const tone = new Color(COLOURS[name] ?? PLAIN);
+  const sheet = new Mesh(geometry, new MeshLambertMaterial({ color: tone, flatShading: true }));
+  const edges = new LineSegments(new EdgesGeometry(geometry, 35), new LineBasicMaterial({ color: tone.clone().multiplyScalar(0.45) }));
   return [sheet, edges];
 }
 
 class Rope extends Mesh {
-  constructor({ radius_m, ways }) {
+  constructor({ radius_m, pass, ways }) {
     const rings = ways[0].length / 3;
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * SIDES * rings), 3));
@@ -59,7 +61,7 @@ class Rope extends Mesh {
       }
     }
     geometry.setIndex(index);
-    super(geometry, new MeshLambertMaterial({ color: 0x2d3338, flatShading: true }));
+    super(geometry, new MeshLambertMaterial({ color: pass ? colour(passColour(pass)) : 0x2d3338, flatShading: true }));
     this.frustumCulled = false; // its bounds change with it
     this.radius = radius_m;
     this.ways = ways;

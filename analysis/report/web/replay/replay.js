@@ -23,7 +23,8 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
   const clockFace = h('output.clock', { 'aria-live': 'off' });
   const loading = h('p.loading', { role: 'status' }, 'Unpacking the replay …');
   const still = h('img.still', { alt: 'The dig at the moment shown' });
-  const screen = h('div.screen', canvas, still, h('div.overlay', clockFace, readout?.element), loading);
+  const screen = h('div.screen', canvas, still, loading);
+  const face = h('div.face', clockFace, readout?.element);
 
   let stage;
   try {
@@ -105,7 +106,7 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
   canvas.stage = stage; // for whoever measures how fast it draws
   const picture = film(stage, clock, () => [clockFace.textContent, ...[...(readout?.element.children ?? [])].map((line) => line.textContent)]);
   canvas.film = (...of) => { views.All(); return picture(...of); };
-  return h('div.replay', screen,
+  return h('div.replay', face, screen,
     h('div.transport', play, track, rate),
     h('div.options', head.spheres > 0 && [colour, legend], walls, camera, stage.walls.length > 0 && h('div.group', stage.dipper && cut, solid, stage.figure && bare)),
     h('p.note', note(head), h('span.controls', ' ', h('kbd', 'Space'), ' plays, ', h('kbd', '←'), ' ', h('kbd', '→'),
@@ -146,9 +147,9 @@ function cameraViews(stage) {
   const dipper = () => stage.dipper?.position ?? stage.rocks.geometry.boundingSphere.center;
   const box = stage.bounds();
   const narrow = () => (stage.camera.aspect < 1.3 ? 1.3 : 1);
-  const face = () => (narrow() > 1 ? new Vector3(7, 0, 0) : new Vector3(4.5, 2, 0)).add(dipper()).setZ(3.6);
+  const face = () => (narrow() > 1 ? new Vector3(7, 0, 0) : new Vector3(2.5, 2, 0)).add(dipper()).setZ(5);
   return {
-    Dig: () => stage.look(face(), new Vector3(-10, -23.5, 9).multiplyScalar(narrow()), false),
+    Dig: () => stage.look(face(), new Vector3(-10, -27, 10).multiplyScalar(narrow()), false),
     Follow: () => stage.look(dipper().clone().add(new Vector3(1, 0, 0)), new Vector3(-4.5, -12, 5).multiplyScalar(narrow()), true),
     Above: () => stage.look(new Vector3(dipper().x, box.center.y, 0), new Vector3(-0.5, 0, 52).multiplyScalar(narrow()), false),
     All: () => stage.look(box.center, new Vector3(-0.3, -0.86, 0.36).multiplyScalar((stage.figure ? 2.25 : 1.9) * box.radius * narrow()), false),

@@ -10,8 +10,13 @@ export function work(passes) {
   const worked = passes.filter((p) => p.phases?.some((row) => Number.isFinite(row.hoist_work_J)));
   if (!worked.length) return null;
   return section('work', 'Work and power by phase',
-    'What each drive puts into the machine; negative where it brakes. Peak: the most at once.',
-    worked.flatMap((p) => [worked.length > 1 && h('h3', `Pass ${p.pass}`), byPhase(p.phases)]));
+    'The work of each drive on the machine; negative where it brakes. Peak: the largest power.',
+    eachPass(worked, (p) => byPhase(p.phases)));
+}
+
+/// What `show` makes of each pass, under the pass's number where there are several.
+export function eachPass(passes, show) {
+  return passes.map((p) => [passes.length > 1 && h('h3', `Pass ${p.pass}`), show(p)]);
 }
 
 function byPhase(phases) {
@@ -25,9 +30,9 @@ function byPhase(phases) {
     { name: 'Phase', cell: (row) => row.phase },
     { name: 'lasts', unit: 's', cell: (row) => fixed(row.t_end_s - row.t_start_s, 1) },
     ...DRIVES.flatMap((drive) => [
-      { name: `${drive}, work`, unit: 'MJ', cell: (row) => megajoules(row[`${drive}_work_J`], 2) },
-      { name: 'mean', unit: 'MW', cell: (row) => megawatts(row[`${drive}_power_mean_W`]) },
-      { name: 'peak', unit: 'MW', cell: (row) => megawatts(row[`${drive}_power_peak_W`]) },
+      { name: `${drive}, work`, alone: `${drive} work`, unit: 'MJ', cell: (row) => megajoules(row[`${drive}_work_J`], 2) },
+      { name: 'mean', alone: `${drive} mean`, unit: 'MW', cell: (row) => megawatts(row[`${drive}_power_mean_W`]) },
+      { name: 'peak', alone: `${drive} peak`, unit: 'MW', cell: (row) => megawatts(row[`${drive}_power_peak_W`]) },
     ]),
-  ], phases, { foot: [total], compact: true });
+  ], phases, { foot: [total], compact: true, cells: true });
 }

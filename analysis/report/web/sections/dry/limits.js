@@ -8,14 +8,14 @@ const name = (limit) => limit.name.replace('_', ' ').replace('rate', 'speed');
 
 export function limits(rows) {
   const shown = (row, value) => `${number(value / SHOWN[row.unit][1], 3)} ${SHOWN[row.unit][0]}`;
-  return section('limits', 'What the drives are asked for',
-    'The largest value of the run against the limit in the machine\'s file. A drive above its limit would stall, or come late: machine.drives: limited shows how.',
+  return section('limits', 'What the motion demands of the drives',
+    'The largest value of the run and the limit in the machine file. A drive above its limit would stall or be late; machine.drives: limited simulates that.',
     table(null, [
       { name: 'Drive', cell: name },
-      { name: 'most', cell: (r) => shown(r, r.most) },
+      { name: 'largest', cell: (r) => shown(r, r.most) },
       { name: 'at', unit: 's', cell: (r) => fixed(r.at_s, 1) },
       { name: 'limit', cell: (r) => shown(r, r.limit) },
-      { name: 'of it', cell: (r) => percent(r.most / r.limit) },
-      { name: 'above it', unit: 's', cell: (r) => (r.over_s > 0 ? fixed(r.over_s, 1) : '–') },
-    ], rows, { compact: true }));
+      { name: 'of the limit', cell: (r) => percent(r.most / r.limit) },
+      { name: 'time above', unit: 's', cell: (r) => (r.over_s > 0 ? fixed(r.over_s, 1) : '–') },
+    ], rows, { compact: true, cells: true }));
 }

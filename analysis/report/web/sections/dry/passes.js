@@ -1,20 +1,21 @@
 // What each pass takes and how long it lasts.
 import { h } from '../../dom.js';
 import { fixed, megajoules, meganewtons, tonnes } from '../../format.js';
+import { durationColumn } from '../durations.js';
 import { table } from '../../parts/table.js';
 
 export function passes({ passes: rows, rock_model: rock }) {
   if (!rows.length) return null;
   return h('section', { id: 'headline', 'aria-label': 'Passes', class: rows.length === 1 ? 'single' : undefined }, table(null, [
     { name: 'Pass', cell: (p) => p.pass },
-    { name: 'Cycle', unit: 's', cell: (p) => fixed(p.t_end_s - p.t_start_s, 1) },
+    durationColumn(rows),
     ...(rock === 'none' ? [] : [
       { name: 'Load', unit: 't', cell: (p) => tonnes(p.payload_kg) },
       { name: 'Fill factor, by the pile’s density', cell: (p) => fixed(p.fill_factor, 2) },
       { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_phases_force_mean_N ?? p.dig_force_mean_N) },
       { name: 'peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
       { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
-      { name: 'by load', unit: 'J/kg', cell: (p) => fixed(p.specific_dig_energy_J_kg, 0) },
+      { name: 'per load', unit: 'J/kg', cell: (p) => fixed(p.specific_dig_energy_J_kg, 0) },
     ]),
   ], rows));
 }

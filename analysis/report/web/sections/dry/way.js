@@ -1,14 +1,15 @@
-// The teeth's way over each pass's face, in the plane of the boom.
+// The teeth's path over each pass's face, in the plane of the boom.
 import { h, section, svg } from '../../dom.js';
+import { passColour } from '../../palette.js';
 
 const STEP = 5; // m, of the grid
 
 export function way(ways, faces) {
   if (!ways.length) return null;
   const figures = ways.map((w) => picture(w, faces.find((f) => f.pass === w.pass)));
-  return section('way', 'The way of the teeth',
-    'In the plane of the boom, from the start of a pass to the dump: the middle of the teeth\'s tips (line), the bench as the case has it (filled). '
-    + 'Metres from the swing axis and over the ground.',
+  return section('way', 'The path of the teeth',
+    'In the plane of the boom, from the start of a pass to the dump. Line: the middle of the tooth tips. Filled: the bench of the case. '
+    + 'Metres from the swing axis and above the ground.',
     h('div.ways', figures));
 }
 
@@ -28,5 +29,5 @@ function picture(w, face) {
     steps(top).map((z) => [svg('path', { d: `M0 ${-z}H${right}`, class: 'grid' }), svg('text', { x: -0.4, y: -z + 0.3, 'text-anchor': 'end' }, `${z}`)]),
     svg('path', { d: `M${line([[surface[0][0], 0], ...surface, [right, last[1]], [right, 0]])}Z`, class: 'bench' }),
     svg('path', { d: `M0 0H${right}`, class: 'ground' }),
-    svg('path', { d: `M${line(points(w.out_m, w.up_m))}`, class: 'teeth' })));
+    svg('path', { d: `M${line(points(w.out_m, w.up_m))}`, class: 'teeth', style: `stroke:var(--${passColour(w.pass)})` })));
 }

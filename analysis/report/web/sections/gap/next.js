@@ -1,4 +1,4 @@
-// What to measure next, what was turned down and why, and how to do it again.
+// What to measure next, what was rejected and why, and how to repeat the analysis.
 import { h, section } from '../../dom.js';
 import { fixed, number, percent } from '../../format.js';
 import { facts, table } from '../../parts/table.js';
@@ -9,22 +9,23 @@ const FIRST = 3;
 export function experiments(data) {
   const list = (data.experiments ?? data.answer.next_experiment ?? []).slice(0, FIRST);
   if (!list.length) return null;
-  return section('next', 'Next experiment', 'What would tell most per minute about which effect it is; after the colon, the effects that each outcome would speak for.',
+  return section('next', 'Next experiment', 'The experiments that tell most per minute about which effect it is. After the colon: the effects that an outcome would support.',
     h('ol', list.map((e) => h('li', h('b', e.title), ` (${number(e.minutes, 2)} min, ${fixed(e.bits, 1)} bits)`,
       e.answers && h('ul', e.answers.map(([seen, effects]) => h('li', `${seen}: ${effects.map((name) => title(data, name)).join(', ')}`)))))));
 }
 
 export function rejected(data) {
-  const { rejected: list } = data.answer;
+  const { second, verdict } = data.answer;
+  const list = data.answer.rejected?.filter((r) => r.effect !== second?.effect);
   const held = data.closures?.holdout;
   if (!list?.length && !held) return null;
-  return section('rejected', 'Rejected', null,
+  return section('rejected', verdict === 'unknown' ? 'Considered and not named' : 'Rejected', null,
     list?.length > 0 && h('div.stack', table(null, [
       { name: 'Effect', cell: (r) => [title(data, r.effect), h('small', r.effect)] },
       { name: 'Probability', cell: (r) => percent(r.probability, 2) },
       { name: 'Why', kind: 'text', cell: (r) => r.reason },
     ], list)),
-    held && table('Rivals on the passes held out, by T²: small is good, and one that makes the data ten times likelier would object', [
+    held && table('Rivals on the held-out passes, by T²: smaller is better. A rival that makes the data ten times likelier counts as an objection', [
       { name: 'Explanation', cell: (r) => r[0] }, { name: 'T²', cell: (r) => fixed(r[1], 0) },
     ], [['the effect, fresh runs', held.t2], ...Object.entries(held.rivals)], { compact: true }));
 }
@@ -34,11 +35,11 @@ export function again(data) {
   const patch = Object.entries(answer.patch ?? {}).map(([key, value]) => `--set ${key}=${Number(value.toPrecision(6))}`);
   const seeds = Object.entries(answer.seeds ?? {}).filter(([, list]) => list.length)
     .map(([name, list]) => [`Seeds, ${name}`, `${list[0]} to ${list[list.length - 1]}`]);
-  return section('again', 'The difference to the case, and how to do it again', patch.length ? 'What dipper run takes:' : null,
+  return section('again', 'The change to the case, and how to repeat the analysis', patch.length ? 'Options of dipper run:' : null,
     patch.length ? h('pre', patch.join('\n')) : h('p', 'Nothing is added to the case.'),
     facts([
       ['Runs', answer.runs], ...seeds,
-      ['Covariance of the seeds, leaving seeds out', data.inflation && `times ${fixed(data.inflation, 2)}`],
+      ['Inflation of the seeds\' covariance', data.inflation && `× ${fixed(data.inflation, 2)}`],
       ...Object.entries(answer.hashes ?? {}).map(([name, hash]) => [`Hash of the ${name}`, h('code', { title: hash }, hash.slice(0, 16))]),
     ]));
 }

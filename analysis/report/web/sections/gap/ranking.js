@@ -15,8 +15,8 @@ export function ranking(data) {
   show(FIRST);
   const more = h('button.link', { type: 'button', onclick: () => { show(rows.length); more.remove(); } }, `Show all ${rows.length} effects`);
   return section('ranking', 'Ranked effects',
-    `Probability that the effect is there, alone or with others; nothing at all ${percent(data.nothing, 1)}, something unknown ${percent(data.unknown, 1)}. `
-    + 'Strength: if it is there; the bar is its 90 % interval, the dot the estimate, the line what it can be at all.',
+    `Probability that the effect is present, alone or with others. No effect: ${percent(data.nothing, 1)}; an unknown one: ${percent(data.unknown, 1)}. `
+    + 'Strength, if it is present: the dot is the estimate, the bar its 90 % interval, the line the range allowed.',
     place, rows.length > FIRST && h('p.controls', more));
 }
 

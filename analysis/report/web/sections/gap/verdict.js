@@ -5,10 +5,10 @@ import { masthead } from '../../page.js';
 import { channelName, strengthText, title } from './words.js';
 
 const WORDS = {
-  named: 'The model misses this effect. With it added, fresh runs were compared with the passes that had been held out.',
-  class: 'These effects look alike in these data. The experiment below would tell them apart.',
-  unknown: 'Model and mine disagree, but nothing in the catalogue may be named for it.',
-  'no-gap': 'Model and mine agree within instruments and seeds. That is no proof that nothing is missing.',
+  named: 'The model misses this effect. Fresh runs with the effect added were compared with the passes held out.',
+  class: 'These effects look alike in these data. The experiments below would tell them apart.',
+  unknown: 'Model and mine disagree, but no effect of the catalogue can be named with confidence.',
+  'no-gap': 'Model and mine agree within the scatter of instruments and seeds. That does not prove that nothing is missing.',
 };
 
 export function head(data) {
@@ -41,8 +41,8 @@ function clearest(data, count = 3) {
 function second(data) {
   const { second: other } = data.answer;
   if (!other) return null;
-  if (other.verdict !== 'named') return h('p', 'Something else is left that has no name yet.');
-  return h('p', 'A second effect shows: ', h('b', title(data, other.effect)),
+  if (other.verdict !== 'named') return h('p', 'Something else remains that cannot be named.');
+  return h('p', 'A second effect is present: ', h('b', title(data, other.effect)),
     `, ${other.parameter.name} ${strengthText(other.parameter)}, probability ${percent(other.probability, 1)}.`);
 }
 
@@ -52,12 +52,12 @@ function figures(data) {
   const { gap } = answer;
   const rows = [
     ['probability', percent(answer.probability, 1), 'of this verdict'],
-    ['omnibus p', pValue(answer.omnibus_p), 'that noise alone makes such a gap'],
+    ['omnibus p', pValue(answer.omnibus_p), 'that noise alone gives such a gap'],
     passes && ['passes', `${passes.training.length} + ${passes.holdout.length}`,
-      `to search, and held out; of ${answer.trucks} truck${answer.trucks === 1 ? '' : 's'} each`],
+      `searched, and held out; of ${answer.trucks} truck${answer.trucks === 1 ? '' : 's'} each`],
   ];
   if (answer.verdict === 'named') {
-    rows.push(data.stability !== undefined && ['leads again', percent(data.stability), 'in data drawn anew'],
+    rows.push(data.stability !== undefined && ['stability', percent(data.stability), 'of resampled data have the same lead'],
       ['gap closed, searched', ...share(gap.closure, gap.closure_interval90)],
       ['gap closed, held out', ...share(gap.holdout_closure, gap.holdout_interval90)],
       closures?.holdout && ['by chance, held out', `p ${pValue(gap.holdout_p)}`]);
@@ -65,6 +65,9 @@ function figures(data) {
   return rows.filter(Boolean);
 }
 
+/// More than all: what is left is, by chance, less than the noise that even a perfect model leaves.
 function share(value, interval) {
-  return value === null ? ['–', 'no gap there'] : [percent(value), `${percent(interval[0])} to ${percent(interval[1])}, 90 %`];
+  if (value === null) return ['–', 'no gap there'];
+  const range = `${percent(interval[0])} to ${percent(interval[1])}, 90 %`;
+  return value > 1 ? ['100 %', `all of it: the rest is below the noise floor (uncapped: ${percent(value)}; ${range})`] : [percent(value), range];
 }

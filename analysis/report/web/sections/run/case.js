@@ -15,7 +15,7 @@ export function caseSection(model) {
   }
   const { run } = model;
   const hash = (text) => text && h('code.hash', text);
-  return section('case', 'The case', 'What is needed to run it again.',
+  return section('case', 'The case', 'What is needed to repeat it.',
     facts([
       ['Case', run.case], ['Seed', run.seed], ['Dipper', run.version], ['Rock side', run.rock_version],
       ['Machine side', run.machine_version], ['Case hash', hash(run.case_hash)], ['End state hash', hash(run.state_hash)],

@@ -16,8 +16,9 @@ export function coupling(model, clock) {
   const within = sync?.slice(2, -2).filter((v) => v);
   const steady = within?.length > 0 && Math.max(...within) - Math.min(...within) < 1e-6;
   const share = Math.abs(c.energy_residual_J / c.interface_work_J);
-  return section('coupling', 'What the coupling did',
-    `The two sides met ${fixed(c.syncs, 0)} times. Energy that the exchange made or lost is the residual: ${percent(share, 2)} of the work that passed between rock and machine.`,
+  return section('coupling', 'The coupling',
+    `Rock and machine exchanged forces and motion ${fixed(c.syncs, 0)} times. `
+    + `The residual is the energy that the exchange created or lost: ${percent(share, 2)} of the work between them.`,
     work && residual && curve(time, [
       { label: 'work between rock and machine', values: work, colour: 'blue' },
       { label: 'residual', values: residual, colour: 'orange', width: 1.4 },
@@ -32,8 +33,8 @@ export function coupling(model, clock) {
       ['Residual', `${megajoules(c.energy_residual_J, 3)} of ${megajoules(c.interface_work_J, 2)} MJ`],
       ['Messages sent again', c.resends],
       ['Wall time', dem && duration(dem.wall_s)],
-      ['Processor time', run.cpu_s && `${duration(run.cpu_s)}; ${number(run.cpu_s_per_sim_s, 3)} s a simulated second`],
-      ['Rock side', dem && `${number(dem.particle_steps_per_cpu_s / 1e6, 3)} million particle steps a processor second`],
+      ['Processor time', run.cpu_s && `${duration(run.cpu_s)}; ${number(run.cpu_s_per_sim_s, 3)} s per simulated second`],
+      ['Rock side', dem && `${number(dem.particle_steps_per_cpu_s / 1e6, 3)} million particle steps per processor second`],
       ['Machine side', mbs && `${number(mbs.realtime_factor, 2)} times real time`],
     ]));
 }
@@ -45,6 +46,6 @@ function timeSpent(model) {
   const machine = Math.min(model.mbs?.cpu_s ?? 0, dem.wall_s - rock);
   const rest = Math.max(dem.wall_s - rock - machine, 0);
   const part = (name, value, colour) => ({ name, value, colour, text: `${duration(value)}, ${percent(value / dem.wall_s)}` });
-  return h('div', h('h3', 'Time spent where'), bar('Wall time', [
+  return h('div', h('h3', 'Where the time went'), bar('Wall time', [
     part('rock (DEM)', rock, 'blue'), part('machine', machine, 'sky'), part('exchange, record and waiting', rest, 'ochre')]));
 }

@@ -1,25 +1,35 @@
-// What each phase asks of the machine: slack ropes, teeth off their way, forces beyond its drives'.
-import { h, section } from '../../dom.js';
+// What each phase asks of the machine: slack ropes, teeth off their path, drives at or beyond their limits.
+import { section } from '../../dom.js';
 import { fixed } from '../../format.js';
 import { table } from '../../parts/table.js';
+import { eachPass } from '../work.js';
+
+const PRESCRIBED = 'Beyond: the drive takes more force than the machine\'s has.';
+const LIMITED = 'At limit: the drive needs more force or power than it has. Lost: by how much the machine falls behind its motion. '
+  + 'Let back: how far at most the operator moves the crowd back, which makes the cut shallower.';
 
 const percent = (share) => fixed(100 * share, 1);
 
-/// passes: [{pass, phases: [{phase, slack_fraction, teeth_deviation_m, hoist_beyond_fraction, crowd_beyond_fraction}]}]
+/// passes: [{pass, phases: [{phase, slack_fraction, teeth_deviation_m, hoist_beyond_fraction, crowd_beyond_fraction}]}]; of limited drives
+/// also {hoist, crowd, swing}_saturated_s, late_s, crowd_relief_most_m.
 export function demand(passes) {
-  const told = passes.filter((p) => p.phases.some((row) => Number.isFinite(row.teeth_deviation_m)));
-  if (!told.length) return null;
-  return section('demand', 'Ropes, teeth and limits by phase',
-    'Slack ropes: the dipper rides on rock. Teeth: from where taut ropes would have them, at most. Beyond: more force than the machine’s drive has.',
-    told.flatMap((p) => [told.length > 1 && h('h3', `Pass ${p.pass}`), byPhase(p.phases)]));
+  const known = passes.filter((p) => p.phases.some((row) => Number.isFinite(row.teeth_deviation_m)));
+  if (!known.length) return null;
+  const limited = known.some((p) => p.phases.some((row) => Number.isFinite(row.late_s)));
+  return section('demand', limited ? 'Where the drives stall' : 'Ropes, teeth and limits by phase',
+    `Ropes slack: the dipper rides on rock. Teeth off: the largest distance from where taut ropes would hold them. ${limited ? LIMITED : PRESCRIBED}`,
+    eachPass(known, (p) => byPhase(p.phases, limited)));
 }
 
-function byPhase(phases) {
+function byPhase(phases, limited) {
   return table(null, [
     { name: 'Phase', cell: (row) => row.phase },
     { name: 'ropes slack', unit: '%', cell: (row) => percent(row.slack_fraction) },
     { name: 'teeth off', unit: 'm', cell: (row) => fixed(row.teeth_deviation_m, 2) },
-    { name: 'hoist beyond', unit: '%', cell: (row) => percent(row.hoist_beyond_fraction) },
-    { name: 'crowd beyond', unit: '%', cell: (row) => percent(row.crowd_beyond_fraction) },
-  ], phases, { compact: true });
+    ...(limited ? [
+      ...['hoist', 'crowd', 'swing'].map((name) => ({ name: `${name} at limit`, unit: 's', cell: (row) => fixed(row[`${name}_saturated_s`], 1) })),
+      { name: 'lost', unit: 's', cell: (row) => fixed(row.late_s, 1) },
+      { name: 'crowd let back', unit: 'm', cell: (row) => fixed(row.crowd_relief_most_m, 2) },
+    ] : ['hoist', 'crowd'].map((name) => ({ name: `${name} beyond`, unit: '%', cell: (row) => percent(row[`${name}_beyond_fraction`]) }))),
+  ], phases, { compact: true, cells: true });
 }

@@ -1,8 +1,9 @@
 // Title and the figures a reader looks for first.
 import { h } from '../../dom.js';
 import { masthead } from '../../page.js';
-import { duration, fixed, meganewtons, megajoules, number, seconds, tonnes } from '../../format.js';
+import { duration, fixed, meganewtons, megajoules, number, percent, seconds, tonnes } from '../../format.js';
 import { table } from '../../parts/table.js';
+import { durationColumn } from '../durations.js';
 
 export function head(model) {
   const { run } = model;
@@ -13,7 +14,7 @@ export function head(model) {
       run.cpu_s && `computed in ${duration(run.cpu_s)} of processor time`,
       run.seed !== undefined && `seed ${run.seed}`,
     ].filter(Boolean).join(' · '),
-    run.status && run.status !== 'complete' && `This run is ${run.status}: the figures are of the part that there is.`,
+    run.status && run.status !== 'complete' && `This run is ${run.status}: the figures cover the part that exists.`,
     ...(run.warnings ?? []));
 }
 
@@ -27,12 +28,12 @@ export function headline(model) {
     { name: 'Fill factor, by the pile’s density', cell: (p) => fixed(p.fill_factor, 2) },
     { name: 'by the load’s own', alone: 'Fill factor, by the load’s own density', cell: (p) => fixed(p.fill_factor_load, 2) },
     { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_phases_force_mean_N) },
-    { name: 'to the dump', alone: 'Dig force, mean to the dump', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
+    { name: 'mean to the dump', alone: 'Dig force, mean to the dump', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
     { name: 'peak', alone: 'Dig force, peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
     { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
-    { name: 'by payload', alone: 'Dig work by payload', unit: 'J/kg', cell: (p) => fixed(p.specific_dig_energy_J_kg, 0) },
+    { name: 'per payload', alone: 'Dig work per payload', unit: 'J/kg', cell: (p) => fixed(p.specific_dig_energy_J_kg, 0) },
     { name: 'Spilt', unit: 't', cell: (p) => tonnes(p.spillage_kg, 2) },
-    { name: 'Cycle', unit: 's', cell: (p) => fixed(p.t_end_s - p.t_start_s, 1) },
+    durationColumn(passes),
     { name: 'Cost', unit: 'CPU s', cell: (p) => number((p.t_end_s - p.t_start_s) * run.cpu_s_per_sim_s, 3) },
   ].filter((column) => passes.some((p) => column.cell(p) !== '–'));
   const sum = (key) => passes.reduce((total, p) => total + (p[key] ?? NaN), 0);
@@ -43,5 +44,26 @@ export function headline(model) {
     spillage_kg: sum('spillage_kg'), t_start_s: passes[0].t_start_s, t_end_s: passes[passes.length - 1].t_end_s,
   }] : [];
   return h('section', { id: 'headline', 'aria-label': 'Headline figures', class: passes.length === 1 ? 'single' : undefined },
-    table(null, columns, passes, { foot: total }));
+    table(null, columns, passes, { foot: total }), notes(model));
+}
+
+/// What a reader needs to judge the figures by.
+function notes(model) {
+  const { passes, drives, metrics } = model;
+  const rated = metrics.dipper?.rated_load_kg;
+  return h('ul.notes', [
+    rated && ['Rated load', `${tonnes(rated, 0)} t by the machine's file; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
+    drives && ['Drives', stalls(drives), ' ', h('a', { href: '#demand' }, 'By phase')],
+    model.coupling && ['Scatter', 'This is one seed. In the cases of the Bucyrus 495 the payload of a pass scatters between seeds by 3 to 7 t (standard deviation), '
+      + 'least with rock at true size. Several seeds show it: dipper study.'],
+    ['Dig force', 'The mean is over penetrate, fill and breakout. The mean to the dump is the paper\'s: from first contact until the door opens, with the swing.'],
+    ['Dig work', 'Of hoist and crowd over penetrate, fill and breakout, with the lifting of dipper and load. Per payload: that work divided by the payload; 1000 J/kg is 1 MJ/t.'],
+  ].filter(Boolean).map(([name, ...text]) => h('li', h('b', name), '. ', text)));
+}
+
+function stalls(drives) {
+  const held = ['hoist', 'crowd', 'swing'].map((name) => [name, drives[`${name}_saturated_s`]]).filter(([, s]) => s >= 0.05);
+  if (!held.length) return 'None reached its limits.';
+  return `At the limit: ${held.map(([name, s]) => `${name} for ${fixed(s, 1)} s`).join(', ')}. The machine ended ${fixed(drives.late_s, 1)} s behind its motion, `
+    + `and the operator moved the crowd back by up to ${fixed(drives.crowd_relief_most_m, 2)} m.`;
 }

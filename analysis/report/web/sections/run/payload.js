@@ -8,7 +8,7 @@ export function payload(model) {
   const passes = model.passes.filter((p) => p.payload_ways);
   if (!passes.length) return null;
   return section('payload', 'The payload, weighed in several ways',
-    'The rock counted inside the dipper, what the walls weigh while the dipper hangs still, what arrives in the truck, and what the shovel\'s own monitor would show.',
+    'The rock inside the dipper, the weight on its walls while it hangs still, the gain of the truck, and what the shovel\'s own monitor would show.',
     passes.flatMap((p) => [passes.length > 1 && h('h3', `Pass ${p.pass}`), ways(p), notes(p), fate(p)]));
 }
 
@@ -24,7 +24,7 @@ function ways(pass) {
   return table(null, [
     { name: 'Way', cell: (r) => [r[0], h('small', r[2])] },
     { name: 'Mass', unit: 't', cell: (r) => tonnes(r[1], 2) },
-    { name: 'against the first', unit: '', cell: (r) => (r === rows[0] ? '–' : `${r[1] >= first ? '+' : ''}${percent(r[1] / first - 1, 2)}`) },
+    { name: 'against the first', cell: (r) => (r === rows[0] ? '–' : `${r[1] >= first ? '+' : ''}${percent(r[1] / first - 1, 2)}`) },
   ], rows, { compact: true });
 }
 
@@ -42,7 +42,7 @@ function fate(pass) {
   const of = (name, key, colour) => ({ name, value: pass[key] ?? 0, colour, text: `${tonnes(pass[key], 2)} t` });
   if (!Number.isFinite(pass.lifted_kg)) return null;
   const rest = ['carry_back_kg', 'back_in_pile_kg', 'spillage_kg'].reduce((sum, key) => sum + (pass[key] ?? 0), 0);
-  return h('div', h('h3', `Where the ${tonnes(pass.lifted_kg)} t that were lifted went`), bar('Fate of the load', [
+  return h('div', h('h3', `Where the ${tonnes(pass.lifted_kg)} t lifted went`), bar('Fate of the load', [
     { name: 'truck', value: pass.lifted_kg - rest, colour: 'green', text: `${tonnes(pass.lifted_kg - rest, 2)} t` },
     of('spilt', 'spillage_kg', 'orange'), of('back in the pile', 'back_in_pile_kg', 'ochre'), of('still in the dipper', 'carry_back_kg', 'purple')]));
 }

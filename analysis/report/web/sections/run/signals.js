@@ -15,23 +15,33 @@ export function signals(model, clock) {
   const weighed = names.filter((name) => name.startsWith('rock/mass_in_') && !['rock/mass_in_dipper', 'rock/mass_in_truck'].includes(name))
     .map((name) => [`in the ${name.slice(13)}`, name, 'purple']);
   const plots = [
-    { title: 'Force', unit: 'MN', height: 250, lines: [...dig, ...lines(1e6,
+    { title: 'Force', unit: 'MN', height: 250, lines: [...stalled(model, 'hoist', 'blue'), ...stalled(model, 'crowd', 'orange'), ...dig, ...lines(1e6,
       ['hoist', 'machine/hoist_force', 'blue', 1.2], ['crowd', 'machine/crowd_force', 'orange', 1.2], ...bodies)] },
+    { title: 'Behind the motion', unit: 's; m', height: 170, lines: [...lines(1, ['late (s)', 'late', 'ink', 1.4]),
+      ...lines(1, ['crowd let back (m)', 'machine/crowd_relief', 'orange', 1.4])] },
     { title: 'Rock', unit: 't', height: 190, lines: lines(1e3,
       ['in the dipper', 'rock/mass_in_dipper', 'purple'], ['in the truck', 'rock/mass_in_truck', 'green'], ...weighed) },
     { title: 'Power of the drives', unit: 'MW', height: 210, lines: lines(1e6,
       ['hoist', 'machine/hoist_power', 'blue', 1.2], ['crowd', 'machine/crowd_power', 'orange', 1.2], ['swing', 'machine/swing_power', 'green', 1.2]) },
   ].filter((plot) => plot.lines.length);
   return section('signals', bodies.length ? 'Force and load' : 'Force, load and power',
-    (bodies.length ? 'The force is the rock’s on each body, in the mean over each sync step. '
-      : 'Dig force is √(hoist² + crowd²), Eq. 11 of Svanberg et al. 2021, drawn while the dipper digs: before and after that the drives carry what dipper and load weigh. ')
-    + 'Click a curve to see that moment in the replay; drag to zoom, double-click to zoom out.',
+    (bodies.length ? 'The force is the rock’s on each body, the mean over each sync step. '
+      : 'Dig force is √(hoist² + crowd²) (Svanberg et al. 2021, Eq. 11), shown while the dipper digs; before and after, the drives carry the weight of dipper and load. ')
+    + 'Click a curve to see that moment in the replay. Drag to zoom, double-click to zoom out.',
     plots.map((plot) => curve(time, plot.lines, { ...plot, clock, bands: model.phases })), missing(model.phases));
+}
+
+/// The drive's force [MN] where it is at its limit, as a broad line behind it; nothing where it never is.
+function stalled(model, drive, colour) {
+  const at = model.channel(`machine/${drive}_saturated`);
+  if (!at?.some((flag) => flag > 0)) return [];
+  const values = model.channel(`machine/${drive}_force`).map((force, k) => (at[k] > 0 && force !== null ? force / 1e6 : null));
+  return [{ label: `${drive} at its limit`, values, colour, width: 7, gaps: true, faint: true }];
 }
 
 const PHASES = ['approach', 'penetrate', 'fill', 'breakout', 'swing', 'dump', 'return'];
 
-/// Says which phases the motion does not have, rather than leave the reader to look for them.
+/// Says which phases the motion does not have.
 function missing(phases) {
   if (!phases.length) return null;
   const none = PHASES.filter((name) => !phases.some((phase) => phase.name === name));

@@ -9,8 +9,8 @@ export function comparisons(data) {
   if (!list.length) return null;
   const groups = [...new Map(list.map((c) => [`${c.parameter} ${c.value}`, c])).values()];
   return section('comparisons', 'Paired comparisons',
-    'The difference is taken seed by seed, so that what a seed does to both cancels. Confidence: that the true mean difference has the sign seen. '
-    + 'Many figures are looked at: of ten without any difference, one is outside its 90 % interval by chance.',
+    'The difference is taken seed by seed, so the seed\'s effect on both cancels. Confidence: the probability that the true mean difference has this sign. '
+    + 'Of ten figures without any difference, one is outside its 90 % interval by chance.',
     groups.map((g) => h('div', h('h3', `${g.parameter}: ${g.value} against ${g.against}`), h('div.stack', table(null, [
       { name: 'Figure', cell: (c) => columnName(c.column)[0] },
       { name: 'Difference', cell: (c) => `${meanText(c)} ${columnName(c.column)[1]}` },

@@ -1,0 +1,14 @@
+// How long a pass lasts: a cycle only where the dipper swings back.
+import { h } from '../dom.js';
+import { fixed } from '../format.js';
+
+const returns = (pass) => pass.phases?.some((row) => row.phase === 'return');
+
+/// The column of a table of passes: [{t_start_s, t_end_s, phases: [{phase}]}].
+export function durationColumn(passes) {
+  const cycles = passes.some(returns);
+  return {
+    name: cycles ? 'Cycle' : 'Time, no return', unit: 's',
+    cell: (pass) => [fixed(pass.t_end_s - pass.t_start_s, 1), cycles && pass.phases && !returns(pass) && h('small', ' no return')],
+  };
+}
