@@ -118,4 +118,5 @@ parameters: {{machine.rake_angle_deg: [61]}}
 executor: slurm
 slurm: {{partition: wide}}
 """)
-    assert [r["status"] for r in world.rows()] == ["complete"] and float(world.rows()[0]["cpu_s"]) > 0
+    # It ends before the door opens.
+    assert [r["status"] for r in world.rows()] == ["unfinished"] and float(world.rows()[0]["cpu_s"]) > 0

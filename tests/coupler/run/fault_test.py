@@ -211,7 +211,8 @@ class Faults(RunTest):
             shutil.copy(DIPPER, programs)  # looks for the others beside itself
             for other in ("dipper-dem", "dipper-mbs", "bench-cut"):
                 (programs / other).symlink_to(DIPPER.parent / other)
-            (programs / "dipper-liggghts").write_text(f"#!/bin/sh\nscreen=$8\n{instead}\n")
+            (programs / "dipper-liggghts").write_text(
+                f'#!/bin/sh\nfor word; do [ "$before" = -screen ] && screen=$word; before=$word; done\n{instead}\n')
             (programs / "dipper-liggghts").chmod(0o755)
             change["DIPPER_DATA"] = str(SOURCE)
         changed = unittest.mock.patch.dict(os.environ, change)

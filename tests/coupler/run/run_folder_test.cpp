@@ -11,7 +11,7 @@
 #include "machine/motion.hpp"
 #include "tests/coupler/case/checkout.hpp"
 
-namespace dipper::result {
+namespace dipper::run {
 namespace {
 
 using testing::ElementsAre;
@@ -25,27 +25,27 @@ TEST(RunFolder, HasOneOwnerAtATime) {
   const test::Checkout scratch;
   const fs::path out = scratch.root / "run";
   {
-    const RunFolder mine = RunFolder::create(out);
+    const result::RunFolder mine = result::RunFolder::create(out);
     EXPECT_TRUE(fs::is_directory(mine.checkpoints()));
-    EXPECT_THAT([&] { RunFolder::create(out); },
+    EXPECT_THAT([&] { result::RunFolder::create(out); },
                 ThrowsMessage<InputError>(
                     HasSubstr("another run is writing it (process " + std::to_string(getpid()))));
-    EXPECT_THAT([&] { RunFolder::resume(out); },
+    EXPECT_THAT([&] { result::RunFolder::resume(out); },
                 ThrowsMessage<InputError>(HasSubstr("holds no run to resume")));
     test::write_text(mine.record(), "rows");
-    EXPECT_THAT([&] { RunFolder::resume(out); },
+    EXPECT_THAT([&] { result::RunFolder::resume(out); },
                 ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
   }
-  EXPECT_THAT([&] { RunFolder::create(out); },
+  EXPECT_THAT([&] { result::RunFolder::create(out); },
               ThrowsMessage<InputError>(HasSubstr("holds a run already")));
-  EXPECT_EQ(RunFolder::resume(out).root(), out);
+  EXPECT_EQ(result::RunFolder::resume(out).root(), out);
   EXPECT_FALSE(fs::exists(out / "run.lock"));
 }
 
 TEST(RunFolder, ThatCannotBeMadeIsTheUsersMistake) {
   const test::Checkout scratch;
   test::write_text(scratch.root / "file", "in the way");
-  EXPECT_THAT([&] { RunFolder::create(scratch.root / "file" / "run"); },
+  EXPECT_THAT([&] { result::RunFolder::create(scratch.root / "file" / "run"); },
               ThrowsMessage<InputError>(HasSubstr("cannot be written")));
 }
 
@@ -106,4 +106,4 @@ TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {
 }
 
 }  // namespace
-}  // namespace dipper::result
+}  // namespace dipper::run
