@@ -76,7 +76,7 @@ class Poses(RunTest):
                 np.testing.assert_allclose(x, y, rtol=0, atol=1e-9 * np.abs(x).max())
 
     def test_what_is_wrong_is_named(self):
-        for case, said in (
+        for change, said in (
                 (dict(bodies=("scoop",)), r"poses.csv: body: guard is not under bodies in the case"),
                 (dict(bodies=("scoop", "guard", "plate")), r"bodies.plate: has no row in machine.poses"),
                 (dict(bodies=("scoop", "guard", "rocks")), r"bodies.rocks: the rock's scripts use this name"),
@@ -84,9 +84,10 @@ class Poses(RunTest):
                 (dict(machine="kind: poses\n  poses: poses.csv\n  rake_angle_deg: 60"),
                  r"machine.rake_angle_deg: is not used by machine.kind poses"),
                 (dict(machine="kind: poses\n  poses: none.csv"), r"machine.poses: no such file"),
-                (dict(table=TABLE + "1.2,scoop,0,0,0,1,0,0,0\n"), r"poses.csv:6:1: machine.poses: time_s is 1.2, not after"),
+                (dict(table=TABLE + "1.2,scoop,0,0,0,1,0,0,0\n"),
+                 r"poses.csv:6:1: machine.poses: time_s is 1.2, not after"),
                 (dict(table=TABLE + "9,scoop,99,0,0,1,0,0,0\n"), r"domain.max_m: the scoop leaves the domain")):
-            self.assertRegex(self.dipper("check", self.case(**case), status=2), said)
+            self.assertRegex(self.dipper("check", self.case(**change), status=2), said)
         self.assertIn("have no drives", self.dipper("preview", self.case(), status=2))
         shovel = self.dipper("check", TINY, "--set", f"bodies.blade={SOURCE}/meshes/bucket.stl", status=2)
         self.assertIn("machine.kind: poses", shovel)
