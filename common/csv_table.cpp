@@ -20,8 +20,12 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr int kFew = 3;  // faults of one kind that are told one by one
 
 // As word processors and spreadsheets write a minus sign and a blank, in UTF-8.
-constexpr std::array<std::pair<std::string_view, char>, 6> kLookAlikes{
-    {{"\u2212", '-'}, {"\u2012", '-'}, {"\u2013", '-'}, {"\u00A0", ' '}, {"\u2009", ' '}, {"\u202F", ' '}}};
+constexpr std::array<std::pair<std::string_view, char>, 6> kLookAlikes{{{"\u2212", '-'},
+                                                                        {"\u2012", '-'},
+                                                                        {"\u2013", '-'},
+                                                                        {"\u00A0", ' '},
+                                                                        {"\u2009", ' '},
+                                                                        {"\u202F", ' '}}};
 
 /// The text with line ends of Windows and of old Macs as \n, and plain minus signs and blanks.
 std::string plain(std::string_view text) {
@@ -110,8 +114,7 @@ Layout find_layout(std::string_view line, const std::vector<std::string>& column
     for (const std::string& name : columns) {
       const auto at = std::find_if(fields.begin(), fields.end(),
                                    [&](const Field& f) { return f.text == name; });
-      if (at != fields.end())
-        layout.place.push_back(static_cast<std::size_t>(at - fields.begin()));
+      if (at != fields.end()) layout.place.push_back(static_cast<std::size_t>(at - fields.begin()));
     }
     if (fields.size() == columns.size() && layout.place.size() == columns.size()) return layout;
   }
@@ -122,7 +125,9 @@ Layout find_layout(std::string_view line, const std::vector<std::string>& column
 std::string_view without_unit(std::string_view text, const std::string& column) {
   const std::string unit = column.substr(column.find_last_of('_') + 1);
   for (const std::string_view word :
-       {std::string_view(unit), std::string_view(unit == "percent" ? "%" : unit == "deg" ? "°" : "")})
+       {std::string_view(unit), std::string_view(unit == "percent" ? "%"
+                                                 : unit == "deg"   ? "°"
+                                                                   : "")})
     if (!word.empty() && text.size() > word.size() &&
         text.substr(text.size() - word.size()) == word)
       return trim(text.substr(0, text.size() - word.size()));
@@ -190,7 +195,7 @@ class RowFaults {
 
 std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& columns,
-                              std::vector<Finding>& findings) {
+                              std::vector<Finding>& findings, const std::string& name_column) {
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark)
     text.remove_prefix(kByteOrderMark.size());
   if (text.find('\0') != std::string_view::npos) {
@@ -234,10 +239,14 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
                              commas ? "; with decimal commas, semicolons part the columns" : ""));
       continue;
     }
-    CsvRow row{line_number, std::vector<double>(columns.size())};
+    CsvRow row{line_number, std::vector<double>(columns.size()), {}};
     bool sound = true;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const Field& field = fields[layout.place[i]];
+      if (columns[i] == name_column) {
+        row.name = field.text;
+        continue;
+      }
       if (number.read(without_unit(field.text, columns[i]), row.values[i])) continue;
       faults.add(columns[i], line_number, field.column,
                  fmt::format("{} is \"{}\"", columns[i], field.text),
@@ -255,14 +264,14 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
 
 std::vector<CsvRow> read_csv(const std::filesystem::path& file,
                              const std::vector<std::string>& columns,
-                             std::vector<Finding>& findings) {
+                             std::vector<Finding>& findings, const std::string& name_column) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) {
     findings.push_back({file, 0, "", "cannot be opened"});
     return {};
   }
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return parse_csv(text, file, columns, findings);
+  return parse_csv(text, file, columns, findings, name_column);
 }
 
 }  // namespace dipper

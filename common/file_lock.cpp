@@ -6,15 +6,20 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <string>
 #include <system_error>
+
+#include "common/host_identity.hpp"
 
 namespace dipper {
 
 FileLock::~FileLock() {
   if (fd_ < 0) return;
   unlink(file_.c_str());  // while it is still ours; see try_lock
+  if (!held_.empty()) unlink(held_.c_str());
   close(fd_);
 }
 
@@ -23,6 +28,13 @@ bool FileLock::try_lock() {
   if (fd < 0) throw std::system_error(errno, std::generic_category(), file_.string());
   if (flock(fd, LOCK_EX | LOCK_NB) != 0) {
     const int why = errno;
+    if (why == ENOSYS || why == ENOLCK || why == EOPNOTSUPP) {
+      fd_ = fd;
+      if (make_held()) return true;
+      fd_ = -1;
+      close(fd);
+      return false;
+    }
     close(fd);
     if (why == EWOULDBLOCK || why == EINTR) return false;
     throw std::system_error(why, std::generic_category(), file_.string());
@@ -38,6 +50,29 @@ bool FileLock::try_lock() {
   fd_ = fd;
   if (ftruncate(fd_, 0) == 0) dprintf(fd_, "%d\n", getpid());  // a name for owner(), no more
   return true;
+}
+
+bool FileLock::make_held() {
+  const std::filesystem::path held = file_.string() + ".held";
+  for (int tries = 0; tries < 2; ++tries) {
+    const int made = open(held.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (made >= 0) {
+      const bool written = dprintf(made, "%s %d\n", host_name().c_str(), getpid()) > 0;
+      if (close(made) != 0 || !written)
+        throw std::system_error(errno, std::generic_category(), held.string());
+      held_ = held;
+      if (ftruncate(fd_, 0) == 0) dprintf(fd_, "%d\n", getpid());
+      return true;
+    }
+    if (errno != EEXIST) throw std::system_error(errno, std::generic_category(), held.string());
+    std::string host;
+    pid_t pid = 0;
+    std::ifstream(held) >> host >> pid;
+    const bool is_dead = host == host_name() && pid > 0 && kill(pid, 0) != 0 && errno == ESRCH;
+    if (!is_dead) return false;
+    unlink(held.c_str());
+  }
+  return false;
 }
 
 std::optional<long> FileLock::owner() const {

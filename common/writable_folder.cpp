@@ -14,18 +14,19 @@ bool can_write_into(const std::filesystem::path& folder) {
   return access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why) {
-  throw InputError({{folder, 0, "", "cannot be written (" + why + "); choose another --out"}});
+[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& why,
+                         const std::string& remedy = "choose another --out") {
+  throw InputError({{folder, 0, "", "cannot be written (" + why + "); " + remedy}});
 }
 
 }  // namespace
 
-void make_writable(const std::filesystem::path& folder) {
+void make_writable(const std::filesystem::path& folder, const std::string& remedy) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (!failed && can_write_into(folder)) return;
   if (!failed) failed = std::error_code(errno, std::generic_category());
-  refuse(folder, failed.message());
+  refuse(folder, failed.message(), remedy);
 }
 
 void require_writable(const std::filesystem::path& folder) {

@@ -19,6 +19,7 @@
 #include "coupler/transport/lcm_transport.hpp"
 #include "coupler/transport/serve.hpp"
 #include "dem/liggghts_rock.hpp"
+#include "dem/rank_count.hpp"
 #include "dem/work_folder.hpp"
 
 namespace dipper::dem {
@@ -65,6 +66,7 @@ bool is_stop(const core::Message& m) {
 
 void run(const char* config_file) {
   const setup::PeerConfig config = setup::read_peer_config(config_file);
+  check_rank_count(config.settings.at("ranks").get<int>());
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   const std::filesystem::path links = std::filesystem::absolute(config_file).string() + ".links";

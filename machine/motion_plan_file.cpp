@@ -13,8 +13,8 @@
 namespace dipper::machine {
 namespace {
 
-constexpr Range kPositive{0, 1e5, true};
-constexpr Range kNotNegative{0, 1e5};
+constexpr Range kPlanPositive{0, 1e5, true};
+constexpr Range kPlanNotNegative{0, 1e5};
 const std::string kMove = "[start, end, ramp] in s from the cycle's start";
 
 class PlanReader {
@@ -31,8 +31,8 @@ class PlanReader {
     PlanFile file;
     MotionPlan& p = file.plan;
     file.source = y.text("source", "a text: what the curves rest on");
-    p.sample_s = y.number("sample_s", "a number in s", kPositive);
-    p.cycle_s = y.number("cycle_s", "a number in s", kPositive);
+    p.sample_s = y.number("sample_s", "a number in s", kPlanPositive);
+    p.cycle_s = y.number("cycle_s", "a number in s", kPlanPositive);
     p.dig = move(y, "dig");
     p.swing_out = move(y, "swing_out");
     p.door_open = move(y, "door_open");
@@ -101,10 +101,10 @@ class PlanReader {
     const std::string face = y.text("face", "pile, or a CSV of x_m,z_m");
     const std::vector<double> start = y.numbers("start_m", 2, "[x, z] in m");
     c.start = {start[0], start[1]};
-    c.depth_m = y.number("depth_m", "a number in m", kPositive);
-    c.floor_rise = y.number("floor_rise", "a number, dz/dx", kNotNegative);
-    c.exit_z_m = y.number("exit_z_m", "a number in m", kPositive);
-    c.smooth_m = y.number("smooth_m", "a number in m", kNotNegative);
+    c.depth_m = y.number("depth_m", "a number in m", kPlanPositive);
+    c.floor_rise = y.number("floor_rise", "a number, dz/dx", kPlanNotNegative);
+    c.exit_z_m = y.number("exit_z_m", "a number in m", kPlanPositive);
+    c.smooth_m = y.number("smooth_m", "a number in m", kPlanNotNegative);
     const double crowd = y.number("crowd_max_m", "a number in m");
     y.refuse_others();
     if (!findings_.empty() || !y.is_there()) return {};

@@ -8,19 +8,19 @@
 namespace dipper::machine {
 namespace {
 
-constexpr std::int64_t kTick_ns = 10'000'000;
+constexpr std::int64_t kLegTick_ns = 10'000'000;
 constexpr double kNear_m = 1e-3;
 
 }  // namespace
 
 std::vector<ReturnLeg> return_legs(const Motion& motion) {
   std::vector<Drives> x;
-  for (std::int64_t t = motion.start_ns(); t <= motion.end_ns(); t += kTick_ns)
+  for (std::int64_t t = motion.start_ns(); t <= motion.end_ns(); t += kLegTick_ns)
     x.push_back(motion.value(t));
   const auto door = [](const Drives& a, const Drives& b) { return a.door < b.door; };
   const auto crowd = [](const Drives& a, const Drives& b) { return a.crowd < b.crowd; };
   const auto is_open = [](const Drives& d) { return door_is_open(d.door); };
-  const auto time = [&](auto at) { return motion.start_ns() + (at - x.begin()) * kTick_ns; };
+  const auto time = [&](auto at) { return motion.start_ns() + (at - x.begin()) * kLegTick_ns; };
 
   std::vector<ReturnLeg> legs;
   for (auto opened = std::find_if(x.begin(), x.end(), is_open); opened != x.end();) {

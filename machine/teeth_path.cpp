@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kPoints = 4000;  // of a path
 constexpr std::size_t kLegPoints = 200;
-constexpr double kStep_m = 0.1;         // of a face's surface
+constexpr double kPathStep_m = 0.1;     // of a face's surface
 constexpr double kRise_m = 0.01;        // at a time, until the heel is clear
 constexpr double kPolygonSide_m = 1.6;  // coarse: the spline rounds what the rocks made uneven
 
@@ -44,11 +44,11 @@ double height(const TeethPath& face, double x) {
 
 /// The surface at equal steps, each the mean over `smooth_m`.
 TeethPath smoothed(const TeethPath& face, double smooth_m) {
-  const int side = std::max(0, static_cast<int>(std::lround(0.5 * smooth_m / kStep_m)));
+  const int side = std::max(0, static_cast<int>(std::lround(0.5 * smooth_m / kPathStep_m)));
   TeethPath out;
-  for (double x = face.front().x(); x <= face.back().x(); x += kStep_m) {
+  for (double x = face.front().x(); x <= face.back().x(); x += kPathStep_m) {
     double sum = 0;
-    for (int k = -side; k <= side; ++k) sum += height(face, x + k * kStep_m);
+    for (int k = -side; k <= side; ++k) sum += height(face, x + k * kPathStep_m);
     out.emplace_back(x, sum / (2 * side + 1));
   }
   return out;
@@ -133,7 +133,7 @@ TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle
   TeethPath path(1, cut.start);
   double z = cut.start.y();
   while (true) {
-    const double x = path.back().x() + kStep_m;
+    const double x = path.back().x() + kPathStep_m;
     z = std::max({z, floor(x), height(bottom, x)});
     for (Vector2d h = heel({x, z}); h.y() < floor(h.x()) && z < cut.exit_z_m; h = heel({x, z}))
       z += kRise_m;

@@ -13,8 +13,8 @@
 namespace dipper::machine {
 namespace {
 
-const std::vector<std::string> kColumns = {"x_m",    "z_m",       "speed_m_s",
-                                           "wait_s", "swing_deg", "door_deg"};
+const std::vector<std::string> kPathColumns = {"x_m",    "z_m",       "speed_m_s",
+                                               "wait_s", "swing_deg", "door_deg"};
 constexpr double kSample_s = 0.2;  // between rows of the motion
 constexpr double kSame_m = 1e-6;   // points nearer than this are one
 
@@ -66,7 +66,7 @@ std::vector<TeethPath> legs_of(const std::vector<PathPoint>& points) {
 
 TimedPath read_timed_path(const std::filesystem::path& file) {
   std::vector<Finding> findings;
-  const std::vector<CsvRow> rows = read_csv(file, kColumns, findings);
+  const std::vector<CsvRow> rows = read_csv(file, kPathColumns, findings);
   if (findings.empty() && rows.size() < 2)
     findings.push_back({file, 0, "", fmt::format("{} row(s); a path needs 2", rows.size())});
   if (findings.empty())

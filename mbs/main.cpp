@@ -1,6 +1,9 @@
 // dipper-mbs CONFIG: the machine side of a paired run.
 #include <fmt/core.h>
 
+#include <memory>
+#include <variant>
+
 #include "common/angles.hpp"
 #include "coupler/setup/machine_setup.hpp"
 #include "coupler/setup/peer_config.hpp"
@@ -8,22 +11,32 @@
 #include "coupler/transport/serve.hpp"
 #include "machine/machine_condition.hpp"
 #include "machine/motion.hpp"
+#include "mbs/led_bodies.hpp"
 #include "mbs/shovel.hpp"
 
 namespace dipper::mbs {
 namespace {
 
-void run(const char* config_file) {
-  const setup::PeerConfig config = setup::read_peer_config(config_file);
-  const setup::MachineSetup s = setup::machine_setup_from(config.settings);
+std::unique_ptr<core::Machine> make(const setup::ShovelSetup& s) {
   Pose X_W0;
   X_W0.p = s.base_position_m;
-  Shovel shovel(machine::in_condition(machine::load_machine(s.model), s.condition),
-                machine::Motion::load(s.motion), X_W0, radians(s.rake_angle_deg),
-                kLongestSubstep_ns, s.drives, s.contact_on_return);
+  return std::make_unique<Shovel>(
+      machine::in_condition(machine::load_machine(s.model), s.condition),
+      machine::Motion::load(s.motion), X_W0, radians(s.rake_angle_deg), kLongestSubstep_ns,
+      s.drives, s.contact_on_return);
+}
+
+std::unique_ptr<core::Machine> make(const setup::PosesSetup& s) {
+  return std::make_unique<LedBodies>(machine::PoseTable::load(s.table), s.bodies);
+}
+
+void run(const char* config_file) {
+  const setup::PeerConfig config = setup::read_peer_config(config_file);
+  const auto machine =
+      std::visit([](const auto& s) { return make(s); }, setup::machine_setup_from(config.settings));
   transport::LcmTransport lcm(config.lcm_url, transport::Channels::to_mbs, config.secret);
   transport::serve(lcm, transport::Channels::from_mbs, config.checkpoints,
-                   [&](const core::Message& m) { return transport::answer(shovel, m); });
+                   [&](const core::Message& m) { return transport::answer(*machine, m); });
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "analysis/io/byte_reader.hpp"
 
+#include <zlib.h>
+
 #include <cctype>
 #include <cstring>
 
@@ -17,8 +19,7 @@ ByteReader::ByteReader(std::filesystem::path file, std::int64_t offset, long lin
       file_(std::move(file)),
       stream_(open_file(file_)),
       base_(offset) {
-  std::setvbuf(stream_.get(), nullptr, _IONBF, 0);
-  if (fseeko(stream_.get(), offset, SEEK_SET) != 0)
+  if (gzseek(stream_.get(), offset, SEEK_SET) < 0)
     throw input_error(file_, line, "cannot be read there");
 }
 
@@ -28,11 +29,14 @@ bool ByteReader::refill() {
   filled_ -= read_;
   read_ = 0;
   if (filled_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
-  const std::size_t got =
-      std::fread(buffer_.data() + filled_, 1, buffer_.size() - filled_, stream_.get());
-  if (got == 0 && std::ferror(stream_.get()) != 0)
-    throw input_error(file_, line_, "cannot be read any further");
-  filled_ += got;
+  const int got = gzread(stream_.get(), buffer_.data() + filled_,
+                         static_cast<unsigned>(buffer_.size() - filled_));
+  int fault = Z_OK;
+  if (got <= 0) gzerror(stream_.get(), &fault);
+  if (fault == Z_BUF_ERROR)
+    throw input_error(file_, line_, "the gzipped file ends too soon: it was cut short");
+  if (got < 0 || fault < Z_OK) throw input_error(file_, line_, "cannot be read any further");
+  filled_ += static_cast<std::size_t>(got);
   return got > 0;
 }
 

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+struct gzFile_s;  // of zlib.h
+
 namespace dipper::analysis::io {
 
-/// Reads a file in a buffer of fixed size; counts lines as long as it is read as text. Throws
-/// InputError when the file cannot be read.
+/// Reads a file, gzipped or not, in a buffer of fixed size; counts lines as long as it is read as
+/// text. Throws InputError when the file cannot be read.
 class ByteReader {
  public:
   explicit ByteReader(std::filesystem::path file, std::int64_t offset = 0, long line = 1);
@@ -49,8 +50,8 @@ class ByteReader {
  private:
   int byte() const { return static_cast<unsigned char>(buffer_[read_]); }
   std::filesystem::path file_;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
-  std::int64_t base_ = 0;  // offset of buffer_[0] in the file
+  std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> stream_;
+  std::int64_t base_ = 0;  // offset of buffer_[0] in the file, in what it unpacks to
 };
 
 }  // namespace dipper::analysis::io

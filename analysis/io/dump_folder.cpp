@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// rocks_1670.dump is "rocks", dump.1670 is "dump": what comes before the step.
-std::string stem_of(const fs::path& file) {
+std::string stem_of(const fs::path& given) {
+  const fs::path file = without_gz(given);
   std::string name = file.filename().string();
   const auto step = step_in_name(file);
   if (!step) {
@@ -35,10 +36,8 @@ std::string stem_of(const fs::path& file) {
 /// A file that may not be read and that has no step in its name is none: a log of the run's owner.
 bool is_text_dump(const fs::path& file) {
   if (access(file.c_str(), R_OK) != 0 && !step_in_name(file.filename())) return false;
-  char head[14] = {};
-  const auto stream = open_file(file);
-  return std::fread(head, 1, sizeof head, stream.get()) == sizeof head &&
-         std::string_view(head, sizeof head) == "ITEM: TIMESTEP";
+  ByteReader in(file);
+  return in.next_is("ITEM: TIMESTEP") || in.next_is("ITEM: UNITS") || in.next_is("ITEM: TIME");
 }
 
 using Groups = std::map<std::string, std::vector<fs::path>>;
@@ -68,7 +67,7 @@ Found find_dumps(const fs::path& folder) {
   std::sort(files.begin(), files.end());
   std::map<std::string, bool> is_wall;
   for (const fs::path& file : files) {
-    const std::string ext = file.extension().string();
+    const std::string ext = without_gz(file).extension().string();
     const std::string stem = stem_of(file);
     if (ext == ".vtp" || ext == ".vtk") {
       const auto step = step_in_name(file);
@@ -125,7 +124,8 @@ void check_names(const std::vector<DumpFrame>& frames) {
   for (const DumpFrame& f : frames) ++in_file[f.file];
   for (const DumpFrame& f : frames) {
     const auto named = step_in_name(f.file);
-    if (in_file[f.file] == 1 && named && *named != f.step && f.file.extension() != ".lammpstrj")
+    if (in_file[f.file] == 1 && named && *named != f.step &&
+        without_gz(f.file).extension() != ".lammpstrj")
       throw input_error(f.file, 2,
                         fmt::format("holds step {}, but its name says {}; a dump of "
                                     "another run?",

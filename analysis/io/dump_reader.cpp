@@ -13,7 +13,8 @@ namespace dipper::analysis::io {
 namespace {
 
 bool is_vtk(const std::filesystem::path& file) {
-  return file.extension() == ".vtp" || file.extension() == ".vtk";
+  const std::filesystem::path end = without_gz(file).extension();
+  return end == ".vtp" || end == ".vtk";
 }
 
 constexpr std::int64_t kLargestStep = std::int64_t{1} << 53;  // a double counts up to here
@@ -117,8 +118,12 @@ bool DumpFrame::has(const std::string& column) const {
   return std::find(columns.begin(), columns.end(), column) != columns.end();
 }
 
+std::filesystem::path without_gz(std::filesystem::path file) {
+  return file.extension() == ".gz" ? file.replace_extension() : file;
+}
+
 std::optional<std::int64_t> step_in_name(const std::filesystem::path& file) {
-  const std::string name = file.stem().string();
+  const std::string name = without_gz(file).stem().string();
   const std::size_t end = name.find_last_of("0123456789");
   if (end == std::string::npos) return std::nullopt;
   std::size_t begin = end;

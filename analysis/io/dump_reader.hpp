@@ -58,7 +58,10 @@ class DumpReader {
   std::vector<DumpFrame> frames_;
 };
 
-/// The last whole number in a file's name: rocks_1670.vtp is 1670.
+/// A file's name without the .gz of a gzipped one.
+std::filesystem::path without_gz(std::filesystem::path file);
+
+/// The last whole number in a file's name: rocks_1670.vtp is 1670, and so is rocks_1670.dump.gz.
 std::optional<std::int64_t> step_in_name(const std::filesystem::path& file);
 
 }  // namespace dipper::analysis::io

@@ -1,6 +1,7 @@
 #include "analysis/io/line_reader.hpp"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <cerrno>
 #include <cstring>
@@ -16,9 +17,8 @@ InputError input_error(const std::filesystem::path& file, long line, const std::
   return InputError({{file, static_cast<int>(line), "", message}});
 }
 
-std::unique_ptr<std::FILE, int (*)(std::FILE*)> open_file(const std::filesystem::path& file) {
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                         &std::fclose);
+std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> open_file(const std::filesystem::path& file) {
+  std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> stream(gzopen(file.c_str(), "rb"), &gzclose);
   if (!stream || std::filesystem::is_directory(file))
     throw input_error(file, 0, fmt::format("cannot be read: {}", std::strerror(errno)));
   return stream;

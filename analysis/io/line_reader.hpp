@@ -1,7 +1,6 @@
 // Lines of a large text file, with their numbers.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -34,8 +33,8 @@ class LineReader : private ByteReader {
   bool ended_whole_ = true;
 };
 
-/// Opens a file for reading in binary; throws InputError.
-std::unique_ptr<std::FILE, int (*)(std::FILE*)> open_file(const std::filesystem::path& file);
+/// Opens a file, gzipped or not, for reading; throws InputError.
+std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> open_file(const std::filesystem::path& file);
 
 /// Takes the next word (up to blank, tab or carriage return) off the front; empty: none left.
 std::string_view take_word(std::string_view& text);

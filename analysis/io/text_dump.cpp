@@ -63,7 +63,10 @@ DumpFrame read_header(LineReader& in, std::string_view text) {
         throw input_error(in.file(), in.line(), "the time is not a number");
       frame.time_s = time_s;
     } else if (starts(text, "ITEM: UNITS")) {
-      header_line(in, "the units");
+      const std::string_view units = take_word(text = header_line(in, "the units"));
+      if (units != "si")
+        throw input_error(in.file(), in.line(),
+                          fmt::format("units are '{}'; a dump in 'si' (m, kg, s)", units));
     } else if (starts(text, "ITEM: ATOMS")) {
       if (!has_step || !has_count)
         throw input_error(in.file(), in.line(),

@@ -27,7 +27,7 @@ PassFigureMaker::Known known_of(const run::RunData& run, const rock::StruckVolum
 std::vector<PassFacts> find_facts(const run::RunData& run, const io::DumpFolder& dumps,
                                   const rock::StruckVolume& struck) {
   std::vector<PassFacts> facts;
-  if (!run.is_run) return facts;
+  if (!run.is_shovel) return facts;
   const PassFigureMaker maker(run.signals, run.folder / "record.h5", known_of(run, struck));
   for (const signals::PassPhases& p :
        signals::find_pass_phases(run.signals.pass, run.signals.drive)) {
@@ -113,7 +113,7 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
   for (const char* key : {"coupling", "dem", "mbs", "drives"})
     if (run.summary.is_object() && run.summary.contains(key)) v[key] = run.summary[key];
   if (run.regions.dipper && struck.volume_m3 > 0) v["dipper"] = dipper_table(run, struck);
-  if (run.is_run) {
+  if (run.is_shovel) {
     v["passes"] = passes_table(passes);
     v["phases"] = phase_table({passes.begin(), passes.end()});
     v["stages"] = stages_table(dumps, survey, passes);

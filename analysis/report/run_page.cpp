@@ -21,8 +21,7 @@ void write_run_page(const run::RunData& run, const io::DumpFolder& dumps,
   input.case_text = run.case_text;
   input.replay = &replay;
   input.figure = figure;
-  if (run.is_run)
-    read_curves(run.folder / "record.h5", run.text("machine.drives") == "limited", input);
+  if (run.is_run) read_curves(run, input);
   std::string title = run.text("title");
   if (title.empty()) title = std::filesystem::weakly_canonical(run.folder).filename().string();
   write_report_page(title, input, file);

@@ -8,7 +8,7 @@
 namespace dipper::analysis::rock {
 namespace {
 
-constexpr double kMostColumns = 4e6;  // 32 MB: a mesh in millimetres asks for more
+constexpr double kMostLoadColumns = 4e6;  // 32 MB: a mesh in millimetres asks for more
 
 /// The part of the line origin + s * up that is in the region: s from `low` to `high`; none: false.
 bool clip(const Eigen::Vector3d& origin, const Eigen::Vector3d& up, const Box& region, double& low,
@@ -43,7 +43,7 @@ double load_volume(const std::vector<Sphere>& balls, const Eigen::Vector3d& up, 
     v0 = std::min(v0, v.dot(p));
     v1 = std::max(v1, v.dot(p));
   }
-  cell_m = std::max(cell_m, std::sqrt((u1 - u0) * (v1 - v0) / kMostColumns));
+  cell_m = std::max(cell_m, std::sqrt((u1 - u0) * (v1 - v0) / kMostLoadColumns));
   const auto nu = static_cast<int>(std::ceil((u1 - u0) / cell_m));
   const auto nv = static_cast<int>(std::ceil((v1 - v0) / cell_m));
   constexpr double kNone = -std::numeric_limits<double>::infinity();

@@ -49,7 +49,8 @@ void read_scales(RunData& run) {
   try {
     for (const json& s : apart ? told.at("scales") : told.at("settings").at("scales")) {
       const Box region{vector_from(s.at("min_m")), vector_from(s.at("max_m"))};
-      if (s.at("name") == "mass_in_dipper") regions.dipper = region;
+      run.masses.push_back(s.at("name"));
+      if (run.is_shovel && s.at("name") == "mass_in_dipper") regions.dipper = region;
       if (s.at("name") != "mass_in_truck") continue;
       regions.truck = region;
       regions.X_WT = {quaternion_from(s.at("R_WS")), vector_from(s.at("p_WS"))};
@@ -97,24 +98,36 @@ mesh::TriangleMesh from_dump(const fs::path& file, const Pose& X_WB) {
 
 void read_meshes(RunData& run, const fs::path& deck) {
   const auto variables = deck_variables(deck);
-  for (const char* name : {"dipper", "door", "truck"}) {
-    const auto at = variables.find(std::string(name) + "_mesh");
+  std::vector<std::string> names = {"truck"};
+  for (const auto& track : run.signals.walls) names.push_back(track.first);
+  for (const std::string& name : names) {
+    const auto at = variables.find(name + "_mesh");
     const fs::path file = at == variables.end() ? fs::path() : fs::path(at->second);
     if (!file.empty() && fs::exists(file)) {
       run.mesh_files[name] = file;
       run.meshes[name] = mesh::read_stl(file);
       continue;
     }
-    const fs::path dump = run.folder / "dumps" / (std::string(name) + "_0.vtk");
+    const fs::path dump = run.folder / "dumps" / (name + "_0.vtk");
     const auto track = run.signals.walls.find(name);
     const Pose X_WB =
         track == run.signals.walls.end() ? run.regions.X_WT : track->second.at(0).X_WB;
-    const fs::path built = deck.parent_path() / "walls" / (std::string(name) + ".stl");
+    const fs::path built = deck.parent_path() / "walls" / (name + ".stl");
     if (fs::exists(dump))
       run.meshes[name] = from_dump(dump, X_WB);
     else if (fs::exists(built))  // a run without rock has no dumps
       run.meshes[name] = mesh::read_stl(built);
   }
+}
+
+/// Of the keys bodies.NAME.
+std::vector<std::string> body_names(const CaseLines& lines) {
+  const std::string section = "bodies.";
+  std::vector<std::string> names;
+  for (const CaseLine& line : lines)
+    if (line.key.compare(0, section.size(), section) == 0)
+      names.push_back(line.key.substr(section.size()));
+  return names;
 }
 
 /// The dipper with its door where it is at the start: shut.
@@ -173,12 +186,14 @@ RunData read_run_folder(const fs::path& folder) {
   run.case_lines = CaseLines(run.case_text);
   if (fs::exists(folder / "summary.json")) run.summary = read_summary(folder / "summary.json");
   const fs::path record = folder / "record.h5";
-  run.signals = read_signals(record);
+  run.is_shovel = run.text("machine.kind") != "poses";
+  run.signals =
+      run.is_shovel ? read_signals(record) : read_body_signals(record, body_names(run.case_lines));
   run.case_hash = record::read_attribute(record, "case_hash");
   run.version = record::read_attribute(record, "version");
   run.rock_version = record::read_attribute(record, "rock_version");
   run.machine_version = record::read_attribute(record, "machine_version");
-  run.dipper = run.signals.walls.at("dipper");
+  if (run.is_shovel) run.dipper = run.signals.walls.at("dipper");
   const double pile = run.number("rock.bulk_density_kg_m3"),
                rock = run.number("rock.density_kg_m3");
   run.bulk_density_kg_m3 =
@@ -186,7 +201,7 @@ RunData read_run_folder(const fs::path& folder) {
   read_scales(run);
   run.clumps = rock::read_clump_masses(folder / "deck" / "rocks.in");
   read_meshes(run, folder / "deck" / "case.in");
-  if (run.meshes.count("dipper") != 0) run.vessel = vessel_of(run);
+  if (run.is_shovel && run.meshes.count("dipper") != 0) run.vessel = vessel_of(run);
   if (run.regions.dipper) read_beside(run, run.mesh_files["dipper"]);
   return run;
 }

@@ -27,11 +27,13 @@ struct RunSignals {
 struct RunData {
   std::filesystem::path folder;
   bool is_run = false;     ///< of Dipper: there is a record
+  bool is_shovel = false;  ///< and its machine a shovel, with drives and passes
   std::string case_text;   ///< case.txt
   CaseLines case_lines;    ///< the keys in it
   nlohmann::json summary;  ///< of summary.json; null: the run has not ended
   std::string case_hash, rock_version, machine_version, version;
   RunSignals signals;
+  std::vector<std::string> masses;  ///< names of the channels with rock weighed in a region [kg]
   rock::ClumpMasses clumps;
   rock::LoadRegions regions;
   rock::PoseTrack dipper;                            ///< empty: not known
@@ -68,6 +70,11 @@ rock::PoseTrack read_poses(const std::filesystem::path& file);
 /// all rock weighs what the record says, walls are where the record has them. Throws InputError
 /// naming file and line.
 void check_dumps_are_of(const RunData& run, const io::DumpFolder& dumps);
+
+/// What a record has of its bodies and its rock, whatever the machine: rock_work_J, rock_kg, walls,
+/// and time_s in `pass`. Throws InputError.
+RunSignals read_body_signals(const std::filesystem::path& record,
+                             const std::vector<std::string>& bodies);
 
 /// The channels of record.h5, cut to the shortest: a run may be writing it. Throws InputError.
 RunSignals read_signals(const std::filesystem::path& record);

@@ -24,14 +24,16 @@ record::Columns read_drives(const fs::path& record) {
   return c;
 }
 
+void read_track(record::Columns& c, const std::string& body) {
+  for (std::size_t k = 0; k < 7; ++k) c.read("bodies/" + body + "/wall_pose", k);
+  for (std::size_t k = 0; k < 6; ++k) c.read("bodies/" + body + "/twist", k);
+}
+
 record::Columns read_columns(const fs::path& record) {
   record::Columns c = read_drives(record);
   for (const char* channel : {"rock/rock_mass", "coupling/rock_work"}) c.read(channel);
   c.read("bodies/door/wrench_mean", 5);
-  for (const std::string body : kBodies) {
-    for (std::size_t k = 0; k < 7; ++k) c.read("bodies/" + body + "/wall_pose", k);
-    for (std::size_t k = 0; k < 6; ++k) c.read("bodies/" + body + "/twist", k);
-  }
+  for (const char* body : kBodies) read_track(c, body);
   return c;
 }
 
@@ -89,15 +91,30 @@ RunSignals signals_of(const record::Columns& c) {
   return s;
 }
 
+RunSignals require_rows(RunSignals s, const fs::path& record) {
+  if (s.pass.time_s.size() < 2)
+    throw io::input_error(record, 0, "fewer than two rows: the run ended before it began");
+  return s;
+}
+
 }  // namespace
 
 RunSignals read_drive_signals(const fs::path& record) { return drives_of(read_drives(record)); }
 
+RunSignals read_body_signals(const fs::path& record, const std::vector<std::string>& bodies) {
+  record::Columns c(record);
+  for (const char* channel : {"time_s", "rock/rock_mass", "coupling/rock_work"}) c.read(channel);
+  for (const std::string& body : bodies) read_track(c, body);
+  RunSignals s;
+  s.pass.time_s = c.get("time_s");
+  s.rock_work_J = c.get("coupling/rock_work");
+  s.rock_kg = c.get("rock/rock_mass");
+  for (const std::string& body : bodies) s.walls[body] = track_of(c, body);
+  return require_rows(std::move(s), record);
+}
+
 RunSignals read_signals(const fs::path& record) {
-  RunSignals s = signals_of(read_columns(record));
-  if (s.pass.time_s.size() < 2)
-    throw io::input_error(record, 0, "fewer than two rows: the run ended before it began");
-  return s;
+  return require_rows(signals_of(read_columns(record)), record);
 }
 
 }  // namespace dipper::analysis::run

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
+#include "common/angles.hpp"
 #include "common/mesh/stl.hpp"
 
 namespace dipper::mesh {
@@ -165,5 +168,29 @@ class Checker {
 }  // namespace
 
 std::vector<MeshFault> check_mesh(const TriangleMesh& mesh) { return Checker(mesh).run(); }
+
+double smallest_angle(const TriangleMesh& mesh, std::size_t facet) {
+  const Triangle t = mesh.corners(facet);
+  double smallest = M_PI;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3d a = t[(i + 1) % 3] - t[i], b = t[(i + 2) % 3] - t[i];
+    smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
+  }
+  return smallest;
+}
+
+std::vector<MeshFault> check_angles(const TriangleMesh& mesh, double least_angle) {
+  std::vector<MeshFault> faults;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const double angle = smallest_angle(mesh, i);
+    if (angle >= least_angle) continue;
+    faults.push_back(
+        {MeshFault::Kind::degenerate, i + 1,
+         fmt::format("facet {}: its smallest angle is {:.2g} deg, at {}; LIGGGHTS takes "
+                     "{:.2g} deg and more: join it with its neighbours",
+                     i + 1, degrees(angle), point(mesh.corners(i)[0]), degrees(least_angle))});
+  }
+  return faults;
+}
 
 }  // namespace dipper::mesh

@@ -21,4 +21,10 @@ struct MeshFault {
 /// closed shells that face inwards. Several shells are fine; a cavity is not (nothing reaches it).
 std::vector<MeshFault> check_mesh(const TriangleMesh& mesh);
 
+/// The smallest angle of a facet (0-based) [rad].
+double smallest_angle(const TriangleMesh& mesh, std::size_t facet);
+
+/// Facets with an angle below `least_angle` [rad], of those that have an area.
+std::vector<MeshFault> check_angles(const TriangleMesh& mesh, double least_angle);
+
 }  // namespace dipper::mesh

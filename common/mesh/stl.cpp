@@ -254,12 +254,20 @@ void check_rounding(const Box& box, double rounded_to_m, const std::filesystem::
                                  far, rounded_to_m, diagonal)}});
 }
 
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || !std::filesystem::is_regular_file(file))
+    throw InputError({{file, 0, "", "no such file, or it cannot be read"}});
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 }  // namespace
 
 TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& file) {
   const std::string_view text = text_of(bytes), begin = without_blanks(text);
   const bool binary = is_binary(bytes, begin);
-  if (const std::string other = other_format(begin); !other.empty() && !is_word(begin.substr(0, 5), "solid"))
+  if (const std::string other = other_format(begin);
+      !other.empty() && !is_word(begin.substr(0, 5), "solid"))
     if (!binary || bytes.size() != header_bytes + facet_count(bytes) * facet_bytes)
       throw InputError({{file, 0, "", fmt::format("is a {} file; export the mesh as STL", other)}});
   const Facets facets = binary ? parse_binary(bytes, file) : parse_ascii(text, file);
@@ -278,11 +286,15 @@ TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& fi
 
 double weld_distance(double diagonal_m) { return std::min(1e-6, 1e-6 * diagonal_m); }
 
-TriangleMesh read_stl(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || !std::filesystem::is_regular_file(file))
-    throw InputError({{file, 0, "", "no such file, or it cannot be read"}});
-  return parse_stl({std::istreambuf_iterator<char>(in), {}}, file);
+TriangleMesh read_stl(const std::filesystem::path& file) { return parse_stl(bytes_of(file), file); }
+
+bool is_plain_stl(const std::filesystem::path& file) {
+  const std::string bytes = bytes_of(file);
+  const std::string_view text = without_blanks(text_of(bytes));
+  if (is_binary(bytes, text)) return true;
+  const bool begins = bytes.compare(0, 5, "solid") == 0;
+  return begins && bytes.find("facet normal") != std::string::npos &&
+         bytes.find('\r') == std::string::npos;
 }
 
 bool is_stl(const std::filesystem::path& file) {

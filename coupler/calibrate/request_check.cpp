@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "common/cache_folder.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/installation.hpp"
@@ -84,6 +85,7 @@ std::optional<cases::Case> checked_request(const CalibrationRequest& request, Re
     faults.push_back(data_folder().string() + ": " + deck::kLiggghtsRefuses);
   try {
     require_writable(request.out);
+    make_writable(cache_folder(), kOtherCache);
   } catch (const InputError& e) {
     faults.push_back(e.what());
   }

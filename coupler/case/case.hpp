@@ -21,8 +21,15 @@ namespace dipper::cases {
 
 class BenchSurface;
 
-/// machine: the shovel and what drives it.
+enum class MachineKind {
+  shovel,  ///< a rope shovel, its drives led along a motion
+  poses    ///< any bodies, led along a table of poses
+};
+
+/// machine: what moves the bodies.
 struct MachineCase {
+  MachineKind kind = MachineKind::shovel;
+  std::filesystem::path poses;   ///< of kind poses (machine/pose_table.hpp)
   std::filesystem::path model;   ///< dimensions and masses (mbs/*.yaml)
   std::filesystem::path motion;  ///< drive curves (time_s, hoist_m, crowd_m, swing_deg, door_deg)
   Eigen::Vector3d base_position_m = Eigen::Vector3d::Zero();  ///< swing axis at ground level, in W

@@ -5,6 +5,7 @@
 
 #include "common/sha256.hpp"
 #include "coupler/case/case_text.hpp"
+#include "coupler/case/machine_kind.hpp"
 
 namespace fs = std::filesystem;
 
@@ -20,12 +21,15 @@ std::set<std::string> used_shapes(const Case& c) {
   return shapes;
 }
 
-/// The files beside the meshes of dipper and truck that say where in them rock is weighed.
+/// What stands beside the meshes and says where in them rock is weighed: the dipper's and the
+/// truck's, which must be there; of other bodies, where it is.
 std::set<fs::path> fact_files(const Case& c) {
   std::set<fs::path> files;
-  const auto dipper = c.bodies.find("dipper");
-  if (dipper != c.bodies.end()) files.insert(fs::path(dipper->second).replace_extension(".yaml"));
-  files.insert(fs::path(c.truck.mesh).replace_extension(".yaml"));
+  const auto beside = [](fs::path mesh) { return mesh.replace_extension(".yaml"); };
+  for (const auto& [name, mesh] : c.bodies)
+    if (c.machine.kind == MachineKind::shovel ? name == "dipper" : fs::exists(beside(mesh)))
+      files.insert(beside(mesh));
+  if (has_truck(c)) files.insert(beside(c.truck.mesh));
   return files;
 }
 
@@ -42,10 +46,11 @@ std::vector<fs::path> shape_files(const fs::path& folder, const std::string& sha
 }
 
 std::vector<fs::path> referenced_files(const Case& c) {
-  std::set<fs::path> files{c.machine.model, c.machine.motion, c.truck.mesh};
+  std::set<fs::path> files = fact_files(c);
+  for (const fs::path& file :
+       {c.machine.model, c.machine.motion, c.machine.poses, c.truck.mesh, c.pile.profile})
+    if (!file.empty()) files.insert(file);
   for (const auto& body : c.bodies) files.insert(body.second);
-  files.merge(fact_files(c));
-  if (!c.pile.profile.empty()) files.insert(c.pile.profile);
   for (const std::string& shape : used_shapes(c)) {
     for (const fs::path& file : shape_files(c.rock.shape_folder, shape)) files.insert(file);
   }

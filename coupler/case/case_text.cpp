@@ -5,6 +5,7 @@
 #include <map>
 
 #include "common/yaml_tree.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 
@@ -52,7 +53,7 @@ std::string case_text(const Case& c, const PathText& path_text) {
     if (spec.key.rfind("rock.sieve.", 0) == 0) continue;
     if (spec.key == "effects.*") continue;  // the keys they change have their values already
     if (spec.key == "pile.profile" && c.pile.profile.empty()) continue;
-    if (is_replaced_by_profile(c, spec.key)) continue;
+    if (is_replaced_by_profile(c, spec.key) || is_of_other_kind(c, spec.key)) continue;
     for (const Place& place : places_of(c, spec)) {
       lines[concrete_key(spec, place)] =
           std::visit(ValueText{text_of_path, spec}, spec.slot(copy, place));

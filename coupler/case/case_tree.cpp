@@ -8,6 +8,8 @@
 
 namespace fs = std::filesystem;
 
+#include "common/resolved_path.hpp"
+
 namespace dipper::cases {
 namespace {
 
@@ -38,7 +40,7 @@ void merge_include(YamlTree& root, const fs::path& folder, std::vector<Finding>&
   };
   if (include.kind != YamlTree::Kind::scalar || include.scalar.empty())
     return fault(fmt::format("is {}; write a path", shown(include)));
-  const fs::path file = (folder / include.scalar).lexically_normal();
+  const fs::path file = resolved(folder / include.scalar);
   if (!fs::is_regular_file(file)) return fault(file.string() + " is no file");
   const YamlTree other = read_yaml(file, findings);
   if (other.find(kInclude) != nullptr) return fault(file.string() + " has an include of its own");

@@ -9,11 +9,13 @@
 #include <set>
 
 #include "common/nearest_word.hpp"
+#include "common/resolved_path.hpp"
 #include "common/yaml_tree.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/case_text.hpp"
 #include "coupler/case/case_tree.hpp"
 #include "coupler/case/effects.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/case/sieve_classes.hpp"
@@ -61,8 +63,8 @@ class Loader {
     }
     for (const std::string& name : known) {
       const std::string child = join_key(pattern, name);
-      const bool replaced =
-          (child == "rock.classes" && has(node, "sieve")) || is_replaced_by_profile(case_, child);
+      const bool replaced = (child == "rock.classes" && has(node, "sieve")) ||
+                            is_replaced_by_profile(case_, child) || is_of_other_kind(case_, child);
       if (!has(node, name) && !meant.count(name) && !replaced && is_required(child)) {
         add(node, join_key(key, name), missing_message(child));
       }
@@ -183,7 +185,7 @@ class Loader {
     // Relative to the file that says it; what --set says, to the case.
     const bool by_hand = node.origin.line == 0;
     const fs::path from = by_hand ? case_.folder : fs::absolute(node.origin.file).parent_path();
-    *out = (from / node.scalar).lexically_normal();
+    *out = resolved(from / node.scalar);
   }
 
   void read_value(const YamlTree& node, const std::string& key, const KeySpec& spec,
@@ -336,8 +338,7 @@ void add_file_findings(const Case& c, const std::string& key, const InputError& 
 Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
                std::vector<Finding>& findings) {
   Case c;
-  c.folder = fs::absolute(folder).lexically_normal();
-  if (!c.folder.has_filename()) c.folder = c.folder.parent_path();
+  c.folder = resolved(folder);
   c.name = c.folder.filename().string();
 
   const fs::path file = folder / "case.yaml";
@@ -362,6 +363,7 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
 
   Loader(c, findings).read_section(root, "", "", {});
   if (findings.size() == before) make_sieve_classes(c, findings);
+  check_machine_kind(c, findings);
   read_pile_profile(c, findings);
   if (findings.size() == before) apply_effects(c, findings);
   c.contact = of_every_pair(c.contact);

@@ -39,10 +39,15 @@ Box read_box(YamlSection& file, const std::string& key, const std::string& what,
 
 }  // namespace
 
-DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings) {
+bool has_dipper_facts(const Case& c, const std::string& name) {
+  return fs::is_regular_file(fs::path(c.bodies.at(name)).replace_extension(".yaml"));
+}
+
+DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings,
+                              const std::string& name) {
   const std::size_t before = findings.size();
   const YamlTree tree =
-      read_beside(c, "bodies.dipper", c.bodies.at("dipper"),
+      read_beside(c, "bodies." + name, c.bodies.at(name),
                   "struck_volume_m3, cavity: {min_m, max_m}, heap_height_m", findings);
   DipperFacts facts;
   if (findings.size() > before) return facts;
@@ -51,7 +56,7 @@ DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings) {
       file.number("struck_volume_m3", "the volume in m3 up to the plane through lip and roof",
                   {0, 1e300, true});
   facts.cavity =
-      read_box(file, "cavity", "corners of the dipper's inside in its frame B", findings);
+      read_box(file, "cavity", "corners of the inside in the body's own frame", findings);
   facts.load = facts.cavity;
   facts.load.max_m.x() +=
       file.number("heap_height_m", "how far in m rock beyond the lip counts as load", {0});

@@ -2,6 +2,7 @@
 // fits.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "common/box.hpp"
@@ -18,8 +19,12 @@ struct DipperFacts {
 
 /// Reads struck_volume_m3, cavity {min_m, max_m} and heap_height_m from the YAML file of the
 /// dipper's mesh's name; other keys are the user's notes. Each that is missing or cannot be is
-/// appended to `findings`; the facts are usable only when none was. Expects bodies.dipper.
-DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings);
+/// appended to `findings`; the facts are usable only when none was. Expects the body `name`.
+DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings,
+                              const std::string& name = "dipper");
+
+/// Whether a body has such a file.
+bool has_dipper_facts(const Case& c, const std::string& name);
 
 /// Reads bed {min_m, max_m}, in the truck's frame [m], from the YAML file of the truck's mesh's
 /// name, likewise.

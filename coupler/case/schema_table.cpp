@@ -57,6 +57,12 @@ std::vector<KeySpec> make_schema() {
       {"end_s", "s", simulated, {}, optional, output,
        "simulated time; default 0: until the motion has ended", SLOT(c.end_s)},
 
+      {"machine.kind", "", any, {"shovel", "poses"}, optional, dig,
+       "shovel (a rope shovel that follows a motion) or poses (any bodies that follow a table "
+       "of poses, docs/poses.md); default shovel",
+       CHOICE(c.machine.kind, MachineKind::shovel, MachineKind::poses)},
+      {"machine.poses", "", any, {}, optional, dig,
+       "for kind poses: CSV of the poses of every body against time", SLOT(c.machine.poses)},
       {"machine.model", "", any, {}, required, dig,
        "machine file: dimensions, masses and drives of the shovel", SLOT(c.machine.model)},
       {"machine.motion", "", any, {}, required, dig,

@@ -37,15 +37,17 @@ std::string fault_of_all(const std::vector<Row>& rows) {
     most = std::max(most, row.point.passing_percent);
   }
   if (largest > kLargestSize)
-    return fmt::format("size_m goes from {:g} to {:g} m; up to {:g} m: in mm, perhaps? 1000 mm = 1 m",
-                       smallest, largest, kLargestSize);
+    return fmt::format(
+        "size_m goes from {:g} to {:g} m; up to {:g} m: in mm, perhaps? 1000 mm = 1 m", smallest,
+        largest, kLargestSize);
   if (most <= 1)
     return fmt::format(
-        "passing_percent goes from {:g} to {:g}; up to 100 %: shares of 1, perhaps? 1 = 100 %", least,
-        most);
+        "passing_percent goes from {:g} to {:g}; up to 100 %: shares of 1, perhaps? 1 = 100 %",
+        least, most);
   if (finest->point.passing_percent > coarsest->point.passing_percent)
     return fmt::format(
-        "passing_percent falls from {:g} to {:g} as size_m rises from {:g} to {:g} m; what passes a "
+        "passing_percent falls from {:g} to {:g} as size_m rises from {:g} to {:g} m; what passes "
+        "a "
         "sieve passes every larger one: shares retained, perhaps? passing is 100 less retained",
         finest->point.passing_percent, coarsest->point.passing_percent, smallest, largest);
   return "";

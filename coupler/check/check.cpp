@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "coupler/case/case.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/check/check_parts.hpp"
 
 namespace dipper::check {
@@ -19,20 +19,24 @@ std::vector<Finding> check_case(const cases::Case& c) {
   std::vector<Finding> findings;
   std::map<std::string, mesh::TriangleMesh> bodies;
   for (const auto& [name, file] : c.bodies) {
-    if (auto body = load_sound_mesh(c, "bodies." + name, file, findings)) {
-      bodies.emplace(name, std::move(*body));
-    }
+    const std::string key = "bodies." + name;
+    auto body = load_sound_mesh(c, key, file, findings);
+    if (body && check_unit(c, key, *body, findings)) bodies.emplace(name, std::move(*body));
   }
   if (const auto dipper = bodies.find("dipper"); dipper != bodies.end()) {
     check_tooth_wear(c, dipper->second, findings);
   }
-  if (const auto truck = load_sound_mesh(c, "truck.mesh", c.truck.mesh, findings)) {
-    check_truck_in_domain(c, *truck, findings);
+  if (cases::has_truck(c)) {
+    if (const auto truck = load_sound_mesh(c, "truck.mesh", c.truck.mesh, findings);
+        truck && check_unit(c, "truck.mesh", *truck, findings))
+      check_truck_in_domain(c, *truck, findings);
   }
   check_mesh_facts(c, findings);
   check_pile_in_domain(c, findings);
-  if (const auto motion = check_motion(c, bodies, findings)) {
-    check_windows(c, *motion, findings);
+  if (c.machine.kind == cases::MachineKind::poses) {
+    check_poses(c, bodies, findings);
+  } else if (const auto motion = check_motion(c, bodies, findings)) {
+    check_windows(c, motion->start_ns(), motion->end_ns(), findings);
   }
   check_rock(c, findings);
   return findings;

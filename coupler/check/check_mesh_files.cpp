@@ -23,6 +23,9 @@ namespace fs = std::filesystem;
 namespace dipper::check {
 namespace {
 
+// LIGGGHTS's own limit of a facet's angles (surface_mesh_I.h, minAngle_hardLimit_), and a little.
+const double kThinnestFacet = 1.01 * std::acos(0.9999995);
+
 constexpr std::size_t faults_shown = 10;  // a file: the first few tell what is wrong with it
 
 // "reaches y = 28.3 m, 0.3 m beyond the domain's 28", once a side of the box that is passed.
@@ -71,7 +74,8 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
         fmt::format("{}: {}; rename it or its folder", file.string(), deck::kLiggghtsRefuses)));
   try {
     mesh::TriangleMesh mesh = mesh::read_stl(file);
-    const auto faults = mesh::check_mesh(mesh);
+    auto faults = mesh::check_mesh(mesh);
+    if (faults.empty()) faults = mesh::check_angles(mesh, kThinnestFacet);
     for (std::size_t i = 0; i < faults.size() && i < faults_shown; ++i) {
       findings.push_back({file, 0, key, faults[i].message});
     }
@@ -88,9 +92,10 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
 
 // A mesh that is not there is told by itself: its name is wrong, not the other's.
 void check_mesh_facts(const cases::Case& c, Findings& findings) {
-  const auto dipper = c.bodies.find("dipper");
-  if (dipper != c.bodies.end() && fs::is_regular_file(dipper->second)) {
-    cases::read_dipper_facts(c, findings);
+  const bool shovel = c.machine.kind == cases::MachineKind::shovel;
+  for (const auto& [name, mesh] : c.bodies) {
+    const bool weighed = shovel ? name == "dipper" : cases::has_dipper_facts(c, name);
+    if (weighed && fs::is_regular_file(mesh)) cases::read_dipper_facts(c, findings, name);
   }
   if (fs::is_regular_file(c.truck.mesh)) cases::read_truck_bed(c, findings);
 }
@@ -102,6 +107,20 @@ void check_tooth_wear(const cases::Case& c, const mesh::TriangleMesh& dipper, Fi
   } catch (const std::invalid_argument& e) {
     findings.push_back(cases::finding_at(c, "machine.tooth_wear_m", e.what()));
   }
+}
+
+bool check_unit(const cases::Case& c, const std::string& key, const mesh::TriangleMesh& mesh,
+                Findings& findings) {
+  const double longest = mesh::bounding_box(mesh).sides_m().maxCoeff();
+  const double domain = (c.domain.max_m - c.domain.min_m).maxCoeff();
+  if (longest <= domain) return true;
+  findings.push_back(cases::finding_at(
+      c, key,
+      fmt::format(
+          "the mesh is {:.4g} m long, and the whole domain {:.4g} m: in mm, perhaps? An STL "
+          "file has no unit and is read in m; {:.4g} mm are {:.4g} m, scale it by 0.001",
+          longest, domain, longest, 1e-3 * longest)));
+  return false;
 }
 
 mesh::TriangleMesh placed_truck(const cases::Case& c, mesh::TriangleMesh truck) {

@@ -1,6 +1,9 @@
 // The parts of check_case, one a subject. Internal to it.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +25,11 @@ bool file_exists(const cases::Case& c, const std::string& key, const std::filesy
 std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const std::string& key,
                                                   const std::filesystem::path& file,
                                                   Findings& findings);
+
+/// False, and a finding, when a mesh is longer than the domain: it is in another unit. What else
+/// would be told of it says nothing more.
+bool check_unit(const cases::Case& c, const std::string& key, const mesh::TriangleMesh& mesh,
+                Findings& findings);
 
 /// The YAML files beside the dipper's and the truck's mesh.
 void check_mesh_facts(const cases::Case& c, Findings& findings);
@@ -49,8 +57,22 @@ void check_collapse(const cases::Case& c, const machine::ShovelKinematics& shove
                     const machine::Motion& motion,
                     const std::map<std::string, mesh::TriangleMesh>& bodies, Findings& findings);
 
-/// Windows against the simulated time.
-void check_windows(const cases::Case& c, const machine::Motion& motion, Findings& findings);
+/// machine.kind poses: a readable table with every body and no other, and the bodies' meshes inside
+/// the domain all the time.
+void check_poses(const cases::Case& c, const std::map<std::string, mesh::TriangleMesh>& bodies,
+                 Findings& findings);
+
+/// The bodies' meshes inside the domain from start to end. `pose_at`: of a body at a time [ns];
+/// nothing where there is none.
+using PoseAt = std::function<std::optional<Pose>(const std::string& body, std::int64_t t_ns)>;
+void check_bodies_in_domain(const cases::Case& c, const PoseAt& pose_at, std::int64_t start_ns,
+                            std::int64_t end_ns,
+                            const std::map<std::string, mesh::TriangleMesh>& bodies,
+                            Findings& findings);
+
+/// Windows against the simulated time, of a motion from start to end.
+void check_windows(const cases::Case& c, std::int64_t start_ns, std::int64_t end_ns,
+                   Findings& findings);
 
 /// Shapes that exist, a rock at least in every class, a stable DEM step.
 void check_rock(const cases::Case& c, Findings& findings);

@@ -10,6 +10,7 @@
 #include "common/seconds.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/case/case_text.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_parts.hpp"
 #include "coupler/check/cost_estimate.hpp"
@@ -40,7 +41,7 @@ struct CaseSize {
 CaseSize size_of(const cases::Case& c) {
   CaseSize s;
   for (const deck::ClassCount& count : deck::rock_counts(c)) s.rocks += count.rocks;
-  const double motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());
+  const double motion_s = cases::motion_end_s(c);
   s.simulated_s = c.end_s > 0 ? c.end_s : motion_s;
   s.steps = std::ceil(s.simulated_s / c.dem.timestep_s - 1e-6);
   s.windows = std::ceil(s.steps / c.coupling.sync_steps);
@@ -127,7 +128,7 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
   }
   reporter.line(c.name + " is sound: " + summary(c));
   reporter.line(to_string(cost_estimate(c)));
-  tell_digs(c, reporter);
+  if (c.machine.kind == cases::MachineKind::shovel) tell_digs(c, reporter);
   for (const Finding& warning : warnings(c)) reporter.line("warning: " + to_string(warning));
   return c;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/seconds.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/rock_shape.hpp"
 #include "machine/motion.hpp"
@@ -19,7 +20,7 @@ constexpr double kSettleRate = 4.5e6;      // sphere-steps a CPU-second, all roc
 constexpr double kDigRate = 5e6;           // likewise, part of it at rest
 constexpr double kHoldStep_s = 0.15e-3;    // with dem.hold_below_m_s, a step: what moves, walls,
 constexpr double kHoldSphere_s = 15e-9;    // and a sphere in it, most at rest
-constexpr double kWindow_s = 0.3e-3;       // machine side 0.1 ms, master with record 0.2 ms
+constexpr double kWindowCost_s = 0.3e-3;   // machine side 0.1 ms, master with record 0.2 ms
 constexpr double kMemory_B = 3000;         // a sphere
 constexpr double kRankMemory_B = 60e6;     // a process
 constexpr double kFrame_B = 115;           // a sphere
@@ -53,8 +54,7 @@ std::string bytes(double b) {
 }  // namespace
 
 CostEstimate cost_estimate(const cases::Case& c) {
-  const double end_s =
-      c.end_s > 0 ? c.end_s : seconds(machine::Motion::load(c.machine.motion).end_ns());
+  const double end_s = c.end_s > 0 ? c.end_s : cases::motion_end_s(c);
   const double steps = end_s / c.dem.timestep_s;
   const double windows = steps / c.coupling.sync_steps;
   const double settle_steps = (c.pile.settle_s + c.pile.relax_s) / c.dem.timestep_s;
@@ -63,9 +63,9 @@ CostEstimate cost_estimate(const cases::Case& c) {
   CostEstimate e;
   e.spheres = spheres_of(c);
   e.settle_s = e.spheres * settle_steps / kSettleRate;
-  e.dig_s = kWindow_s * windows + steps * (c.dem.hold_below_m_s > 0
-                                               ? kHoldStep_s + kHoldSphere_s * e.spheres
-                                               : e.spheres / kDigRate);
+  e.dig_s = kWindowCost_s * windows + steps * (c.dem.hold_below_m_s > 0
+                                                   ? kHoldStep_s + kHoldSphere_s * e.spheres
+                                                   : e.spheres / kDigRate);
   e.wall_s = (e.settle_s + e.dig_s) / c.dem.ranks;
   e.memory_B = kMemory_B * e.spheres + kRankMemory_B * (c.dem.ranks + 2);
   const double frame_B = kFrame_B * e.spheres + kFrameWalls_B;

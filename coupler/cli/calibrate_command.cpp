@@ -7,6 +7,7 @@
 
 #include "common/numbers.hpp"
 #include "common/range.hpp"
+#include "common/resolved_path.hpp"
 #include "coupler/calibrate/calibration.hpp"
 #include "coupler/cli/number_option.hpp"
 #include "coupler/cli/set_option.hpp"
@@ -44,8 +45,7 @@ calibrate::SearchRange range_of(const std::string& text) {
 
 /// runs/calibrate-WHAT-CASE, or that with -2, -3, ...: a result is never written over.
 fs::path free_folder(const CalibrateOptions& o) {
-  const fs::path folder = fs::absolute(o.folder).lexically_normal();
-  const fs::path name = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
+  const fs::path name = resolved(o.folder).filename();
   const fs::path first = fs::path("runs") / fmt::format("calibrate-{}-{}", o.what, name.string());
   fs::path out = first;
   for (int k = 2; fs::exists(out); ++k) out = first.string() + fmt::format("-{}", k);

@@ -36,7 +36,7 @@ std::uintmax_t size_B(const fs::path& path) {
   return sum;
 }
 
-std::vector<Load> of_run(const fs::path& run) {
+std::vector<Load> load_of_run(const fs::path& run) {
   if (!fs::exists(run / "record.h5"))
     throw InputError({{run, 0, "", "is not a run; name a run's folder, or `cache`"}});
   std::vector<Load> loads = {
@@ -71,7 +71,7 @@ int clean(const CleanOptions& o, Reporter& reporter) {
     const bool cache = place == "cache" && !fs::exists(fs::path(place) / "record.h5");
     const fs::path folder = cache ? cache_folder() : fs::path(place);
     FileLock writer(folder / "run.lock");
-    const std::vector<Load> loads = cache ? of_cache() : of_run(folder);
+    const std::vector<Load> loads = cache ? of_cache() : load_of_run(folder);
     if (!cache && !writer.try_lock())
       throw InputError({{folder, 0, "", "a run is writing it; wait for its end"}});
     for (const Load& load : loads) {

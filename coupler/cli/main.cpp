@@ -107,8 +107,8 @@ int command_line(std::vector<std::string> words, Reporter& reporter) {
 
 int main(int argc, char** argv) {
   dipper::cli::Console console;
-  dipper::cli::read_environment();
   try {
+    dipper::cli::read_environment();
     return dipper::cli::command_line({argv + 1, argv + argc}, console);
   } catch (const dipper::InputError& e) {
     console.error(e.what());

@@ -18,6 +18,7 @@
 #include "coupler/cli/preview_command.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/deck/pile_shape.hpp"
+#include "coupler/dry/dry_run.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "machine/motion_plan_file.hpp"
 #include "machine/motion_row.hpp"
@@ -72,6 +73,7 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   std::vector<Finding> findings;
   const cases::Case c = cases::load_case(o.folder, set, findings);
   if (!findings.empty()) throw InputError(std::move(findings));
+  dry::require_drives(c);
   const machine::MachineData data = machine::load_machine(c.machine.model);
   Pose X_W0;
   X_W0.p = c.machine.base_position_m;

@@ -38,6 +38,7 @@ int preview(const PreviewOptions& o, Reporter& reporter) {
 }  // namespace
 
 int write_dry_page(cases::Case c, dry::RockModel rock, const fs::path& page, Reporter& reporter) {
+  dry::require_drives(c);
   c.coupling.sync_steps = std::max(c.coupling.sync_steps,
                                    static_cast<int>(std::lround(kDryWindow_s / c.dem.timestep_s)));
   const TemporaryFolder scratch("dipper-preview");

@@ -27,6 +27,11 @@ int run_python(const std::string& package, const std::vector<std::string>& words
   for (const char* folder : kFolders)
     path += (path.empty() ? "" : ":") + (data_folder() / folder).string();
   setenv("PYTHONPATH", path.c_str(), 1);
+  // Neither the current folder's modules nor a user's own packages: a csv.py there would be run. By
+  // the environment, so that the programs this one starts do the same.
+  setenv("PYTHONSAFEPATH", "1", 1);
+  setenv("PYTHONNOUSERSITE", "1", 1);
+  unsetenv("PYTHONHOME");
   setenv("DIPPER", installed_program("dipper").c_str(), 1);
   // The runs fill the cores by themselves; threads in the linear algebra would only be in their
   // way.

@@ -12,6 +12,8 @@
 #include "common/input_error.hpp"
 #include "common/installation.hpp"
 #include "common/manifest.hpp"
+#include "common/resolved_path.hpp"
+#include "common/writable_folder.hpp"
 #include "coupler/check/checked_case.hpp"
 #include "coupler/check/cost_estimate.hpp"
 #include "coupler/cli/number_option.hpp"
@@ -44,9 +46,7 @@ struct RunOptions {
 /// The folder asked for, or runs/NAME, runs/NAME-2, ...: a result is never written over.
 fs::path run_folder(const RunOptions& o) {
   if (!o.out.empty()) return o.out;
-  fs::path asked = fs::absolute(o.folder).lexically_normal();
-  if (!asked.has_filename()) asked = asked.parent_path();
-  const std::string name = asked.filename().string();
+  const std::string name = resolved(o.folder).filename().string();
   fs::path folder = fs::path("runs") / name;
   for (int k = 2; !o.resume && fs::exists(folder); ++k) {
     folder = fs::path("runs") / fmt::format("{}-{}", name, k);
@@ -120,7 +120,9 @@ int run(const RunOptions& o, Reporter& reporter) {
         fmt::format("{}: {}; {}", fs::absolute(folder).string(), deck::kLiggghtsRefuses, remedy));
     return 2;
   }
+  if (o.no_rock.empty()) make_writable(cache_folder(), kOtherCache);
   try {
+    if (!o.no_rock.empty()) dry::require_drives(*c);
     const launch::MpiPlaces places =
         o.no_rock.empty() ? place(c->dem.ranks, mpirun, reporter) : launch::MpiPlaces{};
     const run::RunFolder folder =

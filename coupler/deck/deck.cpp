@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "common/mesh/stl.hpp"
 #include "common/text_file.hpp"
 #include "coupler/case/bench_surface.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/case/outline_file.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/domain_split.hpp"
@@ -55,9 +55,10 @@ double skin_m(const cases::RockCase& rock) {
   return 0.4 * grained_size_m(rock, smallest);
 }
 
-std::array<std::pair<std::string, fs::path>, 3> wall_meshes(const cases::Case& c) {
-  return {
-      {{"dipper", c.bodies.at("dipper")}, {"door", c.bodies.at("door")}, {"truck", c.truck.mesh}}};
+std::vector<std::pair<std::string, fs::path>> wall_meshes(const cases::Case& c) {
+  std::vector<std::pair<std::string, fs::path>> walls(c.bodies.begin(), c.bodies.end());
+  if (cases::has_truck(c)) walls.emplace_back("truck", c.truck.mesh);
+  return walls;
 }
 
 /// A script cannot name every file (LIGGGHTS ends a word at a blank): a mesh with an absolute path
@@ -111,9 +112,54 @@ std::string case_in(const cases::Case& c) {
   text("pour_seed", std::to_string(prime_seed(c.seed, 0)), "");
   for (const auto& [name, mesh] : wall_meshes(c))
     text(name + "_mesh", mesh_in_deck(name, mesh), "");
+  if (!cases::has_truck(c)) return out;
   for (int i = 0; i < 3; ++i)
     var(fmt::format("truck_{}", axis[static_cast<std::size_t>(i)]), c.truck.position_m[i], "m");
   var("truck_heading", c.truck.heading_deg, "deg, about z");
+  return out;
+}
+
+std::string walls_in(const cases::Case& c) {
+  std::string meshes, n = std::to_string(c.bodies.size() + 1);
+  std::string out =
+      "# Written by dipper from the case: the walls of the dig that have meshes.\n"
+      "# Forces are on the mesh, torques about the reference point, which moves with the mesh: "
+      "the\n"
+      "# origin of the body's own frame when its _x, _y, _z are 0, as dipper-dem sets them.\n"
+      "# curvature_tolerant: thin facets, as CAD programs make them, are allowed; `dipper check`\n"
+      "# refuses those that are too thin for LIGGGHTS.\n"
+      "fix sides all mesh/surface file ${deck}/sides.stl type ${sides_type}\n";
+  if (cases::has_truck(c)) {
+    out +=
+        "fix truck all mesh/surface file ${truck_mesh} type ${truck_type} &\n"
+        "  rotate axis 0.0 0.0 1.0 angle ${truck_heading} move ${truck_x} ${truck_y} ${truck_z} &\n"
+        "  curvature_tolerant yes\n";
+    meshes = " truck";
+    n = std::to_string(c.bodies.size() + 2);
+  }
+  meshes += " sides";
+  for (const auto& body : c.bodies) {
+    const std::string& name = body.first;
+    for (const char* axis : {"x", "y", "z"})
+      out += fmt::format("variable {}_{} index 0.0\n", name, axis);
+    out += fmt::format(
+        "fix {0} all mesh/surface/stress file ${{{0}_mesh}} type ${{dipper_type}} &\n"
+        "  move ${{{0}_x}} ${{{0}_y}} ${{{0}_z}} curvature_tolerant yes &\n"
+        "  reference_point 0.0 0.0 0.0 wear ${{wear}}\n",
+        name);
+    meshes += " " + name;
+  }
+  out +=
+      "fix walls all wall/gran model hooke/stiffness tangential history cohesion ${cohesion} &\n"
+      "  rolling_friction epsd2 mesh n_meshes " +
+      n + " meshes" + meshes + " limitForce on\n";
+  out += "variable first_body index " + c.bodies.begin()->first + "   # whose force the log has\n";
+  for (const auto& body : c.bodies)
+    out += fmt::format(
+        "dump {0} all mesh/vtk ${{dump_steps}} ${{out}}/{0}_*.vtk ${{wall_arrays}} {0}\n",
+        body.first);
+  if (cases::has_truck(c))
+    out += "dump truck all mesh/vtk ${dump_steps} ${out}/truck_*.vtk id truck\n";
   return out;
 }
 
@@ -263,10 +309,6 @@ std::vector<ClassCount> rock_counts(const cases::Case& c) {
 }
 
 void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& folder) {
-  std::set<std::string> bodies;
-  for (const auto& [name, mesh] : c.bodies) bodies.insert(name);
-  if (bodies != std::set<std::string>{"dipper", "door"})
-    throw std::invalid_argument("bodies: dem_in/dig.in loads exactly dipper and door");
   for (const ClassCount& k : rock_counts(c))
     if (k.rocks < 1)
       throw std::invalid_argument(
@@ -281,6 +323,7 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
 
   fs::create_directories(folder);
   write_text(folder / "case.in", case_in(c));
+  write_text(folder / "walls.in", walls_in(c));
   write_text(folder / "material.in", material_in(c));
   write_text(folder / "rocks.in", rocks_in(c, used));
   for (const auto& [name, shape] : used)
@@ -295,7 +338,12 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
   for (const auto& [name, mesh] : wall_meshes(c)) {
     if (!mesh.is_absolute()) continue;
     fs::create_directories(folder / "walls");
-    fs::copy_file(mesh, folder / "walls" / (name + ".stl"), fs::copy_options::overwrite_existing);
+    const fs::path copy = folder / "walls" / (name + ".stl");
+    if (mesh::is_plain_stl(mesh)) {
+      fs::copy_file(mesh, copy, fs::copy_options::overwrite_existing);
+    } else {
+      write_text(copy, mesh::to_stl(name, mesh::read_stl(mesh)));
+    }
   }
 }
 

@@ -30,7 +30,8 @@ std::set<std::string> shape_names(const fs::path& folder) {
   std::set<std::string> names;
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(folder, missing)) {
-    if (entry.path().extension() == ".yaml" || mesh::is_stl(entry.path())) names.insert(entry.path().stem().string());
+    if (entry.path().extension() == ".yaml" || mesh::is_stl(entry.path()))
+      names.insert(entry.path().stem().string());
   }
   return names;
 }

@@ -66,7 +66,7 @@ bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& l
                         run::record_attributes(c, lone.machine().info(), rock.info()),
                         run::RecordPosition{});
   run::Stepper stepper(coupling, c.coupling.sync_steps, end.step);
-  run::Progress progress(reporter, c, end, lone.machine().info(), rock.info(), 0);
+  run::Progress progress(reporter, c, end, lone.machine().info(), rock.info());
   run::end_with_path(stepper, end, lone.machine().info());
   stepper.add(record);
   stepper.add(progress);
@@ -142,6 +142,13 @@ json summarise(const cases::Case& c, RockModel rock, const run::RunFolder& folde
 }
 
 }  // namespace
+
+void require_drives(const cases::Case& c) {
+  if (c.machine.kind == cases::MachineKind::shovel) return;
+  throw InputError({cases::finding_at(
+      c, "machine.kind",
+      "poses have no drives, which is what a run without rock shows; run it with rock")});
+}
 
 run::RunStatus dry_run(const cases::Case& c, RockModel rock, const run::RunFolder& folder,
                        Reporter& reporter) {

@@ -13,6 +13,9 @@ enum class RockModel {
   estimate  ///< as EstimatedRock
 };
 
+/// Throws InputError for a case whose machine has no drives to try (machine.kind poses).
+void require_drives(const cases::Case& c);
+
 /// Runs the machine's process through the case's motion and leaves record.h5 and summary.json,
 /// which `dipper report` makes a page of. Tells the passes, and what of the machine's limits was
 /// reached. A run that was interrupted cannot go on: it is begun anew. Throws InputError.

@@ -37,8 +37,8 @@ std::string error_line(const std::filesystem::path& log, const std::filesystem::
   const std::string lost = last_with(all, "Remote daemon:"), on = " on node ";
   if (const auto at = lost.find(on); at != std::string::npos)
     return "mpirun has lost the host " + lost.substr(at + on.size());
-  for (const char* word : {"ERROR", "exited on signal 9",
-                           "dipper-dem:", "dipper-mbs:", "exited on signal", "cannot start"}) {
+  for (const char* word : {"ERROR", "exited on signal 9", "dipper-dem:", "dipper-liggghts:",
+                           "dipper-mbs:", "exited on signal", "cannot start"}) {
     const std::string line = last_with(all, word);
     if (!line.empty()) return line;
   }

@@ -15,6 +15,9 @@ namespace dipper::launch {
 namespace fs = std::filesystem;
 namespace {
 
+// Each rank takes 4 MB of it. Where it is full, MPI waits for ever; containers have 64 MB of it.
+constexpr std::uintmax_t kLeastShared_B = 48'000'000;
+
 bool is_own_folder(const fs::path& folder) {
   struct stat s {};
   return lstat(folder.c_str(), &s) == 0 && S_ISDIR(s.st_mode) && s.st_uid == geteuid();
@@ -33,7 +36,10 @@ class Scratch {
   Scratch() {
     std::error_code ignored;
     const fs::path memory = "/dev/shm";  // where Open MPI puts shared memory by itself
-    const fs::path root = access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
+    const auto room = fs::space(memory, ignored);
+    const bool fits = !ignored && room.available >= kLeastShared_B;
+    const fs::path root =
+        fits && access(memory.c_str(), W_OK) == 0 ? memory : fs::temp_directory_path();
     const std::string prefix = fmt::format("dipper-mpi-{}-", geteuid());
     for (const auto& entry : fs::directory_iterator(root, ignored)) {
       if (is_left_behind(entry.path().filename().string(), prefix) && is_own_folder(entry.path())) {

@@ -14,13 +14,13 @@ namespace dipper::launch {
 namespace fs = std::filesystem;
 namespace {
 
-struct Process {
+struct ProcessTimes {
   pid_t parent = 0;
   long ticks = 0;
 };
 
 /// /proc/PID/stat after the name, which is in brackets and may hold anything; see proc(5).
-bool read(const fs::path& stat, Process& p) {
+bool read(const fs::path& stat, ProcessTimes& p) {
   std::ifstream in(stat);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   const auto bracket = text.rfind(')');
@@ -40,14 +40,14 @@ bool read(const fs::path& stat, Process& p) {
 }  // namespace
 
 double tree_cpu_s(pid_t root) {
-  std::map<pid_t, Process> all;
+  std::map<pid_t, ProcessTimes> all;
   std::error_code gone;
   for (const auto& entry : fs::directory_iterator("/proc", gone)) {
     const std::string name = entry.path().filename();
     pid_t pid = 0;
     const char* end = name.data() + name.size();
     const auto r = std::from_chars(name.data(), end, pid);
-    Process p;
+    ProcessTimes p;
     if (r.ec == std::errc{} && r.ptr == end && read(entry.path() / "stat", p)) all[pid] = p;
   }
   long ticks = 0;

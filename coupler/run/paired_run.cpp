@@ -53,7 +53,8 @@ void conclude(const cases::Case& c, const RunFolder& folder, std::unique_ptr<Ses
   facts.status = word(status);
   facts.failure = failure;
   // The summary last: it says "complete" once all the rest is written.
-  write_observed(folder.record(), c.observation, folder.observed());
+  if (c.machine.kind == cases::MachineKind::shovel)
+    write_observed(folder.record(), c.observation, folder.observed());
   write_summary(c, folder, facts, reporter);
   folder.seal();
 }

@@ -42,6 +42,7 @@ metrics::PassFigureMaker::Known known_of(const cases::Case& c, double struck_vol
 }  // namespace
 
 json pass_rows(const cases::Case& c, const RunFolder& folder) {
+  if (c.machine.kind != cases::MachineKind::shovel) return json::array();
   const fs::path record = folder.record();
   if (record::read_channel(record, "time_s").size() < 2) return json::array();
   const analysis::run::RunSignals signals = analysis::run::read_signals(record);

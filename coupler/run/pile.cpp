@@ -86,15 +86,29 @@ Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& lo
   const auto settle = [&](const fs::path& out) {
     const fs::path screen = logs / "settle.screen";
     const Links links(out, deck);
-    launch::Process liggghts(
-        launch::mpirun(
-            c.dem.ranks,
-            {installed_program("dipper-liggghts"), "--loop", cases::word_of(c, "dem.loop"), "-in",
-             "dem_in/settle.in", "-log", fs::absolute(logs / "settle.liggghts").string(), "-screen",
-             fs::absolute(screen).string(), "-var", "deck", "deck", "-var", "out", ".", "-var",
-             "bench_cut", "./bench-cut"},
-            places),
-        logs / "settle.log", out);
+    launch::Process liggghts(launch::mpirun(c.dem.ranks,
+                                            {installed_program("dipper-liggghts"),
+                                             "--loop",
+                                             cases::word_of(c, "dem.loop"),
+                                             "--ranks",
+                                             std::to_string(c.dem.ranks),
+                                             "-in",
+                                             "dem_in/settle.in",
+                                             "-log",
+                                             fs::absolute(logs / "settle.liggghts").string(),
+                                             "-screen",
+                                             fs::absolute(screen).string(),
+                                             "-var",
+                                             "deck",
+                                             "deck",
+                                             "-var",
+                                             "out",
+                                             ".",
+                                             "-var",
+                                             "bench_cut",
+                                             "./bench-cut"},
+                                            places),
+                             logs / "settle.log", out);
     launch::HangWatch watch(c.coupling.timeout_s);
     while (!liggghts.wait(std::chrono::milliseconds(100))) {
       std::error_code none_yet;

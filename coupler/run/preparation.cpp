@@ -10,13 +10,13 @@
 #include "common/text_file.hpp"
 #include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/run/dump_index.hpp"
 #include "coupler/run/pile.hpp"
 #include "coupler/run/same_run.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
-#include "machine/motion.hpp"
 
 namespace dipper::run {
 namespace fs = std::filesystem;
@@ -49,7 +49,7 @@ std::vector<setup::WallMemory> wall_memory(const core::CouplingState& state) {
 }  // namespace
 
 RunEnd run_end(const cases::Case& c) {
-  const double motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());
+  const double motion_s = cases::motion_end_s(c);
   const auto step = [&](double t_s) { return std::llround(t_s / c.dem.timestep_s); };
   if (c.end_s > 0) return {step(c.end_s), std::nullopt};
   if (c.machine.drives != machine::DriveMode::limited) return {step(motion_s), std::nullopt};
@@ -93,7 +93,9 @@ sides::SidesSetup prepare(const cases::Case& c, const RunFolder& folder,
                           Reporter& reporter) {
   folder.unseal();
   const sides::MeshFacts shovel = sides::read_mesh_facts(c);
-  const sides::DipperLayers layers = sides::dipper_layers(c, shovel.dipper.cavity);
+  const sides::DipperLayers layers = c.machine.kind == cases::MachineKind::shovel
+                                         ? sides::dipper_layers(c, shovel.dipper.cavity)
+                                         : sides::DipperLayers{};
   write_decks(c, layers, folder.deck());
   write_identity(folder.root(), c);
 

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace dipper::run {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+// The first windows say little of how long the others take: after so much wall time, and this part
+// of the way, they do.
+constexpr double kWorthTelling_s = 10, kWorthTelling = 0.02;
 
 std::string duration(double s) {
   if (s < 99.5) return fmt::format("{:.0f} s", s);
@@ -20,13 +23,15 @@ std::string duration(double s) {
 }  // namespace
 
 Progress::Progress(Reporter& reporter, const cases::Case& c, const RunEnd& end,
-                   const core::ServerInfo& machine, const core::ServerInfo& rock, double start_s)
+                   const core::ServerInfo& machine, const core::ServerInfo& rock,
+                   std::function<Clock::time_point()> now)
     : reporter_(reporter),
-      began_(Clock::now()),
-      start_s_(start_s),
+      now_(std::move(now)),
       end_s_(end.path_s.value_or(static_cast<double>(end.step) * c.dem.timestep_s)),
-      phases_(machine::Motion::load(c.machine.motion)),
-      payload_(core::channel_index(rock, "mass_in_dipper")) {
+      by_motion_(end.path_s.has_value()) {
+  if (c.machine.kind != cases::MachineKind::shovel) return;
+  phases_.emplace(machine::Motion::load(c.machine.motion));
+  payload_ = core::channel_index(rock, "mass_in_dipper");
   if (c.machine.drives == machine::DriveMode::limited)
     path_time_ = core::channel_index(machine, "path_time");
 }
@@ -36,15 +41,22 @@ void Progress::window(const core::Window& w) {
   constexpr int kBar = 6;
   const double t_s = static_cast<double>(w.rock.t_ns) * 1e-9;
   const double along_s = path_time_ ? w.machine.channels[*path_time_] : t_s;
-  const double share = std::clamp((t_s - start_s_) / std::max(end_s_ - start_s_, 1e-9), 0.0, 1.0);
-  const auto filled = static_cast<std::size_t>(share * kBar);
-  const double wall_s = std::chrono::duration<double>(Clock::now() - began_).count();
-  const double speed = (t_s - start_s_) / std::max(wall_s, 1e-9);
-  const double left_s = speed > 0 ? std::max(0.0, end_s_ - t_s) / speed : 0;
-  reporter_.progress(
-      fmt::format("[{}{}] {:.1f}/{:.1f} s  {:<11}  payload {:4.1f} t  {} left  speed {:.3g}",
-                  std::string(filled, '#'), std::string(kBar - filled, '.'), t_s, end_s_,
-                  phases_.at(along_s), w.rock.channels[payload_] * 1e-3, duration(left_s), speed));
+  const State now = {now_(), t_s, by_motion_ ? along_s : t_s};
+  if (!first_) first_ = now;
+  const auto filled =
+      static_cast<std::size_t>(std::clamp(now.way_s / std::max(end_s_, 1e-9), 0.0, 1.0) * kBar);
+  std::string line =
+      fmt::format("[{}{}] {:.1f}{} s", std::string(filled, '#'), std::string(kBar - filled, '.'),
+                  t_s, by_motion_ ? "" : fmt::format("/{:.1f}", end_s_));
+  if (phases_)
+    line += fmt::format("  {:<11}  payload {:4.1f} t", phases_->at(along_s),
+                        w.rock.channels[payload_] * 1e-3);
+  const double wall_s = std::chrono::duration<double>(now.wall - first_->wall).count();
+  const double done_s = now.way_s - first_->way_s, left_s = std::max(0.0, end_s_ - now.way_s);
+  if (wall_s >= kWorthTelling_s && done_s >= kWorthTelling * (done_s + left_s))
+    line += fmt::format("  {} left", duration(left_s * wall_s / done_s));
+  if (wall_s > 0) line += fmt::format("  speed {:.3g}", (t_s - first_->t_s) / wall_s);
+  reporter_.progress(line);
 }
 
 }  // namespace dipper::run

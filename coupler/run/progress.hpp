@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "common/reporter.hpp"
@@ -13,22 +14,31 @@
 
 namespace dipper::run {
 
-/// How far it has come, pass and phase, what is in the dipper, how long it will take yet, and
-/// simulated seconds a second: in 79 columns.
+/// How far it has come, pass and phase, what is in the dipper, how long it will take yet (once that
+/// can be told), and simulated seconds a second: in 79 columns. Limited drives take as long for
+/// their motion as they need: how far they have come is counted along it, and no end time is shown.
 class Progress final : public Observer {
  public:
+  using Clock = std::chrono::steady_clock;
+
   /// \param machine, rock  whose channels have path_time and mass_in_dipper
-  /// \param start_s  where the run goes on from
   Progress(Reporter& reporter, const cases::Case& c, const RunEnd& end,
-           const core::ServerInfo& machine, const core::ServerInfo& rock, double start_s);
+           const core::ServerInfo& machine, const core::ServerInfo& rock,
+           std::function<Clock::time_point()> now = Clock::now);
   void window(const core::Window& w) override;
 
  private:
   Reporter& reporter_;
-  std::chrono::steady_clock::time_point began_;
-  double start_s_, end_s_;
-  MotionPhases phases_;
-  std::size_t payload_;
+  std::function<Clock::time_point()> now_;
+  struct State {
+    Clock::time_point wall;
+    double t_s, way_s;  ///< way: what has an end, the time or limited drives' motion
+  };
+  std::optional<State> first_;  ///< as the first window ended: starting up does not count
+  double end_s_;
+  bool by_motion_;                        ///< it ends with the motion
+  std::optional<MotionPhases> phases_;    ///< of a shovel
+  std::size_t payload_ = 0;               ///< of a shovel
   std::optional<std::size_t> path_time_;  ///< of limited drives: how far along the motion they are
 };
 

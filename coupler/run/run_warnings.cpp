@@ -6,6 +6,7 @@
 
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/deck/stable_timestep.hpp"
 #include "machine/motion.hpp"
@@ -78,7 +79,7 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
   if (const auto drives = summary.find("drives");
       whole && drives != summary.end() && c.end_s == 0) {
     const double path_s = drives->at("path_time_s").get<double>(),
-                 motion_s = seconds(machine::Motion::load(c.machine.motion).end_ns());
+                 motion_s = cases::motion_end_s(c);
     if (path_s < motion_s - 1e-3)
       warnings.push_back(
           fmt::format("the run ends at {:.1f} s of the motion's {:.1f} s: a drive "

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "common/case_lines.hpp"
+#include "common/resolved_path.hpp"
 #include "common/sha256.hpp"
 #include "common/text_file.hpp"
 #include "coupler/case/case_hash.hpp"
@@ -34,9 +35,7 @@ std::set<std::string> fixed_lines(const CaseLines& text) {
 /// SHA-256 by path, relative to the case's folder: the files the case names, and what is written
 /// beside the meshes of dipper and truck.
 std::map<std::string, std::string> input_hashes(const cases::Case& c) {
-  std::vector<fs::path> files = cases::referenced_files(c);
-  files.push_back(fs::path(c.bodies.at("dipper")).replace_extension(".yaml"));
-  files.push_back(fs::path(c.truck.mesh).replace_extension(".yaml"));
+  const std::vector<fs::path> files = cases::referenced_files(c);
   std::map<std::string, std::string> hashes;
   for (const fs::path& file : files) {
     hashes[file.lexically_relative(c.folder).generic_string()] = sha256_file(file);
@@ -47,6 +46,7 @@ std::map<std::string, std::string> input_hashes(const cases::Case& c) {
 // In the run's folder: what a report needs when the case's folder has gone or changed.
 constexpr const char* kMotion = "motion.csv";
 constexpr const char* kMachine = "machine.yaml";
+constexpr const char* kPoses = "poses.csv";
 
 /// Whether two motions are one, to the bit, up to a time.
 bool same_until(const fs::path& before, const fs::path& now, double until_s) {
@@ -85,6 +85,7 @@ void write_identity(const fs::path& folder, const cases::Case& c) {
   const auto keep = [&](const fs::path& file, const char* name) {
     fs::copy_file(file, folder / name, fs::copy_options::overwrite_existing);
   };
+  if (c.machine.kind == cases::MachineKind::poses) return keep(c.machine.poses, kPoses);
   keep(c.machine.motion, kMotion);
   keep(c.machine.model, kMachine);
 }
@@ -102,7 +103,7 @@ std::vector<std::string> changed_since(const fs::path& folder, const cases::Case
     return changed;
   }
   const auto path = [&](const std::string& relative) {
-    return (c.folder / relative).lexically_normal().string();
+    return resolved(c.folder / relative).string();
   };
   const auto hashes = input_hashes(c);
   for (const auto& [name, hash] : hashes) {
@@ -111,7 +112,7 @@ std::vector<std::string> changed_since(const fs::path& folder, const cases::Case
       changed.push_back(path(name) + " was no part of it");
     } else if (was->second == hash) {
       continue;
-    } else if (path(name) == c.machine.motion.lexically_normal().string()) {
+    } else if (path(name) == c.machine.motion.string()) {
       if (!same_until(folder / kMotion, c.machine.motion, from_s))
         changed.push_back(fmt::format(
             "{} is another motion before t = {:.3f} s, where the run goes on", path(name), from_s));

@@ -50,8 +50,7 @@ Session::Session(const cases::Case& c, const RunFolder& folder,
               from ? from->record : RecordPosition{}),
       end_(run_end(c)),
       stepper_(coupling_, c.coupling.sync_steps, end_.step),
-      progress_(reporter, c, end_, sides_.machine().info(), rock_.info(),
-                static_cast<double>(coupling_.t_ns()) * 1e-9),
+      progress_(reporter, c, end_, sides_.machine().info(), rock_.info()),
       checkpointer_(folder.checkpoints(), c.output.checkpoint_every_s,
                     {coupling_, sides_.machine(), rock_, record_, [this] { return cost(); }}) {
   end_with_path(stepper_, end_, sides_.machine().info());

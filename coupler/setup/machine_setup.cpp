@@ -9,8 +9,11 @@ namespace dipper::setup {
 using machine::DriveMode;
 using nlohmann::json;
 
-json to_json(const MachineSetup& s) {
-  return {{"model", s.model.string()},
+namespace {
+
+json json_of_setup(const ShovelSetup& s) {
+  return {{"kind", "shovel"},
+          {"model", s.model.string()},
           {"motion", s.motion.string()},
           {"limited_drives", s.drives == DriveMode::limited},
           {"contact_on_return", s.contact_on_return},
@@ -24,8 +27,12 @@ json to_json(const MachineSetup& s) {
           {"added_inertia_kg_m2", json_of(s.condition.added_inertia_kg_m2)}};
 }
 
-MachineSetup machine_setup_from(const json& j) {
-  MachineSetup s;
+json json_of_setup(const PosesSetup& s) {
+  return {{"kind", "poses"}, {"table", s.table.string()}, {"bodies", s.bodies}};
+}
+
+ShovelSetup shovel_from(const json& j) {
+  ShovelSetup s;
   s.model = j.at("model").get<std::string>();
   s.motion = j.at("motion").get<std::string>();
   s.drives = j.at("limited_drives").get<bool>() ? DriveMode::limited : DriveMode::prescribed;
@@ -39,6 +46,17 @@ MachineSetup machine_setup_from(const json& j) {
   s.condition.added_center_m = vector_from(j.at("added_center_m"));
   s.condition.added_inertia_kg_m2 = vector_from(j.at("added_inertia_kg_m2"));
   return s;
+}
+
+}  // namespace
+
+json to_json(const MachineSetup& setup) {
+  return std::visit([](const auto& s) { return json_of_setup(s); }, setup);
+}
+
+MachineSetup machine_setup_from(const json& j) {
+  if (j.at("kind") == "shovel") return shovel_from(j);
+  return PosesSetup{j.at("table").get<std::string>(), j.at("bodies")};
 }
 
 }  // namespace dipper::setup

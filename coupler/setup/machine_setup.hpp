@@ -3,6 +3,9 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <variant>
+#include <vector>
 
 #include "common/frames.hpp"
 #include "machine/machine_condition.hpp"
@@ -11,7 +14,7 @@
 namespace dipper::setup {
 
 /// A shovel that follows a motion.
-struct MachineSetup {
+struct ShovelSetup {
   std::filesystem::path model;   ///< dimensions and masses, YAML
   std::filesystem::path motion;  ///< CSV
   machine::DriveMode drives = machine::DriveMode::prescribed;
@@ -20,6 +23,14 @@ struct MachineSetup {
   double rake_angle_deg = 0;
   machine::MachineCondition condition;
 };
+
+/// Bodies that follow a table of poses.
+struct PosesSetup {
+  std::filesystem::path table;      ///< CSV
+  std::vector<std::string> bodies;  ///< in the order of the launcher's
+};
+
+using MachineSetup = std::variant<ShovelSetup, PosesSetup>;
 
 /// As JSON, and back. Throws nlohmann::json::exception for a key that lacks.
 nlohmann::json to_json(const MachineSetup& setup);

@@ -7,6 +7,7 @@
 
 #include "common/angles.hpp"
 #include "common/installation.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
 
@@ -31,7 +32,16 @@ long dump_steps(const cases::Case& c) {
 
 MeshFacts read_mesh_facts(const cases::Case& c) {
   std::vector<Finding> findings;
-  const MeshFacts facts{cases::read_dipper_facts(c, findings), cases::read_truck_bed(c, findings)};
+  MeshFacts facts;
+  if (c.machine.kind == cases::MachineKind::shovel) {
+    facts.dipper = cases::read_dipper_facts(c, findings);
+    facts.loads["dipper"] = facts.dipper.load;
+  } else {
+    for (const auto& [name, mesh] : c.bodies)
+      if (cases::has_dipper_facts(c, name))
+        facts.loads[name] = cases::read_dipper_facts(c, findings, name).load;
+  }
+  if (cases::has_truck(c)) facts.truck_bed = cases::read_truck_bed(c, findings);
   if (!findings.empty()) throw std::runtime_error(to_string(findings.front()));
   return facts;
 }
@@ -51,14 +61,17 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
                      {"pile", restart.string()},
                      {"out", dumps.string()},
                      {"run_steps", "0"},
-                     {"dump_steps", std::to_string(dump_steps(c))},
-                     // The bodies are placed by their own poses, from their own frames.
-                     {"dipper_x", "0"},
-                     {"dipper_y", "0"},
-                     {"dipper_z", "0"},
-                     {"door_z", "0"}};
-  setup.bodies = {"dipper", "door"};
-  if (c.pile.clear_machine) setup.cleared = {"dipper", "door", "truck"};
+                     {"dump_steps", std::to_string(dump_steps(c))}};
+  for (const auto& body : c.bodies) {
+    setup.bodies.push_back(body.first);
+    // The bodies are placed by their own poses, from their own frames.
+    for (const char* axis : {"_x", "_y", "_z"})
+      setup.variables.emplace_back(body.first + axis, "0");
+  }
+  if (c.pile.clear_machine) {
+    setup.cleared = setup.bodies;
+    if (cases::has_truck(c)) setup.cleared.emplace_back("truck");
+  }
   setup.pauses = !c.machine.contact_on_return;
   if (c.pile.clean_floor_to_x_m != 0)
     setup.floor = setup::FloorStrip{c.pile.clean_floor_to_x_m, c.pile.width_m / 2 + kFloorSide_m,
@@ -70,8 +83,9 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
   Pose X_WT;
   X_WT.p = c.truck.position_m;
   X_WT.R = from_rotation_vector({0, 0, radians(c.truck.heading_deg)});
-  setup.scales = {{"mass_in_dipper", "dipper", Pose{}, facts.dipper.load},
-                  {"mass_in_truck", "", X_WT, facts.truck_bed}};
+  for (const auto& [name, load] : facts.loads)
+    setup.scales.push_back({"mass_in_" + name, name, Pose{}, load});
+  if (facts.truck_bed) setup.scales.push_back({"mass_in_truck", "", X_WT, *facts.truck_bed});
   if (c.crust.tensile_strength_Pa > 0) {
     setup.crust = setup::CrustZone{c.crust.above_m, c.crust.thickness_m};
   }
@@ -87,7 +101,12 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
 }
 
 setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers) {
-  setup::MachineSetup setup;
+  if (c.machine.kind == cases::MachineKind::poses) {
+    setup::PosesSetup poses{c.machine.poses, {}};
+    for (const auto& body : c.bodies) poses.bodies.push_back(body.first);
+    return poses;
+  }
+  setup::ShovelSetup setup;
   setup.model = c.machine.model;
   setup.motion = c.machine.motion;
   setup.drives = c.machine.drives;

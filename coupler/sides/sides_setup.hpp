@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "common/mesh/triangle_mesh.hpp"
 #include "coupler/case/case.hpp"
@@ -14,10 +16,11 @@
 
 namespace dipper::sides {
 
-/// What the YAML files beside the dipper's and the truck's mesh say.
+/// What the YAML files beside the meshes say.
 struct MeshFacts {
-  cases::DipperFacts dipper;
-  Box truck_bed;  ///< in T
+  cases::DipperFacts dipper;         ///< of a shovel
+  std::map<std::string, Box> loads;  ///< body -> where rock in it is weighed, in its frame
+  std::optional<Box> truck_bed;      ///< in T; none: no truck
 };
 
 /// Reads them. Throws std::runtime_error with the first finding, of which a checked case has none.

@@ -1,30 +1,41 @@
-// dipper-liggghts [--loop fast|liggghts] ...: the `liggghts` program with the cohesion model
-// `moist` and the time loop of dem/fast, or, so told, LIGGGHTS's own. Takes the same arguments
-// after that.
+// dipper-liggghts [--loop fast|liggghts] [--ranks N] ...: the `liggghts` program with the cohesion
+// model `moist` and the time loop of dem/fast, or, so told, LIGGGHTS's own. Told how many ranks it
+// is one of, it ends where there are others. Takes the same arguments after that.
 #include <input.h>
 #include <lammps.h>
 #include <mpi.h>
 
 #include <cstdio>
+#include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "dem/fast/rock_loop.hpp"
 #include "dem/moist/register_moist.hpp"
+#include "dem/rank_count.hpp"
 
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   bool fast = true;
-  if (argc > 1 && std::string(argv[1]) == "--loop") {
-    const std::string loop = argc > 2 ? argv[2] : "";
-    if (loop != "fast" && loop != "liggghts") {
-      std::fprintf(stderr, "dipper-liggghts: --loop is '%s'; write fast or liggghts\n",
-                   loop.c_str());
-      MPI_Abort(MPI_COMM_WORLD, 2);
-    }
-    fast = loop == "fast";
+  const auto take = [&](const char* option) {  // its value, which goes from the arguments
+    if (argc < 3 || std::string(argv[1]) != option) return std::string();
+    const std::string value = argv[2];
     argv[2] = argv[0];
     argv += 2;
     argc -= 2;
+    return value;
+  };
+  try {
+    if (const std::string loop = take("--loop"); !loop.empty()) {
+      if (loop != "fast" && loop != "liggghts")
+        throw std::runtime_error("--loop is '" + loop + "'; write fast or liggghts");
+      fast = loop == "fast";
+    }
+    if (const std::string ranks = take("--ranks"); !ranks.empty())
+      dipper::dem::check_rank_count(std::stoi(ranks));
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "dipper-liggghts: %s\n", e.what());
+    MPI_Abort(MPI_COMM_WORLD, 2);
   }
   dipper::dem::register_moist();
   {

@@ -78,6 +78,24 @@ TEST(CsvTable, OneCauseIsOneLine) {
               ElementsAre("t.csv: is UTF-16, or no text; save it as plain text in UTF-8"));
 }
 
+TEST(CsvTable, WhatSpreadsheetsLeaveIsNoPartOfIt) {
+  for (const char* text :
+       {"sep=,\nx_m,z_m,,\n1,-2,,\n,,,\n3,4,,\n,\n", "x_m|z_m\r1|\u22122\r3|4\r",
+        "x_m,z_m\r\r\n1,\u20132\r\r\n3,4", "\"x_m\",\"z_m\"\n\"1,0\",\"-2\"\n\"3\",4\n",
+        "x_m;\u00A0z_m\n1 m;\u00A0-2m\n3;4\n", "z_m,x_m\n-2,1\n4,3\n"}) {
+    const Read r = read(text);
+    EXPECT_THAT(r.faults, ElementsAre()) << text;
+    ASSERT_EQ(r.rows.size(), 2U) << text;
+    EXPECT_THAT(r.rows[0].values, ElementsAre(1, -2)) << text;
+    EXPECT_THAT(r.rows[1].values, ElementsAre(3, 4)) << text;
+  }
+}
+
+TEST(CsvTable, AnotherUnitBehindANumberIsAFault) {
+  EXPECT_THAT(read("x_m,z_m\n1 mm,2\n").faults,
+              ElementsAre("t.csv:2:1: x_m is \"1 mm\"; it must be a finite number"));
+}
+
 TEST(CsvTable, AfterAWrongHeaderNothingIsRead) {
   EXPECT_THAT(read("x_m z_m\n1 2\n").faults,
               ElementsAre("t.csv:1:1: header is \"x_m z_m\"; it must be \"x_m,z_m\""));

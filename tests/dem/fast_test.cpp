@@ -13,6 +13,7 @@
 
 #include "common/frames.hpp"
 #include "tests/common/mesh/shapes.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -38,7 +39,7 @@ std::vector<std::vector<double>> end_of(const std::string& program, int ranks,
   const std::string command = fmt::format(
       "cd '{0}' && {1} {2} -in '{3}/fast.in' -var folder '{3}' -var rock {4} -var out . -var "
       "run_steps 0 -var near 1.02 -var steps {5} -log log.txt > screen.txt 2>&1",
-      out.string(), mpi, program, DIPPER_DEM_TESTS, rock, steps);
+      out.string(), mpi, program, test::dem_tests().string(), rock, steps);
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   std::ifstream in(out / fmt::format("rock_{}.dump", steps));
   std::string line;
@@ -52,8 +53,8 @@ std::vector<std::vector<double>> end_of(const std::string& program, int ranks,
   return rows;
 }
 
-const std::string kPlain = std::string("'") + LIGGGHTS_BINARY + "'",
-                  kFast = std::string("'") + DIPPER_LIGGGHTS + "'";
+const std::string kPlain = "'" + test::liggghts().string() + "'",
+                  kFast = "'" + test::dipper_liggghts().string() + "'";
 
 class Fast : public testing::TestWithParam<std::tuple<const char*, int>> {};
 

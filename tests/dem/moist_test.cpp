@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dem/moist/moist_law.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -24,8 +25,9 @@ std::vector<std::vector<double>> run(const std::string& deck, const std::string&
   fs::remove_all(out);
   fs::create_directories(out);
   const std::string command = fmt::format(
-      "'{}' -in '{}/{}' -var out '{}' -log '{}' {} > '{}' 2>&1", DIPPER_LIGGGHTS, DIPPER_DEM_TESTS,
-      deck, out.string(), (out / "log.txt").string(), arguments, (out / "screen.txt").string());
+      "'{}' -in '{}' -var out '{}' -log '{}' {} > '{}' 2>&1", test::dipper_liggghts().string(),
+      (test::dem_tests() / deck).string(), out.string(), (out / "log.txt").string(), arguments,
+      (out / "screen.txt").string());
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   std::ifstream in(out / table);
   std::string title;

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <mpi.h>
 
+#include "tests/one_file.hpp"
+
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
-  testing::InitGoogleTest(&argc, argv);
+  dipper::test::start_tests(argc, argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   auto& listeners = testing::UnitTest::GetInstance()->listeners();

@@ -10,6 +10,7 @@
 #include "coupler/launch/process.hpp"
 #include "coupler/setup/rock_setup.hpp"
 #include "tests/common/mesh/shapes.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::dem {
 namespace {
@@ -29,7 +30,7 @@ TEST_P(Runaway, EndsTheProcessWithLiggghtssMessageOnTheScreen) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   setup::RockSetup setup;
-  setup.deck = DIPPER_DEM_TESTS "/pose.in";
+  setup.deck = (test::dem_tests() / "pose.in").string();
   setup.log = folder / "log.liggghts";
   setup.screen = folder / "screen.liggghts";
   setup.bodies = {"dipper", "door"};
@@ -42,8 +43,10 @@ TEST_P(Runaway, EndsTheProcessWithLiggghtssMessageOnTheScreen) {
   const std::string config = folder / "setup.json";
   std::ofstream(config) << to_json(setup);
 
-  launch::Process process(ranks == 1 ? std::vector<std::string>{DIPPER_RUNAWAY, config}
-                                     : launch::mpirun(ranks, {DIPPER_RUNAWAY, config}),
+  const std::string program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "dem_runaway";
+  launch::Process process(ranks == 1 ? std::vector<std::string>{program, config}
+                                     : launch::mpirun(ranks, {program, config}),
                           folder / "output.txt");
   ASSERT_TRUE(process.wait(std::chrono::seconds(60))) << text(folder / "output.txt");
   EXPECT_FALSE(process.succeeded());

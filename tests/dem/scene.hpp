@@ -10,6 +10,7 @@
 
 #include "coupler/setup/rock_setup.hpp"
 #include "tests/common/mesh/shapes.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::test {
 
@@ -51,10 +52,10 @@ class Scene {
   /// A deck of this folder, standing still; its log and screen go to the scene's folder.
   setup::RockSetup setup(const std::string& deck) const {
     setup::RockSetup s;
-    s.deck = DIPPER_DEM_TESTS "/" + deck;
+    s.deck = (test::dem_tests() / deck).string();
     s.log = (folder_ / "log.liggghts").string();
     s.screen = (folder_ / "screen.liggghts").string();
-    s.variables = {{"folder", DIPPER_DEM_TESTS}, {"run_steps", "0"}};
+    s.variables = {{"folder", test::dem_tests().string()}, {"run_steps", "0"}};
     return s;
   }
 

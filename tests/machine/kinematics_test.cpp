@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "machine/sheave_path.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -16,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::filesystem::path kSource = DIPPER_SOURCE;
+const std::filesystem::path kSource = test::source();
 
 class Kinematics : public testing::Test {
  protected:

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "tests/common/input_errors.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -19,7 +20,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::filesystem::path kMachine = std::filesystem::path(DIPPER_SOURCE) / "mbs/bucyrus495.yaml";
+const std::filesystem::path kMachine = test::source() / "mbs/bucyrus495.yaml";
 
 /// The faults of the real file after replacing its first `from` by `to`.
 std::vector<std::string> faults_with(const std::string& from, const std::string& to) {

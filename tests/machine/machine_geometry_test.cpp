@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <functional>
 
+#include "tests/places.hpp"
+
 namespace dipper::machine {
 namespace {
 
@@ -14,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::filesystem::path kSource = DIPPER_SOURCE;
+const std::filesystem::path kSource = test::source();
 
 std::vector<std::string> faults_of_495(const std::function<void(MachineData&)>& change) {
   MachineData m = load_machine(kSource / "mbs/bucyrus495.yaml");

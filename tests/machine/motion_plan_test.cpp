@@ -11,6 +11,7 @@
 #include "common/input_error.hpp"
 #include "machine/motion_plan_file.hpp"
 #include "machine/motion_row.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-const std::filesystem::path kSource = DIPPER_SOURCE;
+const std::filesystem::path kSource = test::source();
 
 struct Shovel {
   MachineData data = load_machine(kSource / "mbs" / "bucyrus495.yaml");

@@ -8,11 +8,12 @@
 #include "common/mesh/mesh_check.hpp"
 #include "machine/kinematics.hpp"
 #include "machine/truck_figure.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::machine {
 namespace {
 
-const std::filesystem::path kSource = DIPPER_SOURCE;
+const std::filesystem::path kSource = test::source();
 
 std::map<std::string, Box> boxes(const std::vector<FigurePart>& parts) {
   std::map<std::string, Box> all;

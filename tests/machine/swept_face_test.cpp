@@ -6,13 +6,14 @@
 
 #include "common/angles.hpp"
 #include "machine/motion_plan.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::machine {
 namespace {
 
 /// A dig straight along z = 1 m from x = 15 to 19 m, up, to the truck, and back; twice.
 struct Level {
-  MachineData data = load_machine(std::filesystem::path(DIPPER_SOURCE) / "mbs/bucyrus495.yaml");
+  MachineData data = load_machine(test::source() / "mbs/bucyrus495.yaml");
   ShovelKinematics shovel{data, Pose{}, radians(61.8)};
   Motion motion(double second_heading_rad) const {
     MotionPlan p;

@@ -10,6 +10,7 @@
 #include "common/angles.hpp"
 #include "common/input_error.hpp"
 #include "machine/motion_row.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::machine {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-const std::filesystem::path kSource = DIPPER_SOURCE;
+const std::filesystem::path kSource = test::source();
 
 class TimedPathTest : public testing::Test {
  protected:

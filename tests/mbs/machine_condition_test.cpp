@@ -2,6 +2,7 @@
 #include "machine/machine_condition.hpp"
 
 #include "tests/mbs/shovel_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::mbs {
 namespace {
@@ -96,8 +97,7 @@ TEST_F(MachineConditionTest, StuckMassHangsOnTheRopes) {
 }
 
 TEST(MachineCondition, AddedMassMovesTheCentreAndAddsItsInertia) {
-  machine::MachineData m =
-      machine::load_machine(std::string(DIPPER_SOURCE) + "/mbs/bucyrus495.yaml");
+  machine::MachineData m = machine::load_machine(test::source() / "mbs/bucyrus495.yaml");
   m.rope.axial_stiffness = 1;
   m.dipper.mass = 3;
   m.dipper.mass_center = {1, 0, 0};

@@ -11,6 +11,7 @@
 
 #include "machine/kinematics.hpp"
 #include "mbs/shovel.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::mbs {
 
@@ -18,7 +19,7 @@ constexpr std::int64_t kMillisecond = 1'000'000;
 
 class ShovelTest : public testing::Test {
  protected:
-  static std::filesystem::path source() { return DIPPER_SOURCE; }
+  static std::filesystem::path source() { return test::source(); }
 
   machine::MachineData machine = machine::load_machine(source() / "mbs/bucyrus495.yaml");
   double rake = machine.dipper.base_rake;

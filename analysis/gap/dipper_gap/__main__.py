@@ -14,7 +14,7 @@ import yaml
 
 from dipper_run import run_cache
 from dipper_run.findings import BadInput, Findings
-from dipper_run.out_folder import check_writable, out_folder
+from dipper_run.out_folder import check_writable, make_cache, out_folder
 from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
@@ -80,12 +80,14 @@ def main(words=None):
         catalogue = read_catalogue(args.case)
         measured = read_measured(args.measured, NEED_PASSES)
         if not measured.responses() and not args.masses_only:
-            raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; masses "
-                            "alone are seldom enough to name an effect: give a force, or ask for it with --masses-only"])
+            raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; "
+                            "masses alone are seldom enough to name an effect: give a force, or ask for that with "
+                            "--masses-only"])
         for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
             say(f"gap: {question}")
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
+        make_cache(run_cache.cache_folder("gap"))
     except BadInput as e:
         print(e.counted(), file=sys.stderr)
         return 2

@@ -110,4 +110,5 @@ def _doubt_sentinels(name, channel, limits, lines, raw, notes):
     if alone.any():
         at = there[like][alone]
         notes.append(f"warning: {name}: {some_rows(np.array(lines)[at], 'reading')} of {raw[at[0]]:.6g} "
-                     f"{channel.unit}, far off those beside it: if that means no reading, file: {{missing: [{raw[at[0]]:.12g}]}}")
+                     f"{channel.unit}, far off those beside it: if that means no reading, "
+                     f"file: {{missing: [{raw[at[0]]:.12g}]}}")

@@ -10,6 +10,17 @@ def out_folder(given, name):
     return given or Path("runs") / name
 
 
+def make_cache(folder):
+    """Makes the folder of a cache; BadInput when it cannot be made or written into."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        why = "" if os.access(folder, os.W_OK | os.X_OK) else "Permission denied"
+    except OSError as e:
+        why = e.strerror
+    if why:
+        raise BadInput([f"{folder}: cannot be written ({why}); set XDG_CACHE_HOME to a folder that can be written"])
+
+
 def check_writable(folder):
     """BadInput when the folder cannot be made or written into: for before the work is done. Makes nothing."""
     # A link to nothing is there; what lies in a folder that cannot be looked into is not.

@@ -3,10 +3,12 @@
 An entry is a folder with a manifest of the SHA-256 sums of its files, written last. A damaged entry is moved aside, and
 made again. The rules are those of common/cache_entry.hpp.
 """
+import errno
 import fcntl
 import hashlib
 import json
 import os
+import socket
 import sys
 import time
 from contextlib import contextmanager
@@ -15,6 +17,7 @@ from pathlib import Path
 from .file_hash import sha256_of
 
 MANIFEST = "manifest.json"
+NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)  # Lustre without -o flock, NFS without lockd
 WAIT_S = 0.5  # between looks at an entry that another process makes
 
 
@@ -40,13 +43,48 @@ def locked(entry, stopped):
     a run under way shares: it holds as long as either lives."""
     entry.parent.mkdir(parents=True, exist_ok=True)
     with open(entry.with_name(entry.name + ".lock"), "w") as lock:
+        held = None
         while not stopped():
             try:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
                 break
             except BlockingIOError:
                 time.sleep(WAIT_S)
-        yield lock
+            except OSError as e:
+                if e.errno not in NO_LOCKS:
+                    raise
+                held = _make_held(Path(lock.name + ".held"))
+                if held:
+                    break
+                time.sleep(WAIT_S)
+        try:
+            yield lock
+        finally:
+            if held:
+                held.unlink(missing_ok=True)
+
+
+def _make_held(held):
+    """The file that holds where the file system has no locks, or None while another has it (common/file_lock.hpp)."""
+    host = socket.gethostname()
+    for _ in range(2):
+        try:
+            with open(held, "x") as f:
+                f.write(f"{host} {os.getpid()}\n")
+            return held
+        except FileExistsError:
+            pass
+        try:
+            owner, pid = held.read_text().split()
+            if owner != host:
+                return None
+            os.kill(int(pid), 0)
+            return None
+        except ProcessLookupError:  # killed: what it has left keeps nobody out
+            held.unlink(missing_ok=True)
+        except (OSError, ValueError):
+            return None
+    return None
 
 
 def seal(entry, facts):

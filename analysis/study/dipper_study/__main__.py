@@ -8,10 +8,12 @@ import json
 import os
 import signal
 import sys
+from collections import Counter
 from pathlib import Path
 
+import dipper_run
 from dipper_run.findings import BadInput
-from dipper_run.out_folder import check_writable, out_folder
+from dipper_run.out_folder import check_writable, make_cache, out_folder
 from dipper_run.page_data import plain
 from dipper_run.program import ProgramFailed, program
 from dipper_run.run_cache import cache_folder
@@ -20,7 +22,7 @@ from .executor import executor_of
 from .plan import Planner
 from .progress import Progress
 from .report import write_page
-from .results import row_of, write_csv, write_hdf5
+from .results import row_of, warnings_of, write_csv, write_hdf5
 from .slurm import Detached
 from .statement import statement
 from .study_file import read_study
@@ -75,16 +77,26 @@ class Session:
         write_csv(rows, names, self.out / "study.csv")
         write_hdf5(rows, names, self.out / "study.h5", self.study.file.read_text())
         for run, row in zip(self.runs.values(), rows):
-            if row["status"] == "complete":
+            if row["status"] in ("complete", "unfinished"):
                 _link(self.out / "runs" / run.name, run.folder)
         if answer:
             (self.out / "optimum.json").write_text(json.dumps(plain(answer), indent=1) + "\n")
-        write_page(self.study, rows, self.failures(), answer, self.out / "report.html")
+        write_page(self.study, rows, self.failures(), answer, self.out / "report.html", self.warnings(rows))
         return rows
 
     def failures(self):
         """What was said of each run that failed."""
         return [f"{r}: {self.failed[r.job.folder]}" for r in self.runs.values() if r.job.folder in self.failed]
+
+    def warnings(self, rows):
+        """What the runs warn of, each once with how many say so; first that some have ended within a pass."""
+        made = [(run, row) for run, row in zip(self.runs.values(), rows) if "warnings" in row]
+        said = Counter(text for run, row in made if row["warnings"]
+                       for text in dict.fromkeys(warnings_of(dipper_run.read(run.folder))))
+        unfinished = sum(row["status"] == "unfinished" for _, row in made)
+        first = [f"{unfinished} of {len(made)} runs are unfinished: they end before the door has opened, or have no "
+                 "pass; they are left out of every figure (a later end_s lets them go on)"] if unfinished else []
+        return first + [f"in {n} of {len(made)} runs: {text}" for text, n in said.most_common()]
 
 
 def _link(link, to):
@@ -106,6 +118,7 @@ def main(words=None):
         if (args.detach or args.cancel) and study.executor != "slurm":
             raise BadInput([f"{study.file}: --detach and --cancel are for executor: slurm"])
         check_writable(out)
+        make_cache(cache_folder("study"))
     except BadInput as e:
         print(e.counted(), file=sys.stderr)
         return 2
@@ -132,7 +145,7 @@ def conduct(session, points, args):
             say(f"study: {session.executor.cancel()} jobs cancelled")
             return 0
         session.executor.detach = args.detach
-        session.write(made(session, points))
+        rows = session.write(made(session, points))
     except Detached as e:
         say(f"study: {e}; the same command without --detach watches and collects")
         return 0
@@ -147,6 +160,8 @@ def conduct(session, points, args):
         print("\n".join(e.findings), file=sys.stderr)
         return 2
     say(f"study: {session.out / 'report.html'}, {session.out / 'study.csv'}, {session.out / 'study.h5'}")
+    for text in session.warnings(rows):
+        say(f"study: warning: {text}")
     for text in session.failures():
         print(f"study: {text}", file=sys.stderr)
     return 3 if session.failed else 0

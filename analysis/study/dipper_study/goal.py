@@ -26,7 +26,9 @@ class Objective:
     second: str = None
 
     def value_in(self, row):
-        """Its value in a row of a study; nan where a column is missing."""
+        """Its value in a row of a study; nan where a column is missing, and for a run that ended within a pass."""
+        if row.get("status") == "unfinished":
+            return float("nan")
         a = row.get(self.first, float("nan"))
         if self.how is None:
             return a

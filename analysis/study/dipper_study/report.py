@@ -8,18 +8,18 @@ from .goal import COLUMNS
 from .statistics import compare, summary
 
 
-def write_page(study, rows, failures, answer, file):
+def write_page(study, rows, failures, answer, file, warnings=()):
     """The page, written by `dipper page`; raises ProgramFailed with what it says when it cannot."""
-    tell("page", file, given=page(study, rows, failures, answer))
+    tell("page", file, given=page(study, rows, failures, answer, warnings))
 
 
-def page(study, rows, failures=(), answer=None):
+def page(study, rows, failures=(), answer=None, warnings=()):
     """The page's data. Only finite numbers: what is none is null."""
     done = [r for r in rows if r["status"] == "complete"]
     columns = [c for c in COLUMNS if any(np.isfinite(r[c]) for r in done)]
     return plain({
         "kind": "study", "title": study.file.stem, "case": str(study.case), "seeds": study.seeds, "keep": study.keep,
-        "counts": {s: sum(r["status"] == s for r in rows) for s in ("complete", "failed", "not made")},
+        "counts": {s: sum(r["status"] == s for r in rows) for s in ("complete", "unfinished", "failed", "not made")},
         "columns": [{"name": c, "title": COLUMNS[c]} for c in columns],
         "parameters": study.names,
         "charts": [_chart(p, study, done, columns) for p in study.parameters[:1]],
@@ -27,7 +27,7 @@ def page(study, rows, failures=(), answer=None):
         "comparisons": [c for p in study.parameters for c in comparisons(p, study.names, done, columns)],
         "points": _points(study.names, done, columns),
         "runs": [{**row, "report": f"runs/{row['run']}/report/report.html"} for row in rows],
-        "failures": list(failures), "answer": answer})
+        "failures": list(failures), "warnings": list(warnings), "answer": answer})
 
 
 def _chart(parameter, study, rows, columns):

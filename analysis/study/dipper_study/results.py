@@ -9,7 +9,7 @@ import dipper_run
 
 from .goal import COLUMNS
 
-FIGURES = (*COLUMNS, "passes", "cpu_s", "wall_s")
+FIGURES = (*COLUMNS, "passes", "warnings", "cpu_s", "wall_s")
 
 
 def row_of(planned, names, facts, failure=None):
@@ -17,8 +17,20 @@ def row_of(planned, names, facts, failure=None):
     row = {"run": planned.name, **{n: v.name for n, v in zip(names, planned.point.values)}, "seed": planned.seed,
            "status": "failed" if failure else "complete" if facts else "not made"}
     if facts and not failure:
-        row |= figures(dipper_run.read(planned.folder)) | {"wall_s": facts.get("wall_s", float("nan"))}
+        run = dipper_run.read(planned.folder)
+        row |= figures(run) | {"wall_s": facts.get("wall_s", float("nan"))}
+        row |= {"warnings": len(warnings_of(run)), "status": "complete" if is_whole(run) else "unfinished"}
     return row
+
+
+def is_whole(run):
+    """Whether every pass was dumped: the figures of one that was cut short are no pass's."""
+    passes = run.summary["passes"]
+    return bool(passes) and all(p.get("dumped", True) for p in passes)
+
+
+def warnings_of(run):
+    return run.summary.get("warnings", [])
 
 
 def figures(run):
@@ -47,7 +59,7 @@ def write_csv(rows, names, file):
 def write_hdf5(rows, names, file, study_text):
     """A dataset a column, in the order of the CSV; columns that are no numbers are text, missing figures nan."""
     part = file.with_suffix(".h5.part")
-    with h5py.File(part, "w") as f:
+    with h5py.File(part, "w", locking=False) as f:
         f.attrs["study"] = study_text
         for column in ("run", "status"):
             f.create_dataset(column, data=[row[column] for row in rows], dtype=h5py.string_dtype())
@@ -56,7 +68,7 @@ def write_hdf5(rows, names, file, study_text):
         f["seed"] = np.array([row["seed"] for row in rows])
         for column in FIGURES:
             f[column] = np.array([row.get(column, np.nan) for row in rows], float)
-            pure = column in ("fill_factor", "fill_factor_load", "passes")
+            pure = column in ("fill_factor", "fill_factor_load", "passes", "warnings")
             f[column].attrs["unit"] = "1" if pure else column.rsplit("_", 1)[-1]
     os.replace(part, file)
 

@@ -117,7 +117,7 @@ class SlurmQueue:
                      "--output", str(folder / "%a.log"), "--chdir", str(folder)]
             words += ["--partition", slurm.partition] if slurm.partition else []
             _ask(*words, *slurm.options, given=f'#!/bin/sh\nexport PYTHONPATH="{PACKAGES}"\n'
-                 f'exec "{sys.executable}" -B -m dipper_run.worker "{folder}/jobs.json" "$SLURM_ARRAY_TASK_ID"\n')
+                 f'exec "{sys.executable}" -B -P -s -m dipper_run.worker "{folder}/jobs.json" "$SLURM_ARRAY_TASK_ID"\n')
 
     def _new_batch(self, jobs):
         """The folder of a submission, with its jobs in it."""

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "analysis/io/vtk_file.hpp"
 #include "tests/analysis/dump_files.hpp"
@@ -58,6 +59,37 @@ TEST(DumpFolder, WithoutACaseTheTimeStepComesFromASeriesOrTheCaller) {
       "post/x.vtk.series",
       R"({"files": [{"name": "dump100.liggghts", "time": 0.5}, {"name": "dump300.liggghts", "time": 1.5}]})");
   EXPECT_NEAR(open_dump_folder(s.folder() / "post").time_s[1], 1.5, 1e-12);
+}
+
+TEST(DumpFolder, FramesThatBeginWithUnitsOrTime) {
+  const Scratch s;
+  for (const long step : {0, 100})
+    s.write("post/dump" + std::to_string(step) + ".dump",
+            "ITEM: UNITS\nsi\nITEM: TIME\n" + std::to_string(0.01 * static_cast<double>(step)) +
+                "\n" + frame(step));
+  EXPECT_NEAR(open_dump_folder(s.folder() / "post").time_s.at(1), 1, 1e-12);
+  s.write("post/dump100.dump", "ITEM: UNITS\nlj\n" + frame(100));
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder() / "post"); }),
+              HasSubstr("dump100.dump:2: units are 'lj'; a dump in 'si' (m, kg, s)"));
+}
+
+TEST(DumpFolder, GzippedFrames) {
+  const Scratch s;
+  for (const long step : {0, 100, 200}) {
+    const std::string file = s.folder() / ("rocks_" + std::to_string(step) + ".dump.gz");
+    const auto out = gzopen(file.c_str(), "wb");
+    const std::string text = frame(step);
+    ASSERT_EQ(gzwrite(out, text.data(), static_cast<unsigned>(text.size())),
+              static_cast<int>(text.size()));
+    gzclose(out);
+  }
+  const DumpFolder d = open_dump_folder(s.folder(), 1e-3);
+  EXPECT_EQ(d.particles, "rocks");
+  ASSERT_EQ(d.frames.size(), 3u);
+  EXPECT_NEAR(d.time_s[2], 0.2, 1e-12);
+  fs::resize_file(s.folder() / "rocks_100.dump.gz", 60);
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder(), 1e-3); }),
+              HasSubstr("rocks_100.dump.gz"));
 }
 
 TEST(DumpFolder, AMissingFrameIsNamed) {

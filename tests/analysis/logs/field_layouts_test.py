@@ -248,8 +248,8 @@ def test_a_row_a_reading_says_what_it_lacks(read):
     log = [[*row, "7"] for row in long(rows())]
     names = ["Tag", "Time", "Reading", "Quality", "Site"]
     _, found, _ = read(text(log, names=names))
-    assert "file.value: missing: log.csv has a row a reading, and 2 columns of numbers; the column of the values, one " \
-        "of 'Reading', 'Site'" in found[0]
+    assert "file.value: missing: log.csv has a row a reading, and 2 columns of numbers; the column of the values, " \
+        "one of 'Reading', 'Site'" in found[0]
     log_read, found, _ = read(text(log, names=names), "file: {value: Reading}\n")
     assert not found and is_whole(log_read)
     _, found, _ = read(text([r for r in long(rows()) if r[0] != "Door"], names=names[:4]))

@@ -6,6 +6,7 @@
 
 #include "common/mesh/stl.hpp"
 #include "tests/analysis/tray.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::analysis::rock {
 namespace {
@@ -27,8 +28,8 @@ TEST(StruckVolume, TurnedOnItsSideItHoldsNothing) {
 }
 
 TEST(StruckVolume, OfTheDipperIsWhatItsFileSays) {
-  mesh::TriangleMesh mesh = mesh::read_stl(DIPPER_MESHES "/dipper.stl");
-  const mesh::TriangleMesh door = mesh::read_stl(DIPPER_MESHES "/door.stl");
+  mesh::TriangleMesh mesh = mesh::read_stl(test::source() / "meshes/dipper.stl");
+  const mesh::TriangleMesh door = mesh::read_stl(test::source() / "meshes/door.stl");
   for (std::size_t t = 0; t < door.triangles.size(); ++t) {
     mesh::Triangle corners = door.corners(t);
     for (auto& c : corners) c.z() += 1.5;  // the hinge (docs/frames.md)

@@ -4,14 +4,15 @@
 
 #include <string>
 
+#include "tests/places.hpp"
+
 namespace dipper::analysis::signals {
 namespace {
 
 /// Ten seconds with the ropes as long as they are at one place; the handle is `turned` above where
 /// they would hold it from 4 to 6 s.
 struct Stand {
-  machine::MachineData machine =
-      machine::load_machine(std::string(DIPPER_SOURCE) + "/mbs/bucyrus495.yaml");
+  machine::MachineData machine = machine::load_machine(test::source() / "mbs/bucyrus495.yaml");
   double rake = machine.dipper.base_rake;
   machine::ShovelKinematics shovel{machine, Pose{}, rake};
   DriveSignals s;

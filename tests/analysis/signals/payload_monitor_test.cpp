@@ -7,6 +7,7 @@
 
 #include "common/gravity.hpp"
 #include "machine/kinematics.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::analysis::signals {
 namespace {
@@ -15,8 +16,7 @@ constexpr double kLoad_kg = 63e3;
 
 class Monitor : public testing::Test {
  protected:
-  machine::MachineData machine =
-      machine::load_machine(std::string(DIPPER_SOURCE) + "/mbs/bucyrus495.yaml");
+  machine::MachineData machine = machine::load_machine(test::source() / "mbs/bucyrus495.yaml");
   double rake = machine.dipper.base_rake;
   PassPhases pass;
   DriveSignals s;

@@ -173,3 +173,25 @@ def test_two_settings_are_compared_seed_by_seed(world):
     assert payload["confidence"] > 0.99
     force = next(c for c in data["comparisons"] if c["column"] == "dig_force_mean_MN")
     assert not force["shown"] and force["confidence"] == 0.5
+
+
+def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_told(world):
+    world.say("short", "2")
+    world.say("warnings", "pass 1: the ropes are slack\n")
+    said = world.study()
+    assert "study: warning: 3 of 9 runs are unfinished: they end before the door has opened" in said
+    assert "study: warning: in 9 of 9 runs: pass 1: the ropes are slack" in said
+    rows = world.rows()
+    assert [r["status"] for r in rows] == ["complete", "unfinished", "complete"] * 3
+    assert {r["warnings"] for r in rows} == {"1"}
+    assert (world.out / "runs" / rows[1]["run"]).exists()
+    numbers = [{**r, **{c: float(r[c] or "nan") for c in COLUMNS}} for r in rows[:2]]
+    data = page(read_study(world.folder / "study.yaml"), numbers, warnings=["a"])
+    assert data["warnings"] == ["a"] and (data["counts"]["complete"], data["counts"]["unfinished"]) == (1, 1)
+    assert sum(point["figures"]["payload_t"]["n"] for point in data["points"]) == 1
+
+
+def test_a_cache_that_cannot_be_written_is_told_before_a_run(world):
+    world.environment["XDG_CACHE_HOME"] = "/proc/none"
+    assert "set XDG_CACHE_HOME to a folder that can be written" in world.study(status=2)
+    assert not world.calls()

@@ -4,11 +4,12 @@
 
 #include "common/mesh/mesh_check.hpp"
 #include "common/mesh/stl.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::mesh {
 namespace {
 
-TriangleMesh dipper_mesh() { return read_stl(std::string(DIPPER_SOURCE) + "/meshes/dipper.stl"); }
+TriangleMesh dipper_mesh() { return read_stl(test::source() / "meshes/dipper.stl"); }
 
 Box cavity() {
   Box box;

@@ -115,6 +115,23 @@ TEST(MeshCheck, AFinOnAnEdge) {
                                                  std::pair(Kind::open_edge, 13U)));
 }
 
+TEST(MeshCheck, ThinFacetsAreToldWithTheirAngle) {
+  TriangleMesh mesh = cuboid;  // facet 1, on the floor, with a corner close above one of its edges
+  const Triangle floor = mesh.corners(0);
+  mesh.vertices.push_back((floor[0] + floor[1]) / 2 + 1e-4 * (floor[2] - floor[0]));
+  const auto t = mesh.triangles[0];
+  mesh.triangles[0] = {t[0], t[1], 8};
+  mesh.triangles.push_back({t[1], t[2], 8});
+  mesh.triangles.push_back({t[2], t[0], 8});
+  EXPECT_TRUE(check_mesh(mesh).empty());
+  const auto thin = check_angles(mesh, 0.01);
+  ASSERT_EQ(thin.size(), 1U);
+  EXPECT_EQ(thin[0].facet, 1U);
+  EXPECT_THAT(thin[0].message, HasSubstr("facet 1: its smallest angle is 0.0"));
+  EXPECT_THAT(thin[0].message, HasSubstr("LIGGGHTS takes 0.57 deg and more"));
+  EXPECT_TRUE(check_angles(cuboid, 0.01).empty());
+}
+
 TEST(MeshCheck, SeveralFaultsAtOnceInTheOrderOfTheFile) {
   TriangleMesh mesh = cuboid;
   flip(mesh, 3);

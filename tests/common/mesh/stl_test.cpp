@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 
@@ -49,6 +50,49 @@ TEST(Stl, WeldsAcrossTheEdgeOfACell) {
   text = replace(text, "vertex 2 2 3", "vertex 2.0000004 1.9999996 3");
   EXPECT_EQ(parse_stl(text).vertices.size(), 8U);
   EXPECT_EQ(parse_stl(replace(text, "2.0000004", "2.00001")).vertices.size(), 9U);
+}
+
+TEST(Stl, DialectsOfText) {
+  std::string capitals = ascii_stl(cuboid);
+  for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (const std::string& text : {capitals, "\xEF\xBB\xBF" + ascii_stl(cuboid),
+                                  "\n  \n" + ascii_stl(cuboid), "\r\n" + ascii_stl(cuboid)}) {
+    EXPECT_EQ(parse_stl(text).triangles.size(), 12U);
+    const auto file = std::filesystem::path(testing::TempDir()) / "dialect.stl";
+    std::ofstream(file, std::ios::binary) << text;
+    EXPECT_FALSE(is_plain_stl(file));
+    const TriangleMesh mesh = read_stl(file);
+    std::ofstream(file, std::ios::binary) << to_stl("dipper", mesh);
+    EXPECT_TRUE(is_plain_stl(file));
+  }
+}
+
+TEST(Stl, OtherFormatsAreNamed) {
+  const std::string padding(200, '\n');
+  EXPECT_EQ(fault_of("ply\nformat binary_little_endian 1.0\n" + padding).message,
+            "is a PLY file; export the mesh as STL");
+  EXPECT_EQ(fault_of("# made by hand\n\nv 0 0 0\nv 1 0 0\n" + padding).message,
+            "is a OBJ file; export the mesh as STL");
+  EXPECT_EQ(fault_of("ISO-10303-21;\n" + padding).message,
+            "is a STEP file; export the mesh as STL");
+}
+
+TEST(Stl, AMeshWhoseDigitsDoNotReachItsSizeIsRefused) {
+  const Eigen::Vector3d mine(633999.6, 7344999.8, 411.6);
+  const TriangleMesh rock = test::box(mine, mine + Eigen::Vector3d(0.8, 0.7, 0.6));
+  EXPECT_NEAR(volume(parse_stl(ascii_stl(rock))), 0.8 * 0.7 * 0.6, 1e-6);
+  const std::string lost = fault_of(binary_stl(rock)).message;
+  EXPECT_NE(lost.find("are rounded to 0.5 m"), std::string::npos) << lost;
+  EXPECT_NE(lost.find("its shape is lost; move it to its own origin"), std::string::npos) << lost;
+  const Eigen::Vector3d near(30, 40, 5);
+  EXPECT_EQ(
+      parse_stl(binary_stl(test::box(near, near + Eigen::Vector3d(1, 1, 1)))).triangles.size(),
+      12U);
+}
+
+TEST(Stl, SandIsWeldedByItsOwnSize) {
+  const TriangleMesh grain = test::box({0, 0, 0}, {1e-6, 2e-6, 3e-6});
+  EXPECT_EQ(parse_stl(ascii_stl(grain)).vertices.size(), 8U);
 }
 
 TEST(Stl, BinaryThatBeginsWithSolidIsBinary) {

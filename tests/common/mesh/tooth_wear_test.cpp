@@ -9,11 +9,12 @@
 #include "common/mesh/mesh_check.hpp"
 #include "common/mesh/stl.hpp"
 #include "tests/common/mesh/shapes.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::mesh {
 namespace {
 
-TriangleMesh dipper_mesh() { return read_stl(std::string(DIPPER_SOURCE) + "/meshes/dipper.stl"); }
+TriangleMesh dipper_mesh() { return read_stl(test::source() / "meshes/dipper.stl"); }
 
 // meshes/dipper.yaml's teeth: six wedges of 0.6 m, 0.34 x 0.18 m at the root, 0.22 x 0.04 m at the
 // tip.

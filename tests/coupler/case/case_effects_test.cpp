@@ -2,6 +2,7 @@
 
 #include "coupler/case/effects.hpp"
 #include "tests/coupler/case/checkout.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::cases {
 namespace {
@@ -27,7 +28,7 @@ TEST(Effects, EveryFileOfTheCatalogueIsSoundAndAppliesAtBothItsBounds) {
   const Case plain = load(checkout, {}, &findings);
   const auto names = effect_names(checkout.folder());
   EXPECT_GE(names.size(), 12U);
-  const std::string page = test::read_text(fs::path(DIPPER_SOURCE) / "docs/case.md");
+  const std::string page = test::read_text(test::source() / "docs/case.md");
   for (const std::string& name : names) {
     EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << "no row in docs/case.md";
     const Effect e = read_effect(effect_file(checkout.folder(), name), findings);

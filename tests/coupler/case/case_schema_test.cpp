@@ -5,6 +5,7 @@
 
 #include "coupler/case/schema.hpp"
 #include "tests/coupler/case/checkout.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::cases {
 namespace {
@@ -19,7 +20,7 @@ TEST(Schema, KeysAreUniqueAndCarryTheirUnit) {
 }
 
 TEST(Schema, DocsListEveryKeyAsItIs) {
-  const std::string docs = test::read_text(std::filesystem::path(DIPPER_SOURCE) / "docs/case.md");
+  const std::string docs = test::read_text(test::source() / "docs/case.md");
   EXPECT_NE(docs.find(schema_markdown()), std::string::npos)
       << "docs/case.md is behind; its table of keys is:\n"
       << schema_markdown();

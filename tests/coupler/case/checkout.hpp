@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "coupler/case/case.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::test {
 
@@ -36,7 +37,7 @@ class Checkout {
     std::string name = (fs::temp_directory_path() / "dipper-case-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
     root = name;
-    const fs::path source = DIPPER_SOURCE;
+    const fs::path source = test::source();
     fs::create_directories(root / "cases");
     fs::create_directories(root / "mbs");
     fs::copy(source / "tests/coupler/case/narrow", folder(), fs::copy_options::recursive);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -88,6 +89,24 @@ TEST(Sieve, AGapInTheCurveGivesNoClass) {
   const std::vector<SizeClass> classes = size_classes(curve, how);
   ASSERT_EQ(classes.size(), 2U);
   EXPECT_NEAR(total(classes), 100, 1e-9);
+}
+
+TEST(Sieve, AnotherUnitIsToldOnceWithTheRange) {
+  const std::string mm = errors_of("63,2\n125,6\n1000,100\n"),
+                    shares = errors_of("0.063,0.02\n0.5,0.52\n1,1.0\n"),
+                    retained = errors_of("0.063,98\n0.125,94\n1,0\n");
+  EXPECT_NE(mm.find("sieve.csv: size_m goes from 63 to 1000 m; up to 10 m: in mm, perhaps?"),
+            std::string::npos)
+      << mm;
+  EXPECT_NE(shares.find("passing_percent goes from 0.02 to 1; up to 100 %: shares of 1, perhaps?"),
+            std::string::npos)
+      << shares;
+  EXPECT_NE(retained.find("passing_percent falls from 98 to 0 as size_m rises from 0.063 to 1 m"),
+            std::string::npos)
+      << retained;
+  for (const std::string& all : {mm, shares, retained})
+    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 0) << all;
+  EXPECT_EQ(read_sieve(curve_file("0.1 m,2 %\n0.2,\"50.0\"\n0.8,100%\n")).passing_percent(0.2), 50);
 }
 
 TEST(Sieve, EveryFaultWithItsLine) {

@@ -16,6 +16,7 @@
 #include "tests/common/memory_reporter.hpp"
 #include "tests/coupler/case/checkout.hpp"
 #include "tests/coupler/deck/height_field.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::check {
 namespace {
@@ -48,7 +49,7 @@ TEST(CheckCase, QuickIsSound) {
 
 TEST(CheckCase, TheRepositorysQuickIsSound) {
   std::vector<Finding> findings;
-  read_case(fs::path(DIPPER_SOURCE) / "cases/quick", {}, findings);
+  read_case(test::source() / "cases/quick", {}, findings);
   expect_findings(findings, {});
 }
 
@@ -361,6 +362,33 @@ TEST(CheckCase, StepOfAFractionOfANanosecond) {
   const int line = checkout.replace("timestep_s", "timestep_s: 1.23456789e-4");
   expect_findings(check(checkout), {{checkout.file(), line, "dem.timestep_s",
                                      "is not a whole number of nanoseconds; write 0.000123456"}});
+}
+
+TEST(CheckCase, AMeshInMillimetresIsToldAndNothingElseOfIt) {
+  Checkout checkout;
+  mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
+  for (auto& v : door.vertices) v *= 1000;
+  const auto file = std::filesystem::path(testing::TempDir()) / "door_mm.stl";
+  std::ofstream(file) << mesh::to_stl("door", door);
+  expect_findings(check(checkout, {{"bodies.door", file.string()}}),
+                  {{"--set", 0, "bodies.door",
+                    "and the whole domain 56 m: in mm, perhaps? An STL file has no"}});
+}
+
+TEST(CheckCase, AFacetTooThinForLiggghtsIsTold) {
+  Checkout checkout;
+  mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
+  const auto t = door.triangles[0];  // a corner close above the middle of one of its edges
+  const auto& v = door.vertices;
+  door.vertices.push_back((v[t[0]] + v[t[1]]) / 2 + 2e-4 * (v[t[2]] - v[t[0]]));
+  const std::size_t p = door.vertices.size() - 1;
+  door.triangles[0] = {t[0], t[1], p};
+  door.triangles.push_back({t[1], t[2], p});
+  door.triangles.push_back({t[2], t[0], p});
+  const auto file = std::filesystem::path(testing::TempDir()) / "door_thin.stl";
+  std::ofstream(file) << mesh::to_stl("door", door);
+  expect_findings(check(checkout, {{"bodies.door", file.string()}}),
+                  {{file, 0, "bodies.door", "facet 1: its smallest angle is 0.0"}});
 }
 
 TEST(CheckCase, BodiesTruckAndPileLeaveTheBox) {

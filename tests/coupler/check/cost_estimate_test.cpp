@@ -5,6 +5,7 @@
 
 #include "tests/common/memory_reporter.hpp"
 #include "tests/coupler/case/checkout.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::check {
 namespace {
@@ -29,7 +30,7 @@ TEST(CostEstimate, IsWhatRunsHaveTaken) {
   EXPECT_THAT(narrow.dig_s, about(106 + 7));
   EXPECT_THAT(narrow.disk_B, about(184e6));
 
-  const std::filesystem::path source = DIPPER_SOURCE;
+  const std::filesystem::path source = test::source();
   const CostEstimate quick =
       cost_estimate(load(source / "cases" / "quick", {{"machine.drives", "prescribed"}}));
   EXPECT_THAT(quick.spheres, about(12607));
@@ -47,7 +48,7 @@ TEST(CostEstimate, IsWhatRunsHaveTaken) {
 }
 
 TEST(CostEstimate, AWindowCostsWhateverTheRockDoes) {
-  const std::filesystem::path quick = std::filesystem::path(DIPPER_SOURCE) / "cases" / "quick";
+  const std::filesystem::path quick = test::source() / "cases" / "quick";
   const double all = cost_estimate(load(quick, {{"coupling.sync_steps", "5"}})).dig_s,
                half = cost_estimate(load(quick, {{"coupling.sync_steps", "10"}})).dig_s;
   EXPECT_THAT(all - half, about((4.4 + 6.7) / 2));

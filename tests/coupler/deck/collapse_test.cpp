@@ -7,6 +7,7 @@
 
 #include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -75,7 +76,7 @@ TEST(Collapse, ComesWhenItIsToldToElseWhenTheDoorFirstOpens) {
 }
 
 TEST(Collapse, TheDeckHasTheDefaultBenchsSlab) {
-  const std::string deck = read_text(std::string(DIPPER_SOURCE) + "/dem_in/collapse.in");
+  const std::string deck = read_text(test::source() / "dem_in/collapse.in");
   for (const auto& [name, value] : collapse_variables(collapse_slab(with_slab(0.5)))) {
     std::smatch found;
     ASSERT_TRUE(

@@ -11,12 +11,13 @@
 #include "coupler/deck/pile_shape.hpp"
 #include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kSource = DIPPER_SOURCE;
+const fs::path kSource = test::source();
 
 std::set<std::string> names(const fs::path& folder) {
   std::set<std::string> out;
@@ -59,11 +60,16 @@ TEST(DefaultDeck, RefusesAPileWithoutItsLargestRock) {
                std::invalid_argument);
 }
 
-TEST(DefaultDeck, RefusesBodiesTheDeckDoesNotKnow) {
+TEST(DefaultDeck, HasAWallForEachBodyOfTheCaseAndTheTruckWhereThereIsOne) {
   cases::Case c = quick_case();
-  c.bodies["handle"] = "meshes/door.stl";
-  EXPECT_THROW(write_deck(c, kSource / "meshes/rocks", fresh_folder("bodies")),
-               std::invalid_argument);
+  c.bodies = {{"blade", c.bodies.at("dipper")}};
+  c.truck.mesh.clear();
+  const fs::path folder = fresh_folder("bodies");
+  write_deck(c, kSource / "meshes/rocks", folder);
+  const std::string walls = read_text(folder / "walls.in");
+  EXPECT_NE(walls.find("fix blade all mesh/surface/stress"), std::string::npos);
+  EXPECT_NE(walls.find("n_meshes 2 meshes sides blade"), std::string::npos);
+  EXPECT_EQ(walls.find("truck"), std::string::npos);
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/places.hpp"
+
 namespace dipper::deck {
 
 /// A fresh, empty folder under the test's temporary one.
@@ -30,7 +32,7 @@ inline std::string read_text(const std::filesystem::path& file) {
 /// DIPPER_LIGGGHTS of the environment, or the plain binary.
 inline std::string liggghts_program() {
   const char* own = std::getenv("DIPPER_LIGGGHTS");
-  return own != nullptr ? own : LIGGGHTS_BINARY;
+  return own != nullptr ? own : test::liggghts().string();
 }
 
 /// Starts LIGGGHTS in the repository with the arguments, on `ranks` ranks. The screen goes to
@@ -39,10 +41,11 @@ inline int run_liggghts(const std::string& deck, const std::string& arguments, i
                         const std::filesystem::path& out) {
   const std::string mpi =
       ranks == 1 ? "" : "mpirun --allow-run-as-root --oversubscribe -np " + std::to_string(ranks);
-  const std::string command = "cd '" DIPPER_SOURCE "' && " + mpi + " '" + liggghts_program() +
-                              "' -in " + deck + " -var bench_cut '" BENCH_CUT "' -var out '" +
-                              out.string() + "' -log '" + (out / "log.txt").string() + "' " +
-                              arguments + " > '" + (out / "screen.txt").string() + "' 2>&1";
+  const std::string command = "cd '" + test::source().string() + "' && " + mpi + " '" +
+                              liggghts_program() + "' -in " + deck + " -var bench_cut '" +
+                              test::bench_cut().string() + "' -var out '" + out.string() +
+                              "' -log '" + (out / "log.txt").string() + "' " + arguments + " > '" +
+                              (out / "screen.txt").string() + "' 2>&1";
   return std::system(command.c_str());
 }
 

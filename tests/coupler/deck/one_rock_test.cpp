@@ -9,6 +9,7 @@
 #include "coupler/deck/deck.hpp"
 #include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -159,7 +160,7 @@ TEST(OneRock, TipsWhereItsWeightPassesItsSupport) {
 /// The generated deck of a case, for run_rock.
 std::string deck_of(const cases::Case& c) {
   const auto folder = fresh_folder("one_rock_deck");
-  write_deck(c, std::filesystem::path(DIPPER_SOURCE) / "meshes/rocks", folder);
+  write_deck(c, test::source() / "meshes/rocks", folder);
   return fmt::format("-var deck '{}' ", folder.string());
 }
 

@@ -12,12 +12,13 @@
 #include "coupler/deck/shape_library.hpp"
 #include "tests/common/mesh/shapes.hpp"
 #include "tests/coupler/deck/liggghts_run.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kRocks = fs::path(DIPPER_SOURCE) / "meshes/rocks";
+const fs::path kRocks = test::source() / "meshes/rocks";
 
 void write_text(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 

@@ -17,6 +17,7 @@
 #include "tests/coupler/deck/height_field.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
 #include "tests/coupler/deck/settled_bench.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -76,7 +77,7 @@ TEST(ScannedSurface, IsReproducedAtTheCut) {
   const fs::path folder = fresh_folder("scanned");
   const cases::Case c = scanned_case();
   ASSERT_TRUE(c.pile.surface->faults(kHalf).empty());
-  write_deck(c, fs::path(DIPPER_SOURCE) / "meshes/rocks", folder / "deck");
+  write_deck(c, test::source() / "meshes/rocks", folder / "deck");
   const fs::path dumps = settled_bench(folder, 0);
   std::vector<Rock> rocks;
   const analysis::io::DumpReader reader({run::first_dump(dumps)});

@@ -12,6 +12,7 @@
 #include "coupler/deck/stable_timestep.hpp"
 #include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -47,7 +48,7 @@ Dump read_dump(const fs::path& file) {
 /// A settled bench in a folder of its own: what dig.in starts from.
 struct Bench {
   Bench(const std::string& name, const cases::Case& c) : folder(fresh_folder(name)) {
-    write_deck(c, fs::path(DIPPER_SOURCE) / "meshes/rocks", folder / "deck");
+    write_deck(c, test::source() / "meshes/rocks", folder / "deck");
     fs::create_directories(folder / "settle");
     status = run_liggghts("dem_in/settle.in", deck(), 1, folder / "settle");
   }

@@ -9,6 +9,7 @@
 #include "coupler/run/achieved_profile.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
 #include "tests/coupler/deck/settled_bench.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -34,7 +35,7 @@ run::AchievedProfile settled(const fs::path& folder, double relax_s) {
 
 TEST(TallFace, IsReproducedAtTheCut) {
   const fs::path folder = fresh_folder("tall_face");
-  write_deck(steep_case(), fs::path(DIPPER_SOURCE) / "meshes/rocks", folder / "deck");
+  write_deck(steep_case(), test::source() / "meshes/rocks", folder / "deck");
   const run::AchievedProfile cut = settled(folder, 0), relaxed = settled(folder, 1.5);
   for (const auto& [name, f] : {std::pair{"cut", cut}, std::pair{"relaxed 1.5 s", relaxed}})
     fmt::print(

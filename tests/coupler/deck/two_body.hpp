@@ -12,6 +12,7 @@
 #include "coupler/deck/deck.hpp"
 #include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::two_body {
 
@@ -76,7 +77,7 @@ struct Start {
 /// Runs A against B, or against a wall when B is null.
 inline Record run(const cases::Case& c, const Body& a, const Body* b, const Start& s) {
   const auto out = deck::fresh_folder("two_body");
-  deck::write_deck(c, std::filesystem::path(DIPPER_SOURCE) / "meshes/rocks", out / "deck");
+  deck::write_deck(c, test::source() / "meshes/rocks", out / "deck");
   const Body& round = b != nullptr && b->kind == rock ? *b : a;
   std::ofstream(out / "rock.spheres")
       << fmt::format("0 0 0 {}\n0 0 0 {}\n", round.contact, round.contact / 2);

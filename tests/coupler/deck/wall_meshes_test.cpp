@@ -10,12 +10,13 @@
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::deck {
 namespace {
 
 using Eigen::Vector3d;
-const std::filesystem::path kMeshes = std::filesystem::path(DIPPER_SOURCE) / "meshes";
+const std::filesystem::path kMeshes = test::source() / "meshes";
 
 TEST(WallMeshes, AreClosedAndMatchTheirYaml) {
   for (const char* name : {"dipper", "door", "truck"}) {

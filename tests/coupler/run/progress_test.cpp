@@ -3,18 +3,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
+#include <functional>
 
 #include "common/seconds.hpp"
+#include "tests/places.hpp"
 
 namespace dipper::run {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::SizeIs;
 
-const std::filesystem::path kSource = DIPPER_SOURCE;
+const std::filesystem::path kSource = test::source();
 
 struct Lines final : Reporter {
   void line(const std::string&) override {}
@@ -62,24 +66,45 @@ class ProgressTest : public testing::Test {
   Lines lines_;
   cases::Case c_;
   RunEnd end_{1107693, std::nullopt};
+  Progress::Clock::time_point now_{};
+  std::function<Progress::Clock::time_point()> clock_ = [this] { return now_; };
 };
 
 TEST_F(ProgressTest, TellsPhasePayloadTimeLeftAndSpeedInTheWidthOfATerminal) {
   c_.dem.timestep_s = 1.3e-4;
-  Progress progress(lines_, c_, end_, info("energy"), info("mass_in_dipper"), 0);
+  Progress progress(lines_, c_, end_, info("energy"), info("mass_in_dipper"), clock_);
+  progress.window(window(1.2));
+  now_ += std::chrono::hours(1);
   progress.window(window(101.2));
-  EXPECT_THAT(lines_.last,
-              AllOf(HasSubstr("[####..] 101.2/144.0 s  3 penetrate  payload 81.9 t  0 s left"),
-                    HasSubstr("  speed ")));
+  EXPECT_EQ(lines_.last,
+            "[####..] 101.2/144.0 s  3 penetrate  payload 81.9 t  26 min left  speed 0.0278");
   EXPECT_LE(lines_.last.size(), 79U);
 }
 
 TEST_F(ProgressTest, LimitedDrivesAreWhereTheirPathIs) {
   c_.dem.timestep_s = 1.3e-4;
   c_.machine.drives = machine::DriveMode::limited;
-  Progress progress(lines_, c_, end_, info("path_time"), info("mass_in_dipper"), 0);
+  end_.path_s = 144;
+  Progress progress(lines_, c_, end_, info("path_time"), info("mass_in_dipper"));
   progress.window(window(107.7));
-  EXPECT_THAT(lines_.last, HasSubstr("  1 "));
+  EXPECT_THAT(lines_.last, AllOf(HasSubstr("] 107.7 s  1 "), Not(HasSubstr("/144"))))
+      << "no end: the drives take as long as they need";
+}
+
+TEST_F(ProgressTest, TellsNoTimeLeftBeforeItCanBeToldWell) {
+  c_.dem.timestep_s = 1.3e-4;
+  Progress progress(lines_, c_, end_, info("energy"), info("mass_in_dipper"), clock_);
+  now_ += std::chrono::hours(1);  // the start-up does not count
+  progress.window(window(0.1));
+  EXPECT_THAT(lines_.last, Not(HasSubstr("left")));
+  now_ += std::chrono::seconds(9);
+  progress.window(window(14.1));
+  EXPECT_THAT(lines_.last, Not(HasSubstr("left"))) << "too short a time";
+  now_ += std::chrono::seconds(1);
+  progress.window(window(2.1));
+  EXPECT_THAT(lines_.last, Not(HasSubstr("left"))) << "too short a way";
+  progress.window(window(14.5));
+  EXPECT_THAT(lines_.last, HasSubstr("90 s left"));
 }
 
 }  // namespace

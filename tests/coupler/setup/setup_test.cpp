@@ -20,8 +20,8 @@ TEST(InfoJson, RoundTrip) {
   EXPECT_EQ(back.timestep_s, 2e-4);
 }
 
-TEST(MachineSetup, RoundTrip) {
-  MachineSetup s;
+TEST(MachineSetup, RoundTripOfAShovel) {
+  ShovelSetup s;
   s.model = "a.yaml";
   s.motion = "b.csv";
   s.drives = machine::DriveMode::limited;
@@ -29,14 +29,21 @@ TEST(MachineSetup, RoundTrip) {
   s.base_position_m = {1, 2, 3};
   s.rake_angle_deg = 61.8;
   s.condition = {1e3, 0.1, 2, 500, {4, 5, 6}, {7, 8, 9}};
-  const MachineSetup back = machine_setup_from(to_json(s));
+  const auto back = std::get<ShovelSetup>(machine_setup_from(to_json(s)));
   EXPECT_EQ(to_json(back), to_json(s));
   EXPECT_EQ(back.drives, s.drives);
   EXPECT_EQ(back.condition.added_inertia_kg_m2.z(), 9);
 }
 
+TEST(MachineSetup, RoundTripOfPoses) {
+  const auto back =
+      std::get<PosesSetup>(machine_setup_from(to_json(PosesSetup{"p.csv", {"bucket", "plate"}})));
+  EXPECT_EQ(back.table, "p.csv");
+  EXPECT_EQ(back.bodies, (std::vector<std::string>{"bucket", "plate"}));
+}
+
 TEST(MachineSetup, MissingKeyThrows) {
-  nlohmann::json j = to_json(MachineSetup{});
+  nlohmann::json j = to_json(ShovelSetup{});
   j.erase("rake_angle_deg");
   EXPECT_THROW(machine_setup_from(j), nlohmann::json::exception);
 }

@@ -1,6 +1,6 @@
 // fuzz_decode INPUTS [SEED]: what comes in from the network and from recordings, damaged in every
 // way, given to all that reads it. Ends with status 0 when each input was read or refused; built
-// with sanitizers (scripts/bench_fuzz) it also ends on the first read or write out of place.
+// with sanitizers (scripts/bench/fuzz) it also ends on the first read or write out of place.
 #include <fmt/core.h>
 
 #include <cstdlib>

@@ -10,18 +10,23 @@ export function signals(model, clock) {
   const lines = (per, ...wanted) => wanted.map((it) => line(it, per)).filter(({ values }) => values);
   const force = model.digForce()?.map((v) => (v === null ? null : v / 1e6));
   const dig = force ? [{ label: 'dig force', values: force, colour: 'ink', width: 1.6, gaps: true }] : [];
+  const names = Object.keys(model.curves.channels);
+  const bodies = names.filter((name) => name.startsWith('force/')).map((name, k) => [`on the ${name.slice(6)}`, name, ['blue', 'orange', 'green', 'purple'][k % 4], 1.4]);
+  const weighed = names.filter((name) => name.startsWith('rock/mass_in_') && !['rock/mass_in_dipper', 'rock/mass_in_truck'].includes(name))
+    .map((name) => [`in the ${name.slice(13)}`, name, 'purple']);
   const plots = [
     { title: 'Force', unit: 'MN', height: 250, lines: [...stalled(model, 'hoist', 'blue'), ...stalled(model, 'crowd', 'orange'), ...dig, ...lines(1e6,
-      ['hoist', 'machine/hoist_force', 'blue', 1.2], ['crowd', 'machine/crowd_force', 'orange', 1.2])] },
+      ['hoist', 'machine/hoist_force', 'blue', 1.2], ['crowd', 'machine/crowd_force', 'orange', 1.2], ...bodies)] },
     { title: 'Behind the motion', unit: 's; m', height: 170, lines: [...lines(1, ['late (s)', 'late', 'ink', 1.4]),
       ...lines(1, ['crowd let back (m)', 'machine/crowd_relief', 'orange', 1.4])] },
     { title: 'Rock', unit: 't', height: 190, lines: lines(1e3,
-      ['in the dipper', 'rock/mass_in_dipper', 'purple'], ['in the truck', 'rock/mass_in_truck', 'green']) },
+      ['in the dipper', 'rock/mass_in_dipper', 'purple'], ['in the truck', 'rock/mass_in_truck', 'green'], ...weighed) },
     { title: 'Power of the drives', unit: 'MW', height: 210, lines: lines(1e6,
       ['hoist', 'machine/hoist_power', 'blue', 1.2], ['crowd', 'machine/crowd_power', 'orange', 1.2], ['swing', 'machine/swing_power', 'green', 1.2]) },
   ].filter((plot) => plot.lines.length);
-  return section('signals', 'Force, load and power',
-    'Dig force is √(hoist² + crowd²) (Svanberg et al. 2021, Eq. 11), shown while the dipper digs; before and after, the drives carry the weight of dipper and load. '
+  return section('signals', bodies.length ? 'Force and load' : 'Force, load and power',
+    (bodies.length ? 'The force of the rock on each body, as the mean over each sync step. '
+      : 'Dig force is √(hoist² + crowd²) (Svanberg et al. 2021, Eq. 11), shown while the dipper digs; before and after, the drives carry the weight of dipper and load. ')
     + 'Click a curve to see that moment in the replay. Drag to zoom, double-click to zoom out.',
     plots.map((plot) => curve(time, plot.lines, { ...plot, clock, bands: model.phases })), missing(model.phases));
 }

@@ -1,0 +1,96 @@
+"""machine.kind poses: bodies of any name along a table, from the check to the report."""
+import json
+import re
+import subprocess
+import unittest
+
+import h5py
+import numpy as np
+
+from runs import DIPPER, PATIENCE_S, SOURCE, TINY, RunTest
+
+TABLE = """time_s,body,x_m,y_m,z_m,qw,qx,qy,qz
+0,guard,-2,0,0.1,1,0,0,0
+0,scoop,11.2,0,0.1,1,0,0,0
+0.9,scoop,12.6,0,0.1,1,0,0,0
+1.2,scoop,12.7,0,0.4,0.98480775,0,-0.17364818,0
+"""
+
+
+class Poses(RunTest):
+    def case(self, table=TABLE, bodies=("scoop", "guard"), machine="kind: poses\n  poses: poses.csv"):
+        """The tiny pile, and two buckets: one is pushed in, one stands aside."""
+        folder = self.folder / "cases" / "mine"
+        folder.mkdir(parents=True, exist_ok=True)
+        text = (TINY / "case.yaml").read_text().replace("../../../../", f"{SOURCE}/")
+        text = re.sub(r"end_s: .*\n", "", text)
+        text = re.sub(r"(?sm)^truck:.*?\n\n", "", text)
+        text = re.sub(r"(?sm)^machine:.*?\n\n", f"machine:\n  {machine}\n\n", text)
+        meshes = "".join(f"  {name}: {SOURCE}/meshes/bucket.stl\n" for name in bodies)
+        text = re.sub(r"(?sm)^bodies:.*?\n\n", f"bodies:\n{meshes}\n", text)
+        (folder / "case.yaml").write_text(text)
+        (folder / "poses.csv").write_text(table)
+        return folder
+
+    def dipper(self, *command, status=0):
+        done = subprocess.run([DIPPER, *command], text=True, capture_output=True, timeout=PATIENCE_S)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return done.stdout + done.stderr
+
+    def test_a_run_follows_its_table_and_has_a_page(self):
+        case, run = self.case(), self.folder / "run"
+        self.run_case(run, "--ranks", "1", case=case)
+        with h5py.File(run / "record.h5") as f:
+            time_s, pose = f["time_s"][:], f["bodies/scoop/wall_pose"][:]
+            at = np.searchsorted(time_s, 0.9 - 1e-9)
+            np.testing.assert_allclose(pose[at, :3], [12.6, 0, 0.1], atol=1e-9)
+            np.testing.assert_allclose(pose[-1], [12.7, 0, 0.4, 0.98480775, 0, -0.17364818, 0], atol=1e-7)
+            force = np.linalg.norm(f["bodies/scoop/wrench_mean"][:, 3:], axis=1)
+            self.assertGreater(force.max(), 1e3)
+            self.assertEqual(np.abs(f["bodies/guard/wrench_mean"][:]).max(), 0)
+            self.assertGreater(f["rock/mass_in_scoop"][-1], 100)
+            self.assertEqual(f["rock/mass_in_guard"][-1], 0)
+            # The rock's work is the force along the way.
+            moved = np.diff(f["bodies/scoop/wall_pose"][:, 0], prepend=pose[0, 0])
+            push = -(f["bodies/scoop/wrench_mean"][:, 3] * moved)[:at].sum()
+            self.assertAlmostEqual(abs(f["coupling/rock_work"][at - 1]) / push, 1, delta=0.05)
+        summary = self.summary(run)
+        self.assertEqual(summary["passes"], [])
+        self.assertLess(abs(summary["coupling"]["energy_residual_J"]),
+                        1e-3 * abs(summary["coupling"]["interface_work_J"]))
+        self.assertIn("to the bit", self.dipper("replay", run, "--side", "dem"))
+        self.assertIn("to the bit", self.dipper("replay", run, "--side", "mbs"))
+        self.dipper("report", run)
+        metrics = json.loads((run / "report/metrics.json").read_text())
+        self.assertNotIn("passes", metrics)
+        self.assertGreater(metrics["frames"]["time_s"][-1], 1)
+
+    def test_a_resumed_run_is_the_same(self):
+        case, whole, parts = self.case(), self.folder / "whole", self.folder / "parts"
+        self.run_case(whole, "--ranks", "1", case=case)
+        self.run_case(parts, "--ranks", "1", "--set", "end_s=0.6", case=case)
+        self.run_case(parts, "--ranks", "1", "--resume", "--set", "end_s=0", case=case)
+        with h5py.File(whole / "record.h5") as a, h5py.File(parts / "record.h5") as b:
+            for name in ("bodies/scoop/wall_pose", "bodies/scoop/wrench_mean"):
+                x, y = a[name][:], b[name][:]
+                np.testing.assert_allclose(x, y, rtol=0, atol=1e-9 * np.abs(x).max())
+
+    def test_what_is_wrong_is_named(self):
+        for case, said in (
+                (dict(bodies=("scoop",)), r"poses.csv: body: guard is not under bodies in the case"),
+                (dict(bodies=("scoop", "guard", "plate")), r"bodies.plate: has no row in machine.poses"),
+                (dict(bodies=("scoop", "guard", "rocks")), r"bodies.rocks: the rock's scripts use this name"),
+                (dict(machine="kind: poses"), r"machine.kind: poses needs machine.poses"),
+                (dict(machine="kind: poses\n  poses: poses.csv\n  rake_angle_deg: 60"),
+                 r"machine.rake_angle_deg: is not used by machine.kind poses"),
+                (dict(machine="kind: poses\n  poses: none.csv"), r"machine.poses: no such file"),
+                (dict(table=TABLE + "1.2,scoop,0,0,0,1,0,0,0\n"), r"poses.csv:6:1: machine.poses: time_s is 1.2, not after"),
+                (dict(table=TABLE + "9,scoop,99,0,0,1,0,0,0\n"), r"domain.max_m: the scoop leaves the domain")):
+            self.assertRegex(self.dipper("check", self.case(**case), status=2), said)
+        self.assertIn("have no drives", self.dipper("preview", self.case(), status=2))
+        shovel = self.dipper("check", TINY, "--set", f"bodies.blade={SOURCE}/meshes/bucket.stl", status=2)
+        self.assertIn("machine.kind: poses", shovel)
+
+
+if __name__ == "__main__":
+    unittest.main()
