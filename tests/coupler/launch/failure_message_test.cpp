@@ -51,6 +51,13 @@ TEST_F(FailureMessage, WhatAProgramSaidBeatsWhatMpirunSaysOfAnAbort) {
   EXPECT_EQ(error_line(log), "sh: 1: ./bench-cut: not found");
 }
 
+TEST_F(FailureMessage, OpenMpisTroubleWithAMessageIsNotTheCause) {
+  const auto log = write("log",
+                         "dipper-liggghts: 1 rank came up where 2 belong\n"
+                         "[h1:1] [[2,0],0] ORTE_ERROR_LOG: Data unpack would read past end\n");
+  EXPECT_EQ(error_line(log), "dipper-liggghts: 1 rank came up where 2 belong");
+}
+
 TEST_F(FailureMessage, AHostThatIsGoneIsNamed) {
   const auto log = write("log",
                          "Please note that this is a mesh\n-----\n"
