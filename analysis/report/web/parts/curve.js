@@ -109,11 +109,11 @@ function alpha(name, share) {
 /// Ticks that have room for their labels; the others are left out.
 function spaced(plot, ticks) {
   let last = -Infinity;
-  return ticks.map((tick) => {
-    const at = plot.valToPos(tick, 'x');
+  return ticks.map((value) => {
+    const at = plot.valToPos(value, 'x');
     if (at - last < TICK) return null;
     last = at;
-    return tick;
+    return value;
   });
 }
 

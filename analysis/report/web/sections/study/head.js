@@ -5,7 +5,8 @@ import { masthead } from '../../page.js';
 export function head(data) {
   const { counts, seeds, parameters } = data;
   const missing = counts['not made'] ? `${counts['not made']} runs are not made yet; the same command continues.` : null;
-  return masthead('Study', data.title, `${counts.complete} ${counts.unfinished ? `finished runs, and ${counts.unfinished} unfinished ones,` : 'runs'} of ${data.case} over ${parameters.join(', ') || 'seeds'}, `
+  const runs = counts.unfinished ? `finished runs, and ${counts.unfinished} unfinished ones,` : 'runs';
+  return masthead('Study', data.title, `${counts.complete} ${runs} of ${data.case} over ${parameters.join(', ') || 'seeds'}, `
     + `with the same ${seeds.length} seed${seeds.length === 1 ? '' : 's'} for every point. Intervals are 90 % intervals of the mean, over the seeds.`, missing);
 }
 
