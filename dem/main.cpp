@@ -66,13 +66,12 @@ bool is_stop(const core::Message& m) {
 
 void run(const char* config_file) {
   const setup::PeerConfig config = setup::read_peer_config(config_file);
-  check_rank_count(config.settings.at("ranks").get<int>());
+  const setup::RockSetup rock_setup = setup::rock_setup_from(config.settings);
+  check_rank_count(rock_setup.ranks);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   const std::filesystem::path links = std::filesystem::absolute(config_file).string() + ".links";
-  LiggghtsRock rock(
-      enter_work_folder(setup::rock_setup_from(config.settings), links, MPI_COMM_WORLD),
-      MPI_COMM_WORLD);
+  LiggghtsRock rock(enter_work_folder(rock_setup, links, MPI_COMM_WORLD), MPI_COMM_WORLD);
   if (rank != 0) {
     while (true) {
       const core::Message m = transport::decode(share({}));

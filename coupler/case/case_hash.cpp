@@ -6,6 +6,7 @@
 #include "common/sha256.hpp"
 #include "coupler/case/case_text.hpp"
 #include "coupler/case/machine_kind.hpp"
+#include "coupler/case/mesh_facts.hpp"
 
 namespace fs = std::filesystem;
 
@@ -21,14 +22,11 @@ std::set<std::string> used_shapes(const Case& c) {
   return shapes;
 }
 
-/// What stands beside the meshes and says where in them rock is weighed: the dipper's and the
-/// truck's, which must be there; of other bodies, where it is.
+/// What stands beside the meshes and says where in them rock is weighed.
 std::set<fs::path> fact_files(const Case& c) {
   std::set<fs::path> files;
   const auto beside = [](fs::path mesh) { return mesh.replace_extension(".yaml"); };
-  for (const auto& [name, mesh] : c.bodies)
-    if (c.machine.kind == MachineKind::shovel ? name == "dipper" : fs::exists(beside(mesh)))
-      files.insert(beside(mesh));
+  for (const std::string& name : weighed_bodies(c)) files.insert(beside(c.bodies.at(name)));
   if (has_truck(c)) files.insert(beside(c.truck.mesh));
   return files;
 }

@@ -39,8 +39,14 @@ Box read_box(YamlSection& file, const std::string& key, const std::string& what,
 
 }  // namespace
 
-bool has_dipper_facts(const Case& c, const std::string& name) {
-  return fs::is_regular_file(fs::path(c.bodies.at(name)).replace_extension(".yaml"));
+std::vector<std::string> weighed_bodies(const Case& c) {
+  std::vector<std::string> names;
+  for (const auto& [name, mesh] : c.bodies)
+    if (c.machine.kind == MachineKind::shovel
+            ? name == "dipper"
+            : fs::is_regular_file(fs::path(mesh).replace_extension(".yaml")))
+      names.push_back(name);
+  return names;
 }
 
 DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings,

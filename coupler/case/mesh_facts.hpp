@@ -23,8 +23,9 @@ struct DipperFacts {
 DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings,
                               const std::string& name = "dipper");
 
-/// Whether a body has such a file.
-bool has_dipper_facts(const Case& c, const std::string& name);
+/// The bodies of which such a file is read: a shovel's dipper, which must have one; of bodies that
+/// follow poses those that have one.
+std::vector<std::string> weighed_bodies(const Case& c);
 
 /// Reads bed {min_m, max_m}, in the truck's frame [m], from the YAML file of the truck's mesh's
 /// name, likewise.

@@ -92,11 +92,8 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
 
 // A mesh that is not there is told by itself: its name is wrong, not the other's.
 void check_mesh_facts(const cases::Case& c, Findings& findings) {
-  const bool shovel = c.machine.kind == cases::MachineKind::shovel;
-  for (const auto& [name, mesh] : c.bodies) {
-    const bool weighed = shovel ? name == "dipper" : cases::has_dipper_facts(c, name);
-    if (weighed && fs::is_regular_file(mesh)) cases::read_dipper_facts(c, findings, name);
-  }
+  for (const std::string& name : cases::weighed_bodies(c))
+    if (fs::is_regular_file(c.bodies.at(name))) cases::read_dipper_facts(c, findings, name);
   if (fs::is_regular_file(c.truck.mesh)) cases::read_truck_bed(c, findings);
 }
 

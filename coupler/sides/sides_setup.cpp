@@ -28,18 +28,21 @@ long dump_steps(const cases::Case& c) {
   return std::lround(std::clamp(windows, 1.0, static_cast<double>(most))) * c.coupling.sync_steps;
 }
 
+std::vector<std::string> body_names(const cases::Case& c) {
+  std::vector<std::string> names;
+  for (const auto& body : c.bodies) names.push_back(body.first);
+  return names;
+}
+
 }  // namespace
 
 MeshFacts read_mesh_facts(const cases::Case& c) {
   std::vector<Finding> findings;
   MeshFacts facts;
-  if (c.machine.kind == cases::MachineKind::shovel) {
-    facts.dipper = cases::read_dipper_facts(c, findings);
-    facts.loads["dipper"] = facts.dipper.load;
-  } else {
-    for (const auto& [name, mesh] : c.bodies)
-      if (cases::has_dipper_facts(c, name))
-        facts.loads[name] = cases::read_dipper_facts(c, findings, name).load;
+  for (const std::string& name : cases::weighed_bodies(c)) {
+    const cases::DipperFacts body = cases::read_dipper_facts(c, findings, name);
+    if (c.machine.kind == cases::MachineKind::shovel) facts.dipper = body;
+    facts.loads[name] = body.load;
   }
   if (cases::has_truck(c)) facts.truck_bed = cases::read_truck_bed(c, findings);
   if (!findings.empty()) throw std::runtime_error(to_string(findings.front()));
@@ -62,12 +65,10 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
                      {"out", dumps.string()},
                      {"run_steps", "0"},
                      {"dump_steps", std::to_string(dump_steps(c))}};
-  for (const auto& body : c.bodies) {
-    setup.bodies.push_back(body.first);
-    // The bodies are placed by their own poses, from their own frames.
-    for (const char* axis : {"_x", "_y", "_z"})
-      setup.variables.emplace_back(body.first + axis, "0");
-  }
+  setup.bodies = body_names(c);
+  // The bodies are placed by their own poses, from their own frames.
+  for (const std::string& body : setup.bodies)
+    for (const char* axis : {"_x", "_y", "_z"}) setup.variables.emplace_back(body + axis, "0");
   if (c.pile.clear_machine) {
     setup.cleared = setup.bodies;
     if (cases::has_truck(c)) setup.cleared.emplace_back("truck");
@@ -101,11 +102,8 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
 }
 
 setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers) {
-  if (c.machine.kind == cases::MachineKind::poses) {
-    setup::PosesSetup poses{c.machine.poses, {}};
-    for (const auto& body : c.bodies) poses.bodies.push_back(body.first);
-    return poses;
-  }
+  if (c.machine.kind == cases::MachineKind::poses)
+    return setup::PosesSetup{c.machine.poses, body_names(c)};
   setup::ShovelSetup setup;
   setup.model = c.machine.model;
   setup.motion = c.machine.motion;
