@@ -39,6 +39,7 @@ class LiggghtsRock final : public core::LocalRock {
   /// Writes a restart file of LIGGGHTS, and beside it its image (setup::image_of), which a resumed
   /// run needs as well. Changes nothing: a run that saves goes on as one that does not, to the bit.
   void save(const std::filesystem::path& file) override;
+  HeightMap look(const HeightGrid& grid) override;
   std::string state_hash() override;
 
   /// LIGGGHTS itself, for what no method gives: the tests read its meshes, contacts and momenta.

@@ -20,9 +20,10 @@ namespace {
 std::unique_ptr<core::Machine> make(const setup::ShovelSetup& s) {
   Pose X_W0;
   X_W0.p = s.base_position_m;
+  const machine::Motion motion = machine::Motion::load(s.motion);
   return std::make_unique<Shovel>(
       machine::in_condition(machine::load_machine(s.model), s.condition),
-      machine::Motion::load(s.motion), X_W0, radians(s.rake_angle_deg), kLongestSubstep_ns,
+      s.planned ? motion.standing() : motion, X_W0, radians(s.rake_angle_deg), kLongestSubstep_ns,
       s.drives, s.contact_on_return);
 }
 

@@ -12,6 +12,7 @@
 #include "coupler/result/achieved_grading.hpp"
 #include "coupler/result/achieved_profile.hpp"
 #include "coupler/result/drive_limits_met.hpp"
+#include "coupler/result/operator_summary.hpp"
 #include "coupler/result/pass_rows.hpp"
 #include "coupler/result/run_warnings.hpp"
 
@@ -108,6 +109,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
         profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
   }
   tell_drives(c, folder.record(), summary, reporter);
+  if (json planned = operator_summary(c, folder); !planned.is_null()) summary["operator"] = planned;
   const std::vector<std::string> warnings = run_warnings(c, summary);
   summary["warnings"] = warnings;
   write_text(folder.summary(), summary.dump(2) + '\n');

@@ -38,6 +38,7 @@ class Progress final : public Observer {
   double end_s_;
   bool by_motion_;                        ///< it ends with the motion
   std::optional<MotionPhases> phases_;    ///< of a shovel
+  bool planned_ = false;                  ///< of one whose passes are planned as it digs
   std::size_t payload_ = 0;               ///< of a shovel
   std::optional<std::size_t> path_time_;  ///< of limited drives: how far along the motion they are
 };

@@ -17,6 +17,7 @@ namespace dipper::setup {
 struct ShovelSetup {
   std::filesystem::path model;   ///< dimensions and masses, YAML
   std::filesystem::path motion;  ///< CSV
+  bool planned = false;          ///< it stands where the motion begins until it is told more
   machine::DriveMode drives = machine::DriveMode::prescribed;
   bool contact_on_return = true;
   Vector3d base_position_m = Vector3d::Zero();  ///< swing axis at ground level, in W
