@@ -48,7 +48,8 @@ struct MachineData {
     double mass;            ///< kg without the door
     Vector3d mass_center;   ///< p_BBcm, m
     Vector3d inertia;       ///< kg m^2 about the mass centre, axes of B
-    double rated_load = 0;  ///< kg of rock, by the maker; 0: not known
+    double rated_load = 0;  ///< kg of rock; 0: not known
+    bool rated_load_assumed = false;  ///< no maker's figure: its source begins with "assumed"
   } dipper;
 
   struct Door {
