@@ -47,7 +47,7 @@ class Entries {
     return word;
   }
 
-  /// Angles in deg come back in rad.
+  /// Returns angles given in deg in rad.
   double number(const std::string& key, const std::string& unit, const Range& range = {}) {
     const std::string what = unit == "-" ? "a number" : "a number in " + unit;
     return scale(unit) * entry(key, unit).number("value", what, range);

@@ -1,4 +1,4 @@
-// What the shovel tells of itself at the end of a window.
+// The shovel's channels at the end of a window.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace dipper::mbs {
 
-/// In the order of a MachineState's channels. `limited`: with what limited drives add.
+/// In the order of a MachineState's channels. `limited`: with those of limited drives.
 std::vector<core::Channel> shovel_channels(bool limited);
 
 }  // namespace dipper::mbs

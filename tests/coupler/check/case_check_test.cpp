@@ -165,7 +165,7 @@ TEST(CheckCase, BrokenMeshes) {
         "facet 2: not closed: the edge (1, 0, 0) to (0, 0, 1) has no second facet"},
        {dipper, 0, "bodies.dipper",
         "facet 3: not closed: the edge (0, 1, 0) to (0, 0, 1) has no second facet"},
-       {door, line, "bodies.door", "where a number belongs"},
+       {door, line, "bodies.door", "is not a number"},
        {checkout.file(), checkout.line("mesh:"), "truck.mesh",
         truck.string() + ": at byte 84: the header says 2 facets, which takes 184 bytes"}});
 }
