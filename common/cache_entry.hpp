@@ -53,8 +53,8 @@ bool make_once(const std::filesystem::path& entry,
                const std::function<void(const std::filesystem::path& part)>& write,
                const std::function<void()>& while_waiting);
 
-/// An entry's name: the SHA-256 of `what`, the text of `files`, and names and text of all files of a
-/// deck except its folders and case.in, on parts of which an entry does not depend.
+/// An entry's name: the SHA-256 of `what`, the text of `files`, and names and text of all files of
+/// a deck except its folders and case.in, on parts of which an entry does not depend.
 std::string deck_hash(std::string what, const std::vector<std::filesystem::path>& files,
                       const std::filesystem::path& deck);
 

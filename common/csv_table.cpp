@@ -176,7 +176,8 @@ class RowFaults {
     for (const Fault& f : faults_) {
       const int n = count_.at(f.kind);
       if (n > kFew && !told.insert(f.kind).second) continue;
-      const std::string more = n > kFew ? fmt::format(", and the same in {} more lines", n - 1) : "";
+      const std::string more =
+          n > kFew ? fmt::format(", and the same in {} more lines", n - 1) : "";
       findings.push_back({file, f.line, "", f.wrong + more + "; " + f.right, f.column});
     }
   }
@@ -233,10 +234,11 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
     drop_empty_tail(fields, columns.size());
     if (fields.size() != columns.size()) {
       const bool commas = layout.delimiter == ',' && fields.size() > columns.size();
-      faults.add("", line_number, static_cast<int>(line.size()) + 1,
-                 fmt::format("{} columns", fields.size()),
-                 fmt::format("each row has {}: {}{}", columns.size(), header,
-                             commas ? "; with decimal commas, separate the columns by semicolons" : ""));
+      faults.add(
+          "", line_number, static_cast<int>(line.size()) + 1,
+          fmt::format("{} columns", fields.size()),
+          fmt::format("each row has {}: {}{}", columns.size(), header,
+                      commas ? "; with decimal commas, separate the columns by semicolons" : ""));
       continue;
     }
     CsvRow row{line_number, std::vector<double>(columns.size()), {}};

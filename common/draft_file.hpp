@@ -6,8 +6,8 @@
 
 namespace dipper {
 
-/// A draft beside a file, NAME.partPID.EXTENSION, to write to: keep() renames it to the file, and it
-/// is removed otherwise. For a link it is beside the link's target; a device is its own draft.
+/// A draft beside a file, NAME.partPID.EXTENSION, to write to: keep() renames it to the file, and
+/// it is removed otherwise. For a link it is beside the link's target; a device is its own draft.
 class DraftFile {
  public:
   explicit DraftFile(std::filesystem::path file);

@@ -12,15 +12,17 @@ namespace dipper {
 inline constexpr const char* kManifest = "manifest.sha256";
 
 /// Writes a manifest of all files in a folder and below, and syncs all of them to the disk: after a
-/// rename of the folder it exists whole or not at all, even after a power failure. A process killed meanwhile leaves no manifest. Throws std::runtime_error or
-/// std::system_error when it cannot be written.
+/// rename of the folder it exists whole or not at all, even after a power failure. A process killed
+/// meanwhile leaves no manifest. Throws std::runtime_error or std::system_error when it cannot be
+/// written.
 void seal(const std::filesystem::path& folder);
 
 /// The same of some of them: files, and folders with all in them, relative to `folder`.
 void seal(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& parts);
 
-/// The fault of a sealed folder, "" when there is none: the first file, by its path, that is missing
-/// or has changed, or a missing manifest. Files that the manifest does not name are not read.
+/// The fault of a sealed folder, "" when there is none: the first file, by its path, that is
+/// missing or has changed, or a missing manifest. Files that the manifest does not name are not
+/// read.
 std::string damage_of(const std::filesystem::path& folder);
 
 /// Throws InputError naming the file when a folder that has a manifest is damaged. One without is

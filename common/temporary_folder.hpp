@@ -10,8 +10,8 @@ namespace dipper {
 /// this object's lifetime.
 class TemporaryFolder {
  public:
-  /// The folder's name begins with `name`, so that one left by a kill can be recognised. Throws std::system_error naming the
-  /// folder that cannot be made.
+  /// The folder's name begins with `name`, so that one left by a kill can be recognised. Throws
+  /// std::system_error naming the folder that cannot be made.
   explicit TemporaryFolder(const std::string& name);
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -40,8 +40,8 @@ class ShovelKinematics {
   /// door are 0. Throws std::domain_error for a point nearer to the saddle than the dipper reaches.
   Drives teeth_at(const Eigen::Vector2d& tip) const;
 
-  /// The inverse: the tooth tips' point for hoist and crowd; swing and door have no effect. Throws as
-  /// saddle_angle does.
+  /// The inverse: the tooth tips' point for hoist and crowd; swing and door have no effect. Throws
+  /// as saddle_angle does.
   Eigen::Vector2d teeth(const Drives& drives) const;
 
   /// The dipper's heel, the rear edge of its floor, while the tooth tips are at that point, in the
@@ -58,8 +58,8 @@ class ShovelKinematics {
   ShovelPose pose(const Drives& drives, double saddle) const;
 
   /// Where the motion exceeds the machine's limits: one message per limit with the time, the worst
-  /// value and the limit; empty when it does not. Also reports the dipper's outline below the ground
-  /// (z = 0 of X_W0).
+  /// value and the limit; empty when it does not. Also reports the dipper's outline below the
+  /// ground (z = 0 of X_W0).
   std::vector<std::string> check(const Motion& motion) const;
 
  private:

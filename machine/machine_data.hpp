@@ -39,16 +39,16 @@ struct MachineData {
   } handle;
 
   struct Dipper {
-    double struck_volume;   ///< m^3
-    Vector3d inside;        ///< m: depth, width, height
-    double tooth_reach;     ///< m beyond the lip
-    double base_rake;       ///< rad
-    Vector3d handle_end;    ///< p_BE, m
-    Vector3d bail;          ///< p_BL, m, left bail pin; the right one is at -y
-    double mass;            ///< kg without the door
-    Vector3d mass_center;   ///< p_BBcm, m
-    Vector3d inertia;       ///< kg m^2 about the mass centre, axes of B
-    double rated_load = 0;  ///< kg of rock; 0: not known
+    double struck_volume;             ///< m^3
+    Vector3d inside;                  ///< m: depth, width, height
+    double tooth_reach;               ///< m beyond the lip
+    double base_rake;                 ///< rad
+    Vector3d handle_end;              ///< p_BE, m
+    Vector3d bail;                    ///< p_BL, m, left bail pin; the right one is at -y
+    double mass;                      ///< kg without the door
+    Vector3d mass_center;             ///< p_BBcm, m
+    Vector3d inertia;                 ///< kg m^2 about the mass centre, axes of B
+    double rated_load = 0;            ///< kg of rock; 0: not known
     bool rated_load_assumed = false;  ///< no maker's figure: its source begins with "assumed"
   } dipper;
 

@@ -46,7 +46,8 @@ class Motion {
   Drives rate(std::int64_t t_ns) const;
   Drives acceleration(std::int64_t t_ns) const;
 
-  /// Position, rate and acceleration at a time in seconds, for an integrator's stages between ticks.
+  /// Position, rate and acceleration at a time in seconds, for an integrator's stages between
+  /// ticks.
   DriveState at(double t_s) const;
 
   /// The first row after a time, where the acceleration may jump; int64's maximum after the last.

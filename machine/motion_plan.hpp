@@ -9,8 +9,8 @@
 
 namespace dipper::machine {
 
-/// A share of 0 ... 1 over a time, at constant speed except at its ends, where the speed's ramps are
-/// half waves of a sine. Zero before it, one after it.
+/// A share of 0 ... 1 over a time, at constant speed except at its ends, where the speed's ramps
+/// are half waves of a sine. Zero before it, one after it.
 struct Move {
   double start_s = 0, end_s = 0, ramp_s = 0;
   double share(double t_s) const;

@@ -17,9 +17,9 @@ struct SweptPass {
 };
 
 /// One entry a dig: from the motion's start and the end of each return on, until the door opens or
-/// the boom turns away. A later dig at about the same heading meets the face that earlier ones left, as
-/// if no rock came down: the least it can meet. \param face  at a heading [rad], x from the swing
-/// axis
+/// the boom turns away. A later dig at about the same heading meets the face that earlier ones
+/// left, as if no rock came down: the least it can meet. \param face  at a heading [rad], x from
+/// the swing axis
 std::vector<SweptPass> swept_passes(const Motion& motion, const ShovelKinematics& shovel,
                                     const std::function<TeethPath(double heading_rad)>& face);
 

@@ -16,7 +16,8 @@ using TeethPath = std::vector<Vector2d>;
 TeethPath spline(const TeethPath& polygon);
 
 /// A smooth curve through the points that does not overshoot them in x or z: for each point but the
-/// first the path to it, as points at equal steps of its length. No point may repeat the one before.
+/// first the path to it, as points at equal steps of its length. No point may repeat the one
+/// before.
 std::vector<TeethPath> legs_through(const TeethPath& points);
 
 /// Along the line through the points, m.

@@ -69,8 +69,8 @@ struct Shovel::Impl {
     const std::int64_t looks = pieces(t1_ns - t0_ns, max_substep_ns);
     std::int64_t t_ns = t0_ns;
     for (std::int64_t k = 1; t_ns < t1_ns; ++k) {
-      // Prescribed: one interval for each row of the motion, so that no jump of acceleration is inside a
-      // step. Limited: one for each update of the operator.
+      // Prescribed: one interval for each row of the motion, so that no jump of acceleration is
+      // inside a step. Limited: one for each update of the operator.
       const std::int64_t next_ns =
           std::min(t1_ns, path ? t0_ns + (t1_ns - t0_ns) * k / looks : motion->next_row_ns(t_ns));
       if (path) {
@@ -108,7 +108,7 @@ struct Shovel::Impl {
   std::shared_ptr<const machine::Motion> motion;
   std::unique_ptr<Operator> path;               ///< null: the drives are prescribed
   std::vector<machine::ReturnLeg> return_legs;  ///< on which the bodies meet no rock
-  std::int64_t max_substep_ns;                  ///< of the integrator, and between the operator's updates
+  std::int64_t max_substep_ns;  ///< of the integrator, and between the operator's updates
   ShovelSystem system;
   Snapshot committed;
   double energy_at_start = 0;
@@ -199,8 +199,8 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
   const std::int64_t t0_ns = impl_->committed.t_ns;
   if (step.t_end_ns <= t0_ns) {
     throw std::invalid_argument(
-        fmt::format("shovel: a window must go forward; the time is {} ns, the window's end {} ns", t0_ns,
-                    step.t_end_ns));
+        fmt::format("shovel: a window must go forward; the time is {} ns, the window's end {} ns",
+                    t0_ns, step.t_end_ns));
   }
   if (step.F_Bo_W.size() != kBodies) {
     throw std::invalid_argument(fmt::format("shovel: {} wrenches; there must be {}: dipper, door",

@@ -65,8 +65,8 @@ class ShovelLoadLaws {
   machine::DriveState drives(const Joints& q, const Joints& u) const;
   Joints joints(const machine::Drives& drives) const;
 
-  /// Makes the motors hold the machine, by the reactions of its locked joints. Does nothing when the
-  /// drives are prescribed.
+  /// Makes the motors hold the machine, by the reactions of its locked joints. Does nothing when
+  /// the drives are prescribed.
   void hold(const Joints& reaction);
 
   /// The nodes of a taut rope at rest; empty for an elastic one.

@@ -108,8 +108,8 @@ class Checker {
     }
   }
 
-  // Walks each shell over the edges of two facets and turns every facet as its first one. Turned and
-  // unturned facets disagree; the smaller group is wrong.
+  // Walks each shell over the edges of two facets and turns every facet as its first one. Turned
+  // and unturned facets disagree; the smaller group is wrong.
   void find_shell_faults() {
     std::vector<int> turn(mesh_.triangles.size(), 0);  // 0: not seen; 1 as it is; -1 turned
     for (std::size_t first = 0; first < turn.size(); ++first) {

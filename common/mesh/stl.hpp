@@ -11,8 +11,8 @@ namespace dipper::mesh {
 /// Vertices closer than weld_distance in every coordinate become one. Normals are not read: the
 /// order of a facet's vertices defines its outside. Keywords may be in capitals; a byte-order
 /// mark and blank lines may precede them. Throws InputError: no such file, another format, a
-/// broken record (with its line or byte), a coordinate that is not a finite number, no facets; a mesh
-/// far from its origin whose coordinates are rounded to more than a thousandth of its size.
+/// broken record (with its line or byte), a coordinate that is not a finite number, no facets; a
+/// mesh far from its origin whose coordinates are rounded to more than a thousandth of its size.
 TriangleMesh read_stl(const std::filesystem::path& file);
 
 /// The same from a file's bytes; errors name `file`.

@@ -17,8 +17,8 @@ class Columns {
  public:
   explicit Columns(std::filesystem::path record) : record_(std::move(record)) {}
 
-  /// Throws as read_channel does, also for values that no run writes: values that are not finite, and
-  /// times that do not rise, or that end after a day and more.
+  /// Throws as read_channel does, also for values that no run writes: values that are not finite,
+  /// and times that do not rise, or that end after a day and more.
   void read(const std::string& channel, std::size_t column = 0);
 
   /// A column that was read.

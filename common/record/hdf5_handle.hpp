@@ -27,7 +27,8 @@ class Hdf5Handle {
   explicit operator bool() const { return id_ >= 0; }
   std::int64_t id() const { return id_; }
 
-  /// Releases it without closing it: HDF5 crashes when a file that a full disk left half written is closed.
+  /// Releases it without closing it: HDF5 crashes when a file that a full disk left half written is
+  /// closed.
   std::int64_t leak() { return std::exchange(id_, -1); }
 
  private:

@@ -25,9 +25,9 @@ class BenchSurface {
   /// 0.5 the median.
   BenchOutline section(double half_width_m, double share) const;
 
-  /// Faults of the mesh as a surface of that strip: places without a facet, places with two facets at
-  /// different heights (both checked every kStep_m, and the second at facets' middles), and places
-  /// below the ground.
+  /// Faults of the mesh as a surface of that strip: places without a facet, places with two facets
+  /// at different heights (both checked every kStep_m, and the second at facets' middles), and
+  /// places below the ground.
   std::vector<std::string> faults(double half_width_m) const;
 
   const mesh::TriangleMesh& mesh() const { return mesh_; }

@@ -10,8 +10,8 @@
 namespace dipper::cases {
 
 /// Every file a case needs besides case.yaml: model, motion, meshes, the YAML files beside those of
-/// dipper and truck, a profile, and the files of the shapes that its classes use. Sorted, each once;
-/// a file need not exist.
+/// dipper and truck, a profile, and the files of the shapes that its classes use. Sorted, each
+/// once; a file need not exist.
 std::vector<std::filesystem::path> referenced_files(const Case& c);
 
 /// Files in `folder` that make up a shape: its name with any extension. Sorted.

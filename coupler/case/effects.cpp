@@ -24,7 +24,8 @@ std::vector<double*> numbers_at(Case& c, const std::string& key, const KeySpec*&
   for (const KeySpec& spec : schema()) {
     for (const Place& place : places_of(c, spec)) {
       const std::string here = concrete_key(spec, place);
-      if (key != spec.key && key.rfind(here, 0) != 0) continue;  // a key that takes another's value keeps doing so
+      if (key != spec.key && key.rfind(here, 0) != 0)
+        continue;  // a key that takes another's value keeps doing so
       const Slot slot = spec.slot(c, place);
       if (key == spec.key || key == here) {
         if (auto* const* x = std::get_if<double*>(&slot)) {

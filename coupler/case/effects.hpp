@@ -25,7 +25,7 @@ struct KeyChange {
 struct Effect {
   std::string name;
   std::string title;
-  std::string kind;       ///< "rock", "machine" or "observation": the part of a run to repeat for it
+  std::string kind;  ///< "rock", "machine" or "observation": the part of a run to repeat for it
   std::string signature;  ///< its effect on a mine's data, in words
   std::string parameter, unit;
   double low = 0, high = 0;  ///< bounds of the strength; 0, between them, is off
@@ -45,9 +45,9 @@ std::vector<std::string> effect_names(const std::filesystem::path& case_folder);
 /// Reads one file. Its faults are appended to `findings`, with their lines.
 Effect read_effect(const std::filesystem::path& file, std::vector<Finding>& findings);
 
-/// Applies the case's effects to its values, in the order of their names; no value is changed by two
-/// effects. Appends a finding for an effect that does not exist, a strength out of
-/// bounds, and a value that leaves its range.
+/// Applies the case's effects to its values, in the order of their names; no value is changed by
+/// two effects. Appends a finding for an effect that does not exist, a strength out of bounds, and
+/// a value that leaves its range.
 void apply_effects(Case& c, std::vector<Finding>& findings);
 
 }  // namespace dipper::cases

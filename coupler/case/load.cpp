@@ -43,7 +43,8 @@ class Loader {
     }
     const std::vector<std::string> known = children_of(pattern);
     const bool free_names = known.size() == 1 && known[0] == "*";
-    std::set<std::string> meant;  // a misspelt key is one fault: its correct form is not reported as missing
+    std::set<std::string>
+        meant;  // a misspelt key is one fault: its correct form is not reported as missing
     for (const auto& [name, child] : node.children) {
       if (free_names) {
         read(child, join_key(pattern, "*"), join_key(key, name), {place.index, name});

@@ -14,9 +14,9 @@ using BenchOutline = std::vector<Eigen::Vector2d>;
 double outline_height(const BenchOutline& outline, double x_m);
 
 /// Reads an outline: CSV with the columns x_m,z_m; empty lines and lines that start with # are
-/// ignored. x must not fall (where it is constant, the face is upright), z must not be negative. Throws
-/// InputError with a message `file:line: what; what would be right` for every fault.
-/// \param lines  if given: the line of each point
+/// ignored. x must not fall (where it is constant, the face is upright), z must not be negative.
+/// Throws InputError with a message `file:line: what; what would be right` for every fault. \param
+/// lines  if given: the line of each point
 BenchOutline read_outline(const std::filesystem::path& file, std::vector<int>* lines = nullptr);
 
 /// Writes the same format.

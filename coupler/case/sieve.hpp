@@ -30,8 +30,8 @@ class SieveCurve {
 
 /// Reads a CSV with the columns size_m, passing_percent (a header line, `#` comments, sizes rising
 /// or falling). Throws InputError naming file and line: a field that is not a number, a size that
-/// is not above zero or given twice, a share outside 0 ... 100 or one that falls while the size rises,
-/// fewer than two points; sizes that go beyond 10 m, shares that go up to 1 only.
+/// is not above zero or given twice, a share outside 0 ... 100 or one that falls while the size
+/// rises, fewer than two points; sizes that go beyond 10 m, shares that go up to 1 only.
 SieveCurve read_sieve(const std::filesystem::path& file);
 
 /// Classes whose bounds are evenly spaced over log size between the truncation's ends (0: the

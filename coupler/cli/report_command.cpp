@@ -29,8 +29,7 @@ analysis::run::RunData open_folder(const ReportOptions& options) {
     return analysis::run::read_run_folder(options.folder);
   }
   if (options.mesh.empty() != options.poses.empty())
-    throw InputError(
-        {{{}, 0, "--mesh and --poses", "each needs the other; give both"}});
+    throw InputError({{{}, 0, "--mesh and --poses", "each needs the other; give both"}});
   std::optional<analysis::run::ForeignDipper> dipper;
   if (!options.mesh.empty()) dipper = analysis::run::ForeignDipper{options.mesh, options.poses};
   return analysis::run::read_foreign_folder(options.folder, dipper);

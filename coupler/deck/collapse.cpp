@@ -16,8 +16,7 @@ namespace {
 // Solid fraction when it comes loose: below kPouredFraction, because a thin slab is harder to fill.
 constexpr double kLooseFraction = 0.25;
 constexpr std::int64_t kSample_ns = 10'000'000;
-constexpr double kSteepest =
-    0.1;  // run by rise: a slab on an upright face needs a slope to lie on
+constexpr double kSteepest = 0.1;  // run by rise: a slab on an upright face needs a slope to lie on
 
 /// The x at which the outline first reaches a height.
 double first_at(const cases::BenchOutline& outline, double height_m) {

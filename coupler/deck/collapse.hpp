@@ -12,9 +12,10 @@
 namespace dipper::deck {
 
 /// The slab of collapse.height_m, measured straight up, over the upper half of the bench's face and
-/// its crest. A scanned face is taken as straight from half its height to its crest, and the slab is
-/// lifted over parts in front of that. Until it comes loose the bank behind the bench carries it,
-/// and it is not simulated. Then it appears over the bench as loose as poured rock, and so thicker. In W; along y as wide as the bench.
+/// its crest. A scanned face is taken as straight from half its height to its crest, and the slab
+/// is lifted over parts in front of that. Until it comes loose the bank behind the bench carries
+/// it, and it is not simulated. Then it appears over the bench as loose as poured rock, and so
+/// thicker. In W; along y as wide as the bench.
 struct CollapseSlab {
   double face_x_m = 0, foot_z_m = 0;  ///< the middle of the face, where it begins
   double foot_x_m = 0;                ///< x of its sloping upper side, continued to that height

@@ -37,8 +37,8 @@ double porosity(const cases::Case& c);
 /// bulk density rho (1 - e) becomes rho (1 - e)(1 + phi e).
 double laden_density(const cases::Case& c);
 
-/// The stress that separates two moist rocks, F/d^2 [Pa]. A packing of porosity e and diameter d has
-/// the tensile strength s when F = s d^2 e/(1 - e) (Rumpf 1962, with his e k = pi for the
+/// The stress that separates two moist rocks, F/d^2 [Pa]. A packing of porosity e and diameter d
+/// has the tensile strength s when F = s d^2 e/(1 - e) (Rumpf 1962, with his e k = pi for the
 /// coordination number k). Strength does not change under coarse graining.
 double pull_off_stress(double tensile_strength_Pa, double porosity);
 

@@ -61,8 +61,8 @@ std::vector<std::pair<std::string, fs::path>> wall_meshes(const cases::Case& c) 
   return walls;
 }
 
-/// Scripts cannot name every file (LIGGGHTS splits words at blanks): a mesh with an absolute path is
-/// copied into the deck.
+/// Scripts cannot name every file (LIGGGHTS splits words at blanks): a mesh with an absolute path
+/// is copied into the deck.
 std::string mesh_in_deck(const std::string& name, const fs::path& mesh) {
   return mesh.is_absolute() ? "${deck}/walls/" + name + ".stl" : mesh.generic_string();
 }

@@ -13,9 +13,9 @@ struct DomainSplit {
   double largest_share = 1;  ///< of the bench's rock, on one rank; 1/ranks is even
 };
 
-/// LIGGGHTS cuts its box into equal parts, regardless of the rock, and never moves a cut. Chosen is,
-/// of all grids of `ranks` parts, the one whose fullest part holds the least of the bench, and of
-/// those within kSameShare of it the one that cuts through the least rock (which neighbours
+/// LIGGGHTS cuts its box into equal parts, regardless of the rock, and never moves a cut. Chosen
+/// is, of all grids of `ranks` parts, the one whose fullest part holds the least of the bench, and
+/// of those within kSameShare of it the one that cuts through the least rock (which neighbours
 /// exchange).
 DomainSplit best_split(const cases::Case& c, int ranks);
 

@@ -8,8 +8,8 @@
 
 namespace dipper::deck {
 
-/// Whether a path is safe in a LIGGGHTS script: letters, digits and the signs of the list, which its
-/// parser, the shell and mpirun take literally. $, #, &, * and quotes have meanings there that
+/// Whether a path is safe in a LIGGGHTS script: letters, digits and the signs of the list, which
+/// its parser, the shell and mpirun take literally. $, #, &, * and quotes have meanings there that
 /// cannot be escaped. Blanks are allowed: scripts are given links (dem/work_folder.hpp).
 inline bool liggghts_takes(const std::filesystem::path& path) {
   const std::string text = std::filesystem::absolute(path).string();

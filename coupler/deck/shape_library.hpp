@@ -13,9 +13,9 @@ namespace dipper::deck {
 /// Every NAME with a NAME.yaml or a NAME.stl (or .STL) in the folder.
 std::set<std::string> shape_names(const std::filesystem::path& folder);
 
-/// The mesh defines a shape. NAME.yaml is used when it was made from the NAME.stl beside it, or when
-/// there is no NAME.stl; else the mesh is fitted, in seconds, and the result is kept in the cache
-/// (cache_folder()/shapes) under the hash of the mesh. Safe for concurrent processes. Throws
+/// The mesh defines a shape. NAME.yaml is used when it was made from the NAME.stl beside it, or
+/// when there is no NAME.stl; else the mesh is fitted, in seconds, and the result is kept in the
+/// cache (cache_folder()/shapes) under the hash of the mesh. Safe for concurrent processes. Throws
 /// std::runtime_error naming the file, and its first fault.
 RockShape find_rock_shape(const std::filesystem::path& folder, const std::string& name);
 

@@ -14,8 +14,8 @@ namespace dipper::deck {
 /// counted + outside S and - inside it; dE/dc the same with the normal. Descent along it (Adam;
 /// Kingma and Ba 2015) from many starts (k-means of the inside), the best one kept. No radius is
 /// below a share of the volume-equivalent diameter (least_radius): small spheres add neighbours
-/// to compute, and corners that the solid does not have. Deterministic. Throws std::invalid_argument when the mesh is
-/// not sound (check_mesh).
+/// to compute, and corners that the solid does not have. Deterministic. Throws
+/// std::invalid_argument when the mesh is not sound (check_mesh).
 std::vector<Sphere> fit_spheres(const mesh::TriangleMesh& mesh, int count);
 
 /// Of the volume-equivalent diameter: 0.2 for six spheres and fewer, falling with the cube root of

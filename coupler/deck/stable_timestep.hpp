@@ -27,14 +27,14 @@ double stable_timestep(const cases::Case& c);
 inline constexpr int kContacts = 4;
 
 /// The longest step [s] for a rock pressed between two walls, such as dipper and ground, with all
-/// its spheres on both: critical_step with twice its spheres as contacts. With a longer step the rock
-/// bounces between the walls, and presses several times as hard as at rest
+/// its spheres on both: critical_step with twice its spheres as contacts. With a longer step the
+/// rock bounces between the walls, and presses several times as hard as at rest
 /// (tests/coupler/deck/squeezed_rock_test). Infinite when no rock has several spheres. Few rocks
 /// are pressed so, so a case may have a longer step: run::Rattle measures the effect on its forces.
 double pressed_timestep(const cases::Case& c);
 
-/// The value of `dem.timestep_s: auto`: 0.85 of the stable step, to two digits. cases/aitik, at true
-/// size, uses 0.86 of it.
+/// The value of `dem.timestep_s: auto`: 0.85 of the stable step, to two digits. cases/aitik, at
+/// true size, uses 0.86 of it.
 double chosen_timestep(const cases::Case& c);
 
 }  // namespace dipper::deck

@@ -8,7 +8,8 @@ namespace dipper::launch {
 
 /// Watches the output of a long computation, and the time in which it ran or waited for a core.
 /// Does no I/O: the caller gives the times. A program hangs
-///  - when it neither writes nor runs for `idle_s`: it is stopped, or waits for something that never comes;
+///  - when it neither writes nor runs for `idle_s`: it is stopped, or waits for something that
+///  never comes;
 ///  - when it runs but writes nothing for an hour, or for 30 times the longest gap so far,
 ///    whichever is longer: ranks that wait for each other run at full speed.
 /// A slow program, or one on a loaded machine, writes late, but runs or waits for a core.

@@ -41,8 +41,8 @@ void keep_here(Command& command, int ranks) {
   // Two ranks unbound tend to stay on one core. A single rank is left to the scheduler, so that two
   // runs of one rank share a machine.
   command.add("bind-to", ranks > 1 ? "core:overload-allowed" : "none");
-  // A rank that yields while it waits gives a whole time slice (3 ms) to any other work on its core,
-  // thousands of times per second: ranks yield only where they share cores.
+  // A rank that yields while it waits gives a whole time slice (3 ms) to any other work on its
+  // core, thousands of times per second: ranks yield only where they share cores.
   command.add_parameter(
       "mpi_yield_when_idle",
       static_cast<unsigned>(ranks) > std::thread::hardware_concurrency() ? "1" : "0");

@@ -14,8 +14,8 @@ class RunFolder {
   /// writing one there.
   static RunFolder create(const std::filesystem::path& folder) { return {folder, false}; }
 
-  /// Opens the folder of a run to resume. Throws InputError when it holds none, or the run is still in
-  /// progress.
+  /// Opens the folder of a run to resume. Throws InputError when it holds none, or the run is still
+  /// in progress.
   static RunFolder resume(const std::filesystem::path& folder) { return {folder, true}; }
 
   const std::filesystem::path& root() const { return root_; }
@@ -29,8 +29,8 @@ class RunFolder {
   /// The regions in which the rock side weighs, which reports need.
   std::filesystem::path scales() const { return root_ / "scales.json"; }
 
-  /// Exists from the end of a run until it is resumed: a manifest of the files that commands rely on,
-  /// so that a bit that flips later is found (common/manifest.hpp). Dumps are not in it.
+  /// Exists from the end of a run until it is resumed: a manifest of the files that commands rely
+  /// on, so that a bit that flips later is found (common/manifest.hpp). Dumps are not in it.
   void seal() const;
   void unseal() const;
 

@@ -23,7 +23,8 @@ struct RunFacts {
 };
 
 /// Writes the keys of docs/results.md for a run whose record is closed, and deck/achieved.csv.
-/// Passes come from the record, the rock from the dumps; both are reported. Throws std::runtime_error naming the file that cannot be read or written.
+/// Passes come from the record, the rock from the dumps; both are reported. Throws
+/// std::runtime_error naming the file that cannot be read or written.
 void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts& facts,
                    Reporter& reporter);
 

@@ -594,7 +594,7 @@ TEST(CheckCase, SurfaceBesideWhatItReplaces) {
   checkout.replace("profile:", "profile: scan.STL\ntoe_x_m: 13");
   expect_findings(load_findings(checkout),
                   {{checkout.file(), checkout.line("toe_x_m"), "pile.toe_x_m",
-                    "pile.profile is there as well and replaces pile.toe_x_m"}});
+                    "pile.profile is given as well and replaces pile.toe_x_m"}});
 }
 
 TEST(CheckCase, HeldLayerInACrust) {
