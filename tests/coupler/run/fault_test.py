@@ -196,7 +196,7 @@ class Faults(RunTest):
         _, err = self.run_case(out, *LONGER, "--resume", status=2)
         for state in (out / "checkpoints").glob("*/machine.state"):
             self.assertIn(f"{state} has changed since it was written", err)
-        self.assertIn("no sound checkpoint is left to go on from", err)
+        self.assertIn("no sound checkpoint is left to continue from", err)
         self.assertIn("another --out", err)
         after = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.rglob("*") if p.is_file()}
         self.assertEqual({p for p in after if p.name != "run.lock" and after[p] != before.get(p)}, set())

@@ -1,4 +1,4 @@
-// Title and the figures a reader looks for first.
+// Title and the main figures.
 import { h } from '../../dom.js';
 import { masthead } from '../../page.js';
 import { duration, fixed, meganewtons, megajoules, number, percent, seconds, tonnes } from '../../format.js';
@@ -47,7 +47,7 @@ export function headline(model) {
     table(null, columns, passes, { foot: total }), notes(model));
 }
 
-/// What a reader needs to judge the figures by.
+/// Notes that a reader needs to judge the figures.
 function notes(model) {
   const { passes, drives, metrics } = model;
   const rated = metrics.dipper?.rated_load_kg;
