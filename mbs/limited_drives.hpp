@@ -4,7 +4,6 @@
 #include "machine/machine_data.hpp"
 #include "machine/motion.hpp"
 #include "mbs/drive_limit.hpp"
-#include "mbs/operator.hpp"
 
 namespace dipper::mbs {
 
@@ -16,6 +15,12 @@ struct DriveEffort {
   double speed;
   double sent_speed;
   bool saturated() const { return wanted > most || wanted < -most; }
+};
+
+/// What a drive wants over what it can do, of those that push the way they are sent.
+struct Overload {
+  double crowd = 0;
+  double others = 0;  ///< the larger of hoist's and swing's
 };
 
 struct DriveEfforts {

@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "coupler/core/server.hpp"
+#include "mbs/operator.hpp"
 
 namespace dipper::mbs {
 
-/// In the order of a MachineState's channels. `limited`: with those of limited drives.
-std::vector<core::Channel> shovel_channels(bool limited);
+/// In the order of a MachineState's channels. `from`: who drives, with what he and the limits of
+/// his drives add; none: the drives are prescribed.
+std::vector<core::Channel> shovel_channels(const Operator* from);
 
 }  // namespace dipper::mbs

@@ -13,8 +13,8 @@ namespace dipper::mbs {
 struct Snapshot {
   std::int64_t t_ns = 0;
   ShovelNumbers numbers;
-  std::vector<double> path;  ///< the operator's PathState; empty: the drives are prescribed
-  Wrenches F_Bo_W;           ///< held on dipper and door over the last window
+  std::vector<double> sender;  ///< the operator's state; none: the drives are prescribed
+  Wrenches F_Bo_W;             ///< held on dipper and door over the last window
 };
 
 /// Throws std::runtime_error naming the file.
