@@ -25,9 +25,9 @@ struct CsvRow {
 /// number's own unit behind it, minus signs of word processors, empty columns at the end, empty
 /// lines and rows, "sep=;" before the header, lines that begin with #. Faults are appended to
 /// `findings` with line and column: a wrong header, after which nothing is read, too many or too
-/// few columns, a field that is no number; one of a kind stands for all where they are many. The
-/// result has the rows that are sound. `file` is for the findings only. `name_column`: the one of
-/// `columns` that holds texts.
+/// few columns, a field that is no number, commas that have three digits after them all; one of a
+/// kind stands for all where they are many. The result has the rows that are sound. `file` is for
+/// the findings only. `name_column`: the one of `columns` that holds texts.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& columns,
                               std::vector<Finding>& findings, const std::string& name_column = {});

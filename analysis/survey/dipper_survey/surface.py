@@ -21,6 +21,7 @@ STEP_m = 1.0            # over what is round it: a machine, dust, or a boulder
 OBJECT_m = 8.0          # wider is ground, whatever its sides are
 REACH_m = 0.5           # over which what is round a place is looked for, and at least a cell
 STEEP = 1.5             # height over distance at an edge: 56 degrees, and no heap of rock
+NOWHERE_m = -1e6       # where nothing is seen
 ATTACHED = 0.5          # of its edge without such a step: ground, a ridge or a heap
 ROCK_m = 0.3            # over the ground: where the bench begins
 TOE_SHARE = 0.1         # of the width that is rock at the toe
@@ -155,8 +156,8 @@ def leave_out_islands(columns, height, seen):
     # From the highest that is seen beside each place, of what is no bump, up to what is one cell farther in.
     cell = float(columns.step[:2].mean())
     reach = max(1, round(REACH_m / cell))
-    beside = ndimage.maximum_filter(np.where(kept & ~bumps, z, -np.inf), 2 * reach + 1, mode="nearest")
-    inner = ndimage.maximum_filter(np.where(bumps, z, -np.inf), 3, mode="nearest")
+    beside = ndimage.maximum_filter(np.where(kept & ~bumps, z, NOWHERE_m), 2 * reach + 1, mode="nearest")
+    inner = ndimage.maximum_filter(np.where(bumps, z, NOWHERE_m), 3, mode="nearest")
     attached = inner - beside < max(STEP_m, STEEP * (reach + 1) * cell)
     points = columns.counts.sum(axis=2)
     labels, _ = ndimage.label(bumps, np.ones((3, 3)))
