@@ -41,7 +41,7 @@ TEST(CsvTable, EveryFaultHasItsLineAndColumn) {
   EXPECT_THAT(r.faults, ElementsAre("t.csv:3:3: z_m is \"\"; it must be a finite number",
                                     "t.csv:4:4: 1 columns; each row has 2: x_m,z_m",
                                     "t.csv:5:6: 3 columns; each row has 2: x_m,z_m; with decimal "
-                                    "commas, semicolons part the columns",
+                                    "commas, separate the columns by semicolons",
                                     "t.csv:6:3: z_m is \"nan\"; it must be a finite number"));
   ASSERT_EQ(r.rows.size(), 2U);
   EXPECT_EQ(r.rows[1].line, 7);
@@ -92,7 +92,8 @@ TEST(CsvTable, MarksOfNumbersAreReadAsImportReadsThem) {
     ++tried;
     if (words[0] == "none" || words[0] == "open") {
       ASSERT_EQ(r.faults.size(), 1U);
-      EXPECT_EQ(r.faults[0].find("may part thousands") != std::string::npos, words[0] == "open");
+      EXPECT_EQ(r.faults[0].find("may separate thousands") != std::string::npos,
+                words[0] == "open");
       continue;
     }
     EXPECT_THAT(r.faults, ElementsAre());
@@ -106,7 +107,7 @@ TEST(CsvTable, MarksOfNumbersAreReadAsImportReadsThem) {
 TEST(CsvTable, CommasThatMayPartThousandsAreRefusedWithTheirPlace) {
   EXPECT_THAT(read("x_m;z_m\n1;943,981\n2;944,012\n").faults,
               ElementsAre("t.csv:2:3: z_m is \"943,981\": every comma in the file has three digits "
-                          "after it, and may part thousands; write decimals with a point, and "
+                          "after it, and may separate thousands; write decimals with a point, and "
                           "nothing between thousands"));
   EXPECT_THAT(read("x_m,z_m\n1,\"943,981\"\n").faults.size(), 1U);
   EXPECT_THAT(read("x_m;z_m\n0,5;943,981\n").faults, ElementsAre());
@@ -119,10 +120,10 @@ TEST(CsvTable, OneCauseIsOneLine) {
     stamps += "2026-03-14T06:12:00.5Z,1\n";
   }
   EXPECT_THAT(read(commas).faults,
-              ElementsAre("t.csv:2:8: 4 columns, and so in 113 more lines; each row has 2: "
-                          "x_m,z_m; with decimal commas, semicolons part the columns"));
+              ElementsAre("t.csv:2:8: 4 columns, and the same in 113 more lines; each row has 2: "
+                          "x_m,z_m; with decimal commas, separate the columns by semicolons"));
   EXPECT_THAT(read(stamps).faults,
-              ElementsAre("t.csv:2:1: x_m is \"2026-03-14T06:12:00.5Z\", and so in 113 more "
+              ElementsAre("t.csv:2:1: x_m is \"2026-03-14T06:12:00.5Z\", and the same in 113 more "
                           "lines; it must be a finite number; dipper import reads time stamps"));
   EXPECT_THAT(read(std::string_view("x\0_\0m\0", 6)).faults,
               ElementsAre("t.csv: is UTF-16, or no text; save it as plain text in UTF-8"));
