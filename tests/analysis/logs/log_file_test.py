@@ -1,8 +1,11 @@
 """How loggers write files: lines before and between, delimiters, quotes, encodings, and what is refused."""
+from pathlib import Path
+
 import pytest
 
 from dipper_import.import_map import read_map
 from dipper_import.log_file import read_log
+from dipper_run.csv_text import decimal_number, find_decimal
 from dipper_run.findings import Findings
 
 MAP = """\
@@ -34,6 +37,25 @@ def joined(rows, delimiter):
 def is_whole(log):
     return len(log.lines) == 6 and log.stamp_s[-1] == 2.5 and (log.values["crowd"] == -0.25).all() \
         and (log.values["swing"] == 10).all()
+
+
+def marks():
+    lines = (Path(__file__).resolve().parents[2] / "common/number_marks.txt").read_text().splitlines()
+    return [line.split() for line in lines if not line.startswith("#")]
+
+
+@pytest.mark.parametrize("words", marks(), ids=" ".join)
+def test_marks_of_numbers_are_read_as_the_program_reads_them(words):
+    """tests/common/csv_table_test.cpp reads the same lines."""
+    verdict, cells = words[0], [w.split("=")[0] for w in words[1:]]
+    decimal, doubtful = find_decimal(cells)
+    if verdict == "none":
+        assert all(decimal_number(c, d) is None for c in cells for d in ".,")
+    elif verdict == "open":
+        assert decimal == "," and doubtful == cells[0]
+    else:
+        assert (decimal, doubtful) == ({"comma": ",", "point": "."}[verdict], None)
+        assert [decimal_number(c, decimal) for c in cells] == [float(w.split("=")[1]) for w in words[1:]]
 
 
 @pytest.mark.parametrize("delimiter", [",", ";", "\t", "|"])

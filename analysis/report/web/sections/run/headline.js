@@ -53,11 +53,23 @@ function notes(model) {
   const rated = metrics.dipper?.rated_load_kg;
   return h('ul.notes', [
     rated && ['Rated load', `${tonnes(rated, 0)} t${metrics.dipper.rated_load_assumed ? ' (assumed, not a maker’s figure)' : ''}; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
+    model.run.truck && ['Truck', truck(model.run.truck)],
     drives && ['Drives', stalls(drives), ' ', h('a', { href: '#demand' }, 'By phase')],
     model.coupling && ['Scatter', scatter(metrics.dipper?.machine)],
     ['Dig force', 'The mean is over penetrate, fill and breakout. The mean to the dump is the paper\'s: from first contact until the door opens, with the swing.'],
     ['Dig work', 'Of hoist and crowd over penetrate, fill and breakout, with the lifting of dipper and load. Per payload: that work divided by the payload; 1000 J/kg is 1 MJ/t.'],
   ].filter(Boolean).map(([name, ...text]) => h('li', h('b', name), '. ', text)));
+}
+
+/// How many passes fill it, and how full it is: summary.json's truck.
+function truck(t) {
+  const passes = (n) => `${n} ${n === 1 ? 'pass' : 'passes'}`;
+  const off = t.filled_fraction - 1;
+  const more = t.passes_to_fill > t.passes ? `, with more of the mean ${fixed(t.mean_pass_t, 0)} t` : '';
+  const now = t.passes_to_fill === t.passes ? ''
+    : ` After the ${passes(t.passes)} of this run it has ${fixed(t.load_t, 0)} t, ${percent(t.load_fraction)} of it.`;
+  return `${passes(t.passes_to_fill)} ${t.passes_to_fill === 1 ? 'fills' : 'fill'} it with ${fixed(t.filled_t, 0)} t, `
+    + `${percent(Math.abs(off))} ${off > 0 ? 'over' : 'under'} its rated ${fixed(t.rated_t, 0)} t${more}.${now}`;
 }
 
 /// Measured for one machine: docs/data/{paper,coarse,screening,quick}_passes.csv.
