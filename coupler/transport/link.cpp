@@ -47,8 +47,7 @@ core::Body Link::receive() {
   const auto starved = reply ? 0s : options_.starved();
   while (!reply) {
     if (Clock::now() - start - (options_.starved() - starved) >= limit) {
-      const std::chrono::duration<double> said = limit;
-      throw PeerError(side_, fmt::format("no answer for {} s", said.count()));
+      throw PeerError(side_, fmt::format("no answer for {} s", limit / 1.0s));
     }
     publish();
     if (established_) requester_.sent_again();
