@@ -92,6 +92,8 @@ Command add_gap_command(CLI::App& app, const std::vector<std::string>& words) {
   add_word(sub, "CASE", "DIR", "a folder with a case.yaml")->required();
   add_word(sub, "--measured", "DIR", "channels.yaml, passes.csv and signals.csv of the mine")
       ->required();
+  add_word(sub, "--reference", "DIR",
+           "the same of earlier trucks, when all was well: what has changed since?");
   sub->add_flag("--masses-only",
                 "compare masses where the folder has no forces, which seldom names an effect");
   add_word(sub, "--out", "DIR", "folder of the results (default: runs/gap-CASE)");

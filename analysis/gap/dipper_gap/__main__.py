@@ -1,4 +1,4 @@
-"""dipper gap CASE --measured FOLDER [--out DIR]
+"""dipper gap CASE --measured FOLDER [--reference FOLDER] [--out DIR]
 
 Exit status: 0 an answer was reached; 2 bad input, nothing started; 3 a run failed; 4 interrupted: the same
 command goes on from the runs already made.
@@ -19,6 +19,7 @@ from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
 from .answer import write_answer
+from .readings.before import check_reference
 from .readings.measured import read_measured
 from .readings.motion import compare_motion, read_motion
 from .readings.passes import NEED_PASSES
@@ -31,6 +32,7 @@ def arguments(words):
     parser = argparse.ArgumentParser(prog="dipper gap", description=__doc__.split("\n")[0])
     parser.add_argument("case", metavar="CASE", type=Path)  # what they are: coupler/cli/python_command.cpp
     parser.add_argument("--measured", metavar="DIR", type=Path, required=True)
+    parser.add_argument("--reference", metavar="DIR", type=Path)
     parser.add_argument("--masses-only", action="store_true")
     parser.add_argument("--out", metavar="DIR", type=Path)
     return parser.parse_args(words)
@@ -83,7 +85,11 @@ def main(words=None):
             raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; "
                             "masses alone are seldom enough to name an effect: give a force, or ask for that with "
                             "--masses-only"])
-        for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
+        questions = [*measured.questions(), *compare_motion(measured, read_motion(args.case, data))]
+        before = read_measured(args.reference, NEED_PASSES) if args.reference else None
+        if before:
+            questions += check_reference(measured, before)
+        for question in questions:
             say(f"gap: {question}")
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
@@ -96,7 +102,7 @@ def main(words=None):
     try:
         simulator = DipperSimulator(args.case, catalogue, program(), run_cache.cache_folder("gap"))
         catalogue, left_out = usable(catalogue, simulator)
-        out = analyse(measured, simulator, catalogue, int(data.get("seed", 1)), say)
+        out = analyse(measured, simulator, catalogue, int(data.get("seed", 1)), say, before)
         out = replace(out, warnings=(*left_out, *out.warnings))
     except KeyboardInterrupt:
         print("gap: interrupted; the same command goes on from the runs already made", file=sys.stderr)
@@ -107,7 +113,7 @@ def main(words=None):
     except ValueError as e:
         print(f"gap: {e}", file=sys.stderr)
         return 2
-    files = write_answer(out, catalogue, simulator, args.measured, folder)
+    files = write_answer(out, catalogue, simulator, args.measured, folder, args.reference)
     say(f"gap: {', '.join(map(str, files))}")
     return 0
 

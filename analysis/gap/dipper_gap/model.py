@@ -13,8 +13,10 @@ from .readings.vectors import Vectors, indices_of
 from .simulation.plan import Plan
 from .statistics.baseline import Baseline, make_baseline, scatter
 from .statistics.isolability import with_nuisances
+from .statistics.left_out import left_out_trucks
 from .statistics.match import gains
 from .statistics.null import Null, Tails, find_tails, left_out_inflation, simulate_null
+from .statistics.reference import Reference, drift_sigmas, spread_over, with_scatter
 from .statistics.signatures import deviations, fit_signature
 
 LEFT_OUT_DRAWS = 200
@@ -57,6 +59,26 @@ class Model:
         part, at = self.baseline.part(split(self.passes)[0])
         return scatter(self.of_mine(measured)[:, at], np.diag(part.own), np.diag(part.seed))
 
+    def referred(self, measured, before):
+        """The baseline with the folder `before` of earlier trucks as its reference; both periods tell how the mine's
+        trucks scatter in the training passes."""
+        seen = before.seen_by(measured.channels)
+        names, cells = response_names(measured), self.baseline.cells
+        then = Vectors(seen.channels, self.passes, self.folders)
+        at = indices_of(cells, then.cells)
+        models = np.mean([row[indices_of(cells, of)] for of, row in map(then.of_run, self.folders)], axis=0)
+        of, rows, _ = then.of_mine(seen)
+        rows = rows[:, indices_of(cells, of)]
+        drift = self.bias * drift_sigmas(measured.channels, seen.channels, names)[:, None]
+        mean = rows.mean(axis=0)
+        reference = Reference(rows - mean, then.own[np.ix_(at, at)], drift, mean - models)
+        baseline = replace(self.baseline, reference=reference, scatter=np.ones(len(cells)))
+        part, train = baseline.part(split(self.passes)[0])
+        now = self.of_mine(measured)[:, train]
+        part = with_scatter(part, now, rows[:, train])
+        size = part.scatter * left_out_trucks(now, rows[:, train], part, self.tails)
+        return replace(baseline, scatter=spread_over(cells, part.cells, size))
+
 
 @dataclass(frozen=True)
 class Prediction:
@@ -84,12 +106,20 @@ class Part:
     at: list                 # these cells among those of all passes
 
 
-def learn(plan, folders, measured):
-    """The model from the runs {request: folder} of a plan, for a mine that logs as `measured` does."""
-    numbers = common_passes(measured, folders.values())
+def response_names(measured):
+    """Channels that answer, in the order of the instruments' shared errors."""
+    return measured.responses() + ([MASS] if MASS in measured.channels else [])
+
+
+def learn(plan, folders, measured, before=None):
+    """The model from the runs {request: folder} of a plan, for a mine that logs as `measured` does, and a reference
+    that logs as `before` does."""
+    mines = [measured] + ([before.seen_by(measured.channels)] if before else [])
+    numbers = common_passes(measured, [*folders.values(), *mines[1:]])
     base = [folders[r] for r in plan.baseline]
     vectors = Vectors(measured.channels, numbers, base)
-    mine_cells, _, _ = vectors.of_mine(measured)
+    mine_cells, *others = (vectors.of_mine(m)[0] for m in mines)
+    mine_cells = [c for c in mine_cells if all(c in of for of in others)]
     seen = {r: vectors.of_run(m) for r, m in folders.items()}
     everywhere = set(mine_cells).intersection(*(cells for cells, _ in seen.values()))
     cells = [c for c in mine_cells if c in everywhere]
@@ -106,15 +136,15 @@ def learn(plan, folders, measured):
     tails = find_tails(baseline)  # of any size: the same when inflated
     one = replace(baseline, trucks=1)
     inflation = left_out_inflation(one, simulate_null(one, draws=LEFT_OUT_DRAWS, tails=tails))
-    responses = measured.responses() + ([MASS] if MASS in measured.channels else [])
-    size = np.array([measured.channels[n].common_sigma for n in responses])
+    size = np.array([measured.channels[n].common_sigma for n in response_names(measured)])
     bias = baseline.common / np.where(size > 0, size, 1.0)[:, None]
     return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, tails, inflation, tuple(base))
 
 
-def predict(model, catalogue, trucks_scatter):
-    """The prediction for a mine whose trucks vary so much (Model.scatter)."""
-    baseline = replace(model.baseline, scatter=trucks_scatter)
+def predict(model, catalogue, trucks_scatter=1.0, referred=None):
+    """The prediction for a mine whose trucks vary so much (Model.scatter), or for one with a reference
+    (Model.referred)."""
+    baseline = referred or replace(model.baseline, scatter=trucks_scatter)
     signatures = [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
     training = split(model.passes)[0]
     part, at = baseline.part(training)
@@ -130,8 +160,11 @@ def signature(effect, baseline, runs):
 
 
 def compare(model, prediction, measured):
-    """The training and the hold-out passes of a mine beside the prediction."""
+    """The training and the hold-out passes of a mine beside the prediction; what a reference differs by from the
+    model at all times is taken off."""
     y = model.of_mine(measured).mean(axis=0)
+    if prediction.baseline.reference:
+        y = y - prediction.baseline.reference.shift
     return tuple(_part(model, prediction, passes, y) for passes in split(model.passes))
 
 
