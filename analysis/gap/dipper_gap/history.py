@@ -31,8 +31,7 @@ def history(model, prediction, names, y_training, measured, before):
     b, reference = prediction.baseline, prediction.baseline.reference
     now = model.of_mine(measured) - reference.shift - b.mean
     rows = np.vstack([reference.rows, now])
-    size = np.sqrt(b.scatter)
-    seeds = b.seed * np.outer(size, size)
+    seeds = b.mine
     owns = [reference.own] * len(reference.rows) + [b.own] * len(now)
     one = b.own + seeds
     if names:

@@ -16,7 +16,7 @@ from .statistics.isolability import with_nuisances
 from .statistics.left_out import left_out_trucks
 from .statistics.match import gains
 from .statistics.null import Null, Tails, find_tails, left_out_inflation, simulate_null
-from .statistics.reference import Reference, drift_sigmas, spread_over, with_scatter
+from .statistics.reference import Reference, drift_sigmas, scatter_beyond, spread_over, with_scatter
 from .statistics.signatures import deviations, fit_signature
 
 LEFT_OUT_DRAWS = 200
@@ -59,25 +59,18 @@ class Model:
         part, at = self.baseline.part(split(self.passes)[0])
         return scatter(self.of_mine(measured)[:, at], np.diag(part.own), np.diag(part.seed))
 
-    def referred(self, measured, before):
-        """The baseline with the folder `before` of earlier trucks as its reference; both periods tell how the mine's
-        trucks scatter in the training passes."""
+    def reference(self, measured, before):
+        """The folder `before` of earlier trucks as the Reference of a mine's folder."""
         seen = before.seen_by(measured.channels)
-        names, cells = response_names(measured), self.baseline.cells
+        cells = self.baseline.cells
         then = Vectors(seen.channels, self.passes, self.folders)
         at = indices_of(cells, then.cells)
         models = np.mean([row[indices_of(cells, of)] for of, row in map(then.of_run, self.folders)], axis=0)
         of, rows, _ = then.of_mine(seen)
         rows = rows[:, indices_of(cells, of)]
-        drift = self.bias * drift_sigmas(measured.channels, seen.channels, names)[:, None]
+        drift = self.bias * drift_sigmas(measured.channels, seen.channels, response_names(measured))[:, None]
         mean = rows.mean(axis=0)
-        reference = Reference(rows - mean, then.own[np.ix_(at, at)], drift, mean - models)
-        baseline = replace(self.baseline, reference=reference, scatter=np.ones(len(cells)))
-        part, train = baseline.part(split(self.passes)[0])
-        now = self.of_mine(measured)[:, train]
-        part = with_scatter(part, now, rows[:, train])
-        size = part.scatter * left_out_trucks(now, rows[:, train], part, self.tails)
-        return replace(baseline, scatter=spread_over(cells, part.cells, size))
+        return Reference(rows - mean, then.own[np.ix_(at, at)], drift, mean - models)
 
 
 @dataclass(frozen=True)
@@ -141,11 +134,33 @@ def learn(plan, folders, measured, before=None):
     return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, tails, inflation, tuple(base))
 
 
-def predict(model, catalogue, trucks_scatter=1.0, referred=None):
-    """The prediction for a mine whose trucks vary so much (Model.scatter), or for one with a reference
-    (Model.referred)."""
-    baseline = referred or replace(model.baseline, scatter=trucks_scatter)
-    signatures = [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
+def predict(model, catalogue, trucks_scatter):
+    """The prediction for a mine whose trucks vary so much (Model.scatter)."""
+    baseline = replace(model.baseline, scatter=trucks_scatter)
+    return _predicted(model, baseline, _signatures(model, catalogue, baseline))
+
+
+def predict_change(model, catalogue, measured, before):
+    """The prediction of what a mine's folder differs by from one of earlier trucks; both tell how trucks scatter."""
+    now, reference = model.of_mine(measured), model.reference(measured, before)
+    baseline = replace(model.baseline, reference=reference, scatter=np.ones(len(model.baseline.cells)))
+    part, at = baseline.part(split(model.passes)[0])
+    rows = now[:, at], reference.rows[:, at]
+    part = with_scatter(part, *rows)
+    baseline = replace(baseline, scatter=spread_over(baseline.cells, part.cells, part.scatter))
+    signatures = _signatures(model, catalogue, baseline)
+    along = np.column_stack([s.g for s in signatures] + [gains(baseline)])
+    reference = replace(reference, beyond=scatter_beyond(baseline, part, at, now, reference.rows, along))
+    baseline = replace(baseline, reference=reference)
+    factor = left_out_trucks(*rows, baseline.part(split(model.passes)[0])[0], model.tails)
+    return _predicted(model, replace(baseline, scatter=baseline.scatter * factor), signatures)
+
+
+def _signatures(model, catalogue, baseline):
+    return [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
+
+
+def _predicted(model, baseline, signatures):
     training = split(model.passes)[0]
     part, at = baseline.part(training)
     named = [s.part(at) for s in signatures if not s.effect.nuisance]

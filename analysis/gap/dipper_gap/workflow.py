@@ -18,7 +18,7 @@ from .decision.confirm import confirm, drawn
 from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
 from .decision.next_experiment import propose
 from .history import History, history
-from .model import Part, SignatureRuns, compare, learn, predict, signature
+from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
 from .simulation.plan import FRESH_SEEDS, make_plan, statement
 from .simulation.simulator import request
 from .statistics.isolability import Isolability, isolability
@@ -99,7 +99,7 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
     requests = plan.requests()
     model = learn(plan, dict(zip(requests, simulator.run(requests, say))), measured, before)
     if before:
-        prediction = predict(model, catalogue, referred=model.referred(measured, before))
+        prediction = predict_change(model, catalogue, measured, before)
     else:
         prediction = predict(model, catalogue, model.scatter(measured))
     return conclude(model, prediction, measured, Runner(simulator, catalogue, say), before)
@@ -131,7 +131,8 @@ def conclude(model, prediction, measured, runner, before=None):
         names = list(out.effects) or [n for n in out.look.verdict.members[:1]]
         out = replace(out, reference=reference.trucks, fidelity=fidelity(prediction.baseline))
         if out.look.verdict.verdict != "no-gap":
-            out = replace(out, history=history(model, prediction, names, seen.training.at, measured, before))
+            told = history(model, prediction, names, seen.training.at, measured, before)
+            out = replace(out, history=told, warnings=(*out.warnings, *within(told, reference.trucks)))
     lines, loads = drawn(model, prediction, seen.holdout, measured, after, before)
     return replace(out, curves=lines, masses=loads, proposals=tuple(experiments(out)))
 
@@ -140,6 +141,14 @@ def fidelity(b):
     """Mean square of what the reference differs by from the model, in the sd that the difference should have."""
     plain = replace(b, reference=None, scatter=1.0, trucks=b.reference.trucks, own=b.reference.own)
     return float(np.mean((b.reference.shift / plain.sd) ** 2))
+
+
+def within(told, before):
+    """Of a change that came while the measured trucks were loaded: their mean, which is what is named, is less."""
+    if not (told and told.trend and told.trend.interval90[0] > before):
+        return ()
+    return (f"it began after {told.trend.began - before} of the measured trucks: what is said here is of the mean of them "
+            "all; give the trucks since then alone, and those before it to the reference",)
 
 
 def warnings(model, prediction, measured, before=None):

@@ -65,7 +65,7 @@ class Baseline:
         """Covariance by the seeds of y - mean."""
         if self.reference is None:
             return self.seed * self.share(self.seeds)
-        return self._mine * (1.0 / self.trucks + 1.0 / self.reference.trucks)
+        return self.mine * (1.0 / self.trucks + 1.0 / self.reference.trucks)
 
     @property
     def prediction(self):
@@ -86,10 +86,12 @@ class Baseline:
         return f / self.trucks + f / self.reference.trucks
 
     @property
-    def _mine(self):
-        """Covariance of one of the mine's own runs by the seeds."""
-        size = np.sqrt(self.scatter)
-        return self.seed * np.outer(size, size)
+    def mine(self):
+        """Covariance by the seeds of one of the mine's own runs."""
+        size = np.sqrt(self.scatter * np.ones(len(self.mean)))
+        out = self.seed * np.outer(size, size)
+        beyond = self.reference.beyond if self.reference else None
+        return out if beyond is None else out + beyond @ beyond.T
 
     def with_deviations(self, more):
         """The same with the seeds' covariance known from (M, n) further deviations too."""

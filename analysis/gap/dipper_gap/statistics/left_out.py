@@ -28,10 +28,9 @@ def left_out_trucks(now, before, baseline, tails, seed=2):
 
 def _left_out(rows, baseline, periods):
     owns, total, count = (baseline.own, baseline.reference.own), 0.0, 0
-    size = np.sqrt(baseline.scatter)
     for k in periods:
         trucks = len(rows[k])
-        covariance = (owns[k] + baseline.seed * np.outer(size, size)) * trucks / (trucks - 1.0)
+        covariance = (owns[k] + baseline.mine) * trucks / (trucks - 1.0)
         off = (rows[k] - rows[k].mean(axis=0)) * trucks / (trucks - 1.0)
         total += (off * np.linalg.solve(covariance, off.T).T).sum()
         count += trucks
@@ -43,6 +42,9 @@ def _drawn(baseline, trucks, tails, rng):
     more = len(baseline.more)
     made = make_runs(root(baseline.seed), baseline.seeds + sum(trucks) + more, tails, phase_labels(baseline.cells), rng)
     runs, mine = made[:baseline.seeds], made[baseline.seeds:baseline.seeds + sum(trucks)] * np.sqrt(baseline.scatter)
+    beyond = baseline.reference.beyond
+    if beyond is not None:
+        mine = mine + rng.standard_normal((len(mine), beyond.shape[1])) @ beyond.T
     rows = (mine[:trucks[0]], mine[trucks[0]:])
     rows = tuple(r + rng.standard_normal(r.shape) @ root(own).T
                  for r, own in zip(rows, (baseline.own, baseline.reference.own)))

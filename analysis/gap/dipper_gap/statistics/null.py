@@ -171,16 +171,21 @@ def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None, t
     before = reference.trucks if reference else 0
     before_root = root(reference.own) if reference else None
     errors = reference.drift if reference else baseline.common
+    beyond = reference.beyond if reference else None
     stats, fits, z = [], [], np.empty((draws, len(at)))
     asked = directions is not None and directions.size > 0
     for d in range(draws):
         made = make_runs(seed_root, runs + trucks + before + more, tails, labels, rng)
         mine = size * made[runs:runs + trucks] + rng.standard_normal((trucks, len(own_root))) @ own_root.T
+        if beyond is not None:
+            mine = mine + rng.standard_normal((trucks, beyond.shape[1])) @ beyond.T
         shared = rng.standard_normal(len(errors)) @ errors
         then, usual = None, made[:runs].mean(axis=0)
         if reference:
             then = (size * made[runs + trucks:runs + trucks + before]
                     + rng.standard_normal((before, len(own_root))) @ before_root.T)
+            if beyond is not None:
+                then = then + rng.standard_normal((before, beyond.shape[1])) @ beyond.T
             usual, then = then.mean(axis=0), then[:, at]
         residual = (mine.mean(axis=0) + shared - usual)[at]
         one = seed_covariance(made[:runs], baseline.grid, made[runs + trucks + before:])[block]

@@ -13,6 +13,7 @@ from .baseline import scatter
 
 WEIGHT = 2.0        # degrees of freedom that the model's own scatter counts against the mine's
 FEATURE_DOF = 14.0  # the same of the mine's scatter as a whole against that of one feature
+TOLERANCE = 0.05    # of a variance
 LEAST = 0.1         # of the model's variance: less scatter than that is not believed
 
 
@@ -24,6 +25,7 @@ class Reference:
     own: np.ndarray    # (n, n) of one truck's instruments, then
     drift: np.ndarray  # (channels, n) shifts by one sd of what each channel's shared error has changed by since
     shift: np.ndarray  # (n,) mean of the trucks less the model's mean, each as its instruments show it
+    beyond: np.ndarray = None  # (n, m): beyond beyond' is what one run scatters by besides the scaled covariance
 
     @property
     def trucks(self):
@@ -31,7 +33,8 @@ class Reference:
 
     def part(self, at):
         """The same over some of the cells."""
-        return replace(self, rows=self.rows[:, at], own=self.own[np.ix_(at, at)], drift=self.drift[:, at], shift=self.shift[at])
+        return replace(self, rows=self.rows[:, at], own=self.own[np.ix_(at, at)], drift=self.drift[:, at], shift=self.shift[at],
+                       beyond=None if self.beyond is None else self.beyond[at])
 
 
 def drift_sigmas(now, before, names):
@@ -83,3 +86,33 @@ def spread_over(cells, part, scatter_of_part):
     known = {c.key: x for c, x in zip(part, scatter_of_part)}
     usual = float(np.median(scatter_of_part))
     return np.array([known.get(c.key, usual) for c in cells])
+
+
+def scatter_beyond(baseline, part, at, now, before, directions):
+    """(n, m) what one of the mine's runs scatters by along `directions` (n, K), besides what its covariance says.
+
+    A covariance that few runs tell is shrunk, and promises too little where features move together: along a fuller
+    dipper, say, as an effect would have it too. Along the weights with which an effect is sought in the training
+    passes (`part`, the cells `at`), the variance of the trucks themselves, (T, n) and (T0, n), and of the model's runs
+    is counted instead. The largest excess is put in first, as one may explain another.
+    """
+    rows = np.vstack([x - x.mean(axis=0) for x in (now, before)])[:, at]
+    dof = np.array([len(rows) - 2, baseline.seeds - 1])
+    g, columns = directions[at], []
+    runs = (baseline.values - baseline.mean)[:, at] * np.sqrt(part.scatter)
+    own = ((len(now) - 1) * part.own + (len(before) - 1) * part.reference.own) / max(dof[0], 1)
+    one = part.mine
+    share = 1.0 / part.trucks + 1.0 / part.reference.trucks
+    for _ in range(2 * g.shape[1]):
+        w = np.linalg.solve(part.noise + one * share, g)
+        claimed = np.einsum("ik,ij,jk->k", w, one, w)
+        trucks = ((rows @ w) ** 2).sum(axis=0) - dof[0] * np.einsum("ik,ij,jk->k", w, own, w)
+        seen = (trucks + ((runs @ w) ** 2).sum(axis=0)) / dof.sum()
+        excess = np.where(claimed > 0, seen / np.maximum(claimed, 1e-300), 0.0)
+        k = int(np.argmax(excess))
+        if excess[k] < 1.0 + TOLERANCE:
+            break
+        size = np.sqrt(seen[k] - claimed[k]) / abs(w[:, k] @ g[:, k])
+        columns.append(size * directions[:, k])
+        one = one + np.outer(columns[-1][at], columns[-1][at])
+    return np.array(columns).reshape(-1, len(directions)).T
