@@ -28,6 +28,7 @@ def as_json(out, catalogue, hashes):
         "reference": _reference(out),
         "history": _history(out, catalogue),
         "runs": out.runs,
+        "ended_early": out.early,
         "seeds": out.seeds,
         "hashes": hashes,
         "omnibus_p": out.look.disagreement.omnibus_p,

@@ -7,6 +7,9 @@ from dipper_run.csv_text import stamp_text
 
 from .statistics.trend import Trend, find_trend, weights
 
+LEAST_SIDE = 2  # trucks on each side of a change that has no name: each is left out in turn
+ROUNDS = 3
+
 
 @dataclass(frozen=True)
 class Truck:
@@ -24,43 +27,49 @@ class History:
     trend: Trend      # None where there are too few trucks
 
 
-def history(model, prediction, names, y_training, measured, before):
-    """History of what was found: `names` of the effects, the first leads; without names, of the gap as it is in
-    `y_training` (n,), truck by truck along what the others show.
+def history(model, prediction, names, training, measured, before):
+    """History of what was found: `names` of the effects, the first leads; without names, of the gap as the training
+    passes' cells `training` show it, each truck along what the others say has changed.
     """
     b, reference = prediction.baseline, prediction.baseline.reference
     now = model.of_mine(measured) - reference.shift - b.mean
-    rows = np.vstack([reference.rows, now])
-    seeds = b.mine
-    owns = [reference.own] * len(reference.rows) + [b.own] * len(now)
-    one = b.own + seeds
+    rows, first = np.vstack([reference.rows, now]), reference.trucks
+    owns = [reference.own] * first + [b.own] * len(now)
+
+    def seen(along):
+        strength = np.array([w @ row for w, row in zip(along, rows)])
+        variance = np.array([w @ (own + b.mine) @ w for w, own in zip(along, owns)])
+        drift = float(((reference.drift @ along[-1]) ** 2).sum())
+        return strength, variance, find_trend(strength, first, variance, drift)
+
     if names:
         by_name = {s.name: s.g for s in prediction.signatures}
-        along = [weights(np.column_stack([by_name[n] for n in names]), one)] * len(rows)
+        found = seen([weights(np.column_stack([by_name[n] for n in names]), b.own + b.mine)] * len(rows))
+    elif len(now) < LEAST_SIDE or first < LEAST_SIDE:
+        return None
     else:
-        along = _along_the_others(now, len(reference.rows), y_training, one)
-        if along is None:
-            return None
-    strength = np.array([w @ row for w, row in zip(along, rows)])
-    variance = np.array([w @ (own + seeds) @ w for w, own in zip(along, owns)])
-    drift = float(((reference.drift @ along[-1]) ** 2).sum())
+        began = first
+        for _ in range(ROUNDS):  # where it began says which trucks show it, and they say where it began
+            found = seen(_along_the_others(rows, began, training, b.own + b.mine))
+            if not found[2] or not LEAST_SIDE <= found[2].began <= len(rows) - LEAST_SIDE:
+                break
+            began = found[2].began
+    strength, variance, trend = found
     told = [("reference", t) for t in before.trucks()] + [("measured", t) for t in measured.trucks()]
     times = _times([t.passes[0].t_start_s for _, t in told])
     return History(names[0] if names else None,
                    tuple(Truck(period, t.passes[0].truck, time, float(a), float(np.sqrt(v)))
-                         for (period, t), time, a, v in zip(told, times, strength, variance)),
-                   find_trend(strength, len(reference.rows), variance, drift))
+                         for (period, t), time, a, v in zip(told, times, strength, variance)), trend)
 
 
-def _along_the_others(now, before, training, one):
-    """Weights for each truck from the gap that the other trucks show in the training passes' cells `training`."""
-    if len(now) < 2:
-        return None
-    block, out = np.ix_(training, training), []
-    whole = now.mean(axis=0)
-    for gap in [whole] * before + [(whole * len(now) - row) / (len(now) - 1) for row in now]:
-        full = np.zeros(len(whole))
-        full[training] = weights(gap[training][:, None], one[block])
+def _along_the_others(rows, began, training, one):
+    """Weights for each truck of `rows` (K, n) along what the others, less it, have changed by after `began` of them."""
+    since, out, block = np.arange(len(rows)) >= began, [], np.ix_(training, training)
+    for k in range(len(rows)):
+        others = np.arange(len(rows)) != k
+        change = rows[since & others].mean(axis=0) - rows[~since & others].mean(axis=0)
+        full = np.zeros(len(change))
+        full[training] = weights(change[training][:, None], one[block])
         out.append(full)
     return out
 

@@ -40,6 +40,7 @@ class Model:
     baseline: Baseline    # its trucks scatter as its seeds do
     bias: np.ndarray      # (channels, n): shift by a constant in one channel
     runs: dict            # {effect: SignatureRuns}
+    responses: tuple      # channels that answer, in the order of the instruments' shared errors
     tails: Tails
     inflation: float      # of the seeds' covariance, as leaving each seed out in turn asks
     folders: tuple        # of the baseline's runs
@@ -68,7 +69,7 @@ class Model:
         models = np.mean([row[indices_of(cells, of)] for of, row in map(then.of_run, self.folders)], axis=0)
         of, rows, _ = then.of_mine(seen)
         rows = rows[:, indices_of(cells, of)]
-        drift = self.bias * drift_sigmas(measured.channels, seen.channels, response_names(measured))[:, None]
+        drift = self.bias * drift_sigmas(measured.channels, seen.channels, self.responses)[:, None]
         mean = rows.mean(axis=0)
         return Reference(rows - mean, then.own[np.ix_(at, at)], drift, mean - models)
 
@@ -101,7 +102,7 @@ class Part:
 
 def response_names(measured):
     """Channels that answer, in the order of the instruments' shared errors."""
-    return measured.responses() + ([MASS] if MASS in measured.channels else [])
+    return (*measured.responses(), *([MASS] if MASS in measured.channels else []))
 
 
 def learn(plan, folders, measured, before=None):
@@ -131,13 +132,14 @@ def learn(plan, folders, measured, before=None):
     inflation = left_out_inflation(one, simulate_null(one, draws=LEFT_OUT_DRAWS, tails=tails))
     size = np.array([measured.channels[n].common_sigma for n in response_names(measured)])
     bias = baseline.common / np.where(size > 0, size, 1.0)[:, None]
-    return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, tails, inflation, tuple(base))
+    return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, response_names(measured),
+                 tails, inflation, tuple(base))
 
 
 def predict(model, catalogue, trucks_scatter):
     """The prediction for a mine whose trucks vary so much (Model.scatter)."""
     baseline = replace(model.baseline, scatter=trucks_scatter)
-    return _predicted(model, baseline, _signatures(model, catalogue, baseline))
+    return _predicted(model, baseline, signatures_of(model, catalogue, baseline))
 
 
 def predict_change(model, catalogue, measured, before):
@@ -148,7 +150,7 @@ def predict_change(model, catalogue, measured, before):
     rows = now[:, at], reference.rows[:, at]
     part = with_scatter(part, *rows)
     baseline = replace(baseline, scatter=spread_over(baseline.cells, part.cells, part.scatter))
-    signatures = _signatures(model, catalogue, baseline)
+    signatures = signatures_of(model, catalogue, baseline)
     along = np.column_stack([s.g for s in signatures] + [gains(baseline)])
     reference = replace(reference, beyond=scatter_beyond(baseline, part, at, now, reference.rows, along))
     baseline = replace(baseline, reference=reference)
@@ -156,7 +158,8 @@ def predict_change(model, catalogue, measured, before):
     return _predicted(model, replace(baseline, scatter=baseline.scatter * factor), signatures)
 
 
-def _signatures(model, catalogue, baseline):
+def signatures_of(model, catalogue, baseline):
+    """Signatures of all effects over all passes of a baseline."""
     return [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
 
 

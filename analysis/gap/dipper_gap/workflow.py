@@ -19,13 +19,14 @@ from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
 from .decision.next_experiment import propose
 from .history import History, history
 from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
-from .simulation.plan import FRESH_SEEDS, make_plan, statement
+from .simulation.plan import FRESH_SEEDS, make_plan, statement, without_runs
 from .simulation.simulator import request
 from .statistics.isolability import Isolability, isolability
 from .statistics.localise import Disagreement, localise
 from .statistics.match import Match, interval, match, stability
 from .statistics.null import statistics
 
+EARLY_P = 0.2           # omnibus p from which no more runs are made
 SHARPENED = 2           # times an effect's strength is found anew, each with its signature at the last
 MOTION_TOLERANCE_S = 1.0
 SCATTERS = 2.0          # variance of the trucks' passes, in the model's, from which the report says so
@@ -83,6 +84,7 @@ class Outcome:
     curves: list = field(default_factory=list)      # of the report: curves.Curve
     masses: list = field(default_factory=list)      # curves.Mass
     inflation: float = 1.0  # of the seeds' covariance
+    early: bool = False     # it ended before the runs of effects, as there is no gap
     trucks: int = 1
     reference: int = 0      # trucks of the reference
     fidelity: float = None  # mean z^2 by which the reference differs from the model, in the model's own spread
@@ -95,14 +97,33 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
     """The Outcome for a mine's folder, and one of its earlier trucks `before`; throws ValueError for one that cannot be
     compared with the case."""
     plan = make_plan(catalogue, len(measured.trucks()), first_seed)
-    say(f"gap: {statement(plan, simulator)}")
+    first = without_runs(plan, simulator)
+    say(f"gap: {statement(plan, simulator, first)}")
+    runner = Runner(simulator, catalogue, say)
+    if len(first.signatures) < len(plan.signatures):
+        known = _known(first, measured, before, runner)
+        if omnibus(known[1], *compare(*known, measured)) >= EARLY_P:
+            left = len(plan.requests()) - len(first.requests())
+            told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs and "
+                    "the effects that need none show no gap to explain",)
+            out = conclude(*known, measured, runner, before)
+            return replace(out, early=True, warnings=(*out.warnings, *told))
+    return conclude(*_known(plan, measured, before, runner), measured, runner, before)
+
+
+def _known(plan, measured, before, runner):
+    """(Model, Prediction) from the runs of a plan, which are made."""
     requests = plan.requests()
-    model = learn(plan, dict(zip(requests, simulator.run(requests, say))), measured, before)
+    model = learn(plan, dict(zip(requests, runner.simulator.run(requests, runner.say))), measured, before)
     if before:
-        prediction = predict_change(model, catalogue, measured, before)
-    else:
-        prediction = predict(model, catalogue, model.scatter(measured))
-    return conclude(model, prediction, measured, Runner(simulator, catalogue, say), before)
+        return model, predict_change(model, runner.catalogue, measured, before)
+    return model, predict(model, runner.catalogue, model.scatter(measured))
+
+
+def omnibus(prediction, training, _):
+    """p of the test whether there is a gap."""
+    b = training.baseline
+    return prediction.null.omnibus_p(statistics(training.y - b.mean, b.prediction, b.grid, prediction.directions))
 
 
 def conclude(model, prediction, measured, runner, before=None):

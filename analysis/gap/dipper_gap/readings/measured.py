@@ -22,6 +22,7 @@ from dipper_run.text_file import read_text, read_yaml
 DRIVEN = "driven"
 RESPONSE = "response"
 CHANNEL_KEYS = "{unit, role, sigma, common_sigma}"
+ASSUMED = Path(__file__).with_name("assumed_channels.yaml")
 MOST_DRIFT = 1.415  # of common_sigma: two errors of that size differ by no more
 
 
@@ -130,6 +131,14 @@ def read_measured(folder, need_passes=1, simulated=False):
     _optional_table(folder / "profile.csv", ("pass", "x_m", "z_m"), found)
     found.raise_if_any()
     return Measured(channels, tuple(passes), time_s, signals, str(folder))
+
+
+def read_channels(file=ASSUMED):
+    """{name: Channel} of a channels.yaml; throws BadInput. Without a file, of instruments as a mine may have them."""
+    found = Findings()
+    channels = _channels(Path(file), found)
+    found.raise_if_any()
+    return channels
 
 
 def _channels(file, found):

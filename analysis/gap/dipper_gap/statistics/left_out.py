@@ -20,9 +20,10 @@ def left_out_trucks(now, before, baseline, tails, seed=2):
     periods = [k for k, rows in enumerate((now, before)) if len(rows) > 1]
     if not periods:
         return 1.0
-    rng = np.random.default_rng(seed)
+    rng, counts = np.random.default_rng(seed), (len(now), len(before))
+    roots = root(baseline.seed), root(baseline.own), root(baseline.reference.own)
     seen = _left_out((now, before), baseline, periods)
-    made = [_left_out(*_drawn(baseline, (len(now), len(before)), tails, rng), periods) for _ in range(DRAWS)]
+    made = [_left_out(*_drawn(baseline, roots, counts, tails, rng), periods) for _ in range(DRAWS)]
     return max(1.0, float(seen / np.median(made)))
 
 
@@ -37,16 +38,15 @@ def _left_out(rows, baseline, periods):
     return total / count
 
 
-def _drawn(baseline, trucks, tails, rng):
-    """Trucks of two periods, and the baseline as their own set of runs tells it."""
-    more = len(baseline.more)
-    made = make_runs(root(baseline.seed), baseline.seeds + sum(trucks) + more, tails, phase_labels(baseline.cells), rng)
-    runs, mine = made[:baseline.seeds], made[baseline.seeds:baseline.seeds + sum(trucks)] * np.sqrt(baseline.scatter)
-    beyond = baseline.reference.beyond
+def _drawn(baseline, roots, trucks, tails, rng):
+    """Trucks of two periods, and the baseline as their own set of runs tells it; `roots` of the seeds' covariance and
+    of the instruments', now and then."""
+    runs, more, beyond = baseline.seeds, len(baseline.more), baseline.reference.beyond
+    made = make_runs(roots[0], runs + sum(trucks) + more, tails, phase_labels(baseline.cells), rng)
+    mine = made[runs:runs + sum(trucks)] * np.sqrt(baseline.scatter)
     if beyond is not None:
         mine = mine + rng.standard_normal((len(mine), beyond.shape[1])) @ beyond.T
-    rows = (mine[:trucks[0]], mine[trucks[0]:])
-    rows = tuple(r + rng.standard_normal(r.shape) @ root(own).T
-                 for r, own in zip(rows, (baseline.own, baseline.reference.own)))
-    seed = seed_covariance(runs, baseline.grid, made[len(made) - more:])
+    rows = tuple(r + rng.standard_normal(r.shape) @ own.T
+                 for r, own in zip((mine[:trucks[0]], mine[trucks[0]:]), roots[1:]))
+    seed = seed_covariance(made[:runs], baseline.grid, made[len(made) - more:])
     return rows, with_scatter(replace(baseline, seed=seed), *rows)

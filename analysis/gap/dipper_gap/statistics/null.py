@@ -48,7 +48,7 @@ class Null:
 
         Whitening by a covariance known from a few runs promises too much; a squared score should be 1.
         """
-        if self.fits is None:
+        if self.fits is None or not effects:
             return 1.0
         size = self.fits[:, :, :effects].mean(axis=(0, 2))  # falls as the factor grows
         return float(np.exp(np.interp(0.0, -np.log(size), np.log(FACTORS))))
