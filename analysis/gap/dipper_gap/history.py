@@ -35,22 +35,24 @@ def history(model, prediction, names, training, measured, before):
     now = model.of_mine(measured) - reference.shift - b.mean
     rows, first = np.vstack([reference.rows, now]), reference.trucks
     owns = [reference.own] * first + [b.own] * len(now)
+    # The model's scatter, not the trucks' own: a change among the measured ones is in theirs, and would hide itself.
+    one = b.own + b.seed
 
     def seen(along):
         strength = np.array([w @ row for w, row in zip(along, rows)])
-        variance = np.array([w @ (own + b.mine) @ w for w, own in zip(along, owns)])
+        variance = np.array([w @ (own + b.seed) @ w for w, own in zip(along, owns)])
         drift = float(((reference.drift @ along[-1]) ** 2).sum())
         return strength, variance, find_trend(strength, first, variance, drift)
 
     if names:
         by_name = {s.name: s.g for s in prediction.signatures}
-        found = seen([weights(np.column_stack([by_name[n] for n in names]), b.own + b.mine)] * len(rows))
+        found = seen([weights(np.column_stack([by_name[n] for n in names]), one)] * len(rows))
     elif len(now) < LEAST_SIDE or first < LEAST_SIDE:
         return None
     else:
         began = first
         for _ in range(ROUNDS):  # where it began says which trucks show it, and they say where it began
-            found = seen(_along_the_others(rows, began, training, b.own + b.mine))
+            found = seen(_along_the_others(rows, began, training, one))
             if not found[2] or not LEAST_SIDE <= found[2].began <= len(rows) - LEAST_SIDE:
                 break
             began = found[2].began
