@@ -17,9 +17,9 @@ namespace dipper {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr int kFew = 3;  // faults of one kind that are told one by one
+constexpr int kFew = 3;  // faults of one kind that are reported one by one
 
-// As word processors and spreadsheets write a minus sign and a blank, in UTF-8.
+// The minus signs and blanks of word processors and spreadsheets, in UTF-8.
 constexpr std::array<std::pair<std::string_view, char>, 6> kLookAlikes{{{"\u2212", '-'},
                                                                         {"\u2012", '-'},
                                                                         {"\u2013", '-'},
@@ -85,7 +85,7 @@ std::vector<Field> split(std::string_view line, char delimiter) {
   }
 }
 
-/// Empty fields beyond the first `n` are what spreadsheets leave of columns that once were.
+/// Drops empty fields beyond the first `n`, which spreadsheets leave of deleted columns.
 void drop_empty_tail(std::vector<Field>& fields, std::size_t n) {
   while (fields.size() > n && fields.back().text.empty()) fields.pop_back();
 }
@@ -99,13 +99,13 @@ bool names_separator(std::string_view line) {
   return line.size() == 5 && (line.substr(0, 4) == "sep=" || line.substr(0, 4) == "SEP=");
 }
 
-/// How a table's columns stand in its lines. `place[i]` is the field of the column i.
+/// The layout of a table's lines. `place[i]` is the field of the column i.
 struct Layout {
   char delimiter = 0;  ///< 0: no header yet
   std::vector<std::size_t> place;
 };
 
-/// The layout that a header says; without a delimiter when it does not name the columns.
+/// The layout by a header; without a delimiter when the header does not name the columns.
 Layout find_layout(std::string_view line, const std::vector<std::string>& columns) {
   for (const char delimiter : {',', ';', '\t', '|'}) {
     std::vector<Field> fields = split(line, delimiter);
@@ -121,7 +121,7 @@ Layout find_layout(std::string_view line, const std::vector<std::string>& column
   return {};
 }
 
-/// A number without the unit of its column behind it: "2 %" of passing_percent, "0.5 m" of size_m.
+/// A number without the unit that follows it: "2 %" of passing_percent, "0.5 m" of size_m.
 std::string_view without_unit(std::string_view text, const std::string& column) {
   const std::string unit = column.substr(column.find_last_of('_') + 1);
   for (const std::string_view word :
@@ -139,8 +139,8 @@ bool looks_like_date(std::string_view s) {
          s.find_first_not_of("0123456789-T:+Z., ") == std::string_view::npos;
 }
 
-/// Reads the fields of one table: whether its numbers have decimal commas shows in the first that
-/// has a comma or a point. Between commas only a quoted number can have one.
+/// Reads the fields of one table. The first number with a comma or a point decides whether the
+/// table has decimal commas. Where commas separate columns, only a quoted number can have one.
 class NumberReader {
  public:
   bool read(std::string_view text, double& value) {
@@ -163,7 +163,7 @@ class NumberReader {
   char decimal_ = 0;
 };
 
-/// Faults of rows. One cause is one finding: of more than a few of a kind the first stands for all.
+/// Faults of rows. If there are more than a few of one kind, only the first is reported.
 class RowFaults {
  public:
   void add(std::string kind, int line, int column, std::string wrong, std::string right) {
@@ -176,7 +176,8 @@ class RowFaults {
     for (const Fault& f : faults_) {
       const int n = count_.at(f.kind);
       if (n > kFew && !told.insert(f.kind).second) continue;
-      const std::string more = n > kFew ? fmt::format(", and so in {} more lines", n - 1) : "";
+      const std::string more =
+          n > kFew ? fmt::format(", and the same in {} more lines", n - 1) : "";
       findings.push_back({file, f.line, "", f.wrong + more + "; " + f.right, f.column});
     }
   }
@@ -233,10 +234,11 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
     drop_empty_tail(fields, columns.size());
     if (fields.size() != columns.size()) {
       const bool commas = layout.delimiter == ',' && fields.size() > columns.size();
-      faults.add("", line_number, static_cast<int>(line.size()) + 1,
-                 fmt::format("{} columns", fields.size()),
-                 fmt::format("each row has {}: {}{}", columns.size(), header,
-                             commas ? "; with decimal commas, semicolons part the columns" : ""));
+      faults.add(
+          "", line_number, static_cast<int>(line.size()) + 1,
+          fmt::format("{} columns", fields.size()),
+          fmt::format("each row has {}: {}{}", columns.size(), header,
+                      commas ? "; with decimal commas, separate the columns by semicolons" : ""));
       continue;
     }
     CsvRow row{line_number, std::vector<double>(columns.size()), {}};

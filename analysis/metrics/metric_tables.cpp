@@ -12,7 +12,7 @@ namespace {
 
 double tonnes(double kg) { return kg / 1e3; }
 
-/// What the weight on the walls has that the rocks inside have not.
+/// The difference between the weight on the walls and the rocks inside.
 std::string weight_note(const PassFacts& f) {
   const double difference = f.still->mass_kg - f.found.pass.payload_kg;
   std::string note =
@@ -32,7 +32,7 @@ std::string weight_note(const PassFacts& f) {
                     tonnes(*f.suspended->accelerating_kg), tonnes(rest));
 }
 
-/// Why the three payloads differ, in figures.
+/// The differences between the three payloads, in figures.
 json payload_notes(const PassFacts& f) {
   json notes = json::array();
   json out = {{"inside_kg", f.found.pass.payload_kg}};

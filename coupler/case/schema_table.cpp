@@ -1,6 +1,6 @@
 // The table of keys. A new key is a member in case.hpp, a line here, and a line of docs/case.md
-// (the schema test prints the table to paste). What it affects decides whether the cache's pile is
-// still the case's, whether a run may go on, and what `dipper replay`, `observe` and `gap` compute.
+// (the schema test prints the table to paste). `affects` decides whether a cached pile can be
+// used, whether a run may be resumed, and what `dipper replay`, `observe` and `gap` compute.
 #include "coupler/case/schema.hpp"
 
 namespace dipper::cases {
@@ -9,8 +9,8 @@ namespace {
 using core::Scheme;
 using machine::DriveMode;
 
-// Ends of ranges are there to catch slips (a density in t/m3, an angle in rad), so they are
-// generous: whatever a study may sensibly try is inside.
+// The ranges catch slips (a density in t/m3, an angle in rad), so they are wide: they contain every
+// value that a study may sensibly try.
 constexpr Range any{};
 constexpr Range place{-1e4, 1e4, false, false};   // m: a coordinate in W
 constexpr Range simulated{0, 1e5, false, false};  // s: more than a day
@@ -29,13 +29,13 @@ SizeClass& class_at(Case& c, const Place& p) {
 
 // The member `expr` of the case `c`, at the place `p` where the key has a # or *.
 #define SLOT(expr) [](Case& c, [[maybe_unused]] const Place& p) -> Slot { return &(expr); }
-// The same of a contact number that follows another one until it has a value of its own.
+// The same for a contact number that takes another one's value unless it is given.
 #define FOLLOWING(member)                               \
   [](Case& c, const Place&) -> Slot {                   \
     c.contact.member = of_every_pair(c.contact).member; \
     return &*c.contact.member;                          \
   }
-// The same of a member that is a bool or an enum, with what the allowed words stand for, in order.
+// The same for a bool or an enum, with the values of the allowed words, in order.
 #define CHOICE(expr, ...) \
   [](Case& c, const Place&) -> Slot { return Choice(expr, std::vector{__VA_ARGS__}); }
 

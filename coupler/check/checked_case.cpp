@@ -59,8 +59,8 @@ std::string summary(const cases::Case& c) {
       s.settle_steps, 100 * c.dem.timestep_s / deck::stable_timestep(c), deck::stable_timestep(c));
 }
 
-/// What the teeth sweep under the bench as it is made, pass by pass, and whether that fills the
-/// dipper.
+/// The volume that the teeth sweep under the bench's nominal surface in each pass, and whether it
+/// fills the dipper.
 void tell_digs(const cases::Case& c, Reporter& reporter) {
   const machine::MachineData data = machine::load_machine(c.machine.model);
   const machine::ShovelKinematics shovel(data, Pose{}, radians(c.machine.rake_angle_deg));

@@ -14,7 +14,7 @@
 namespace dipper::cli {
 namespace {
 
-// Debian's, which scripts/setup gives the packages; another python3 on the path may not have them.
+// Debian's, for which scripts/setup installs the packages; another python3 may not have them.
 constexpr const char* kPython = "/usr/bin/python3";
 // Each holds one package.
 constexpr std::array kFolders = {"analysis/gap", "analysis/logs", "analysis/runs",
@@ -27,14 +27,13 @@ int run_python(const std::string& package, const std::vector<std::string>& words
   for (const char* folder : kFolders)
     path += (path.empty() ? "" : ":") + (data_folder() / folder).string();
   setenv("PYTHONPATH", path.c_str(), 1);
-  // Neither the current folder's modules nor a user's own packages: a csv.py there would be run. By
-  // the environment, so that the programs this one starts do the same.
+  // Excludes the current folder's modules and the user's packages: a csv.py there would be run. Set
+  // in the environment, so that programs started by this one do the same.
   setenv("PYTHONSAFEPATH", "1", 1);
   setenv("PYTHONNOUSERSITE", "1", 1);
   unsetenv("PYTHONHOME");
   setenv("DIPPER", installed_program("dipper").c_str(), 1);
-  // The runs fill the cores by themselves; threads in the linear algebra would only be in their
-  // way.
+  // The runs use all cores; threads in the linear algebra would only slow them down.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   std::vector<std::string> all = {kPython, "-B", "-m", package};
   all.insert(all.end(), words.begin(), words.end());

@@ -1,6 +1,6 @@
-// The commands that Python programs of analysis/ carry out. Their options stand here, with those of
-// all other commands, so that help, completion and manual page have them; the program then reads
-// the words as typed. `integration.help` compares the two lists.
+// The commands that Python programs of analysis/ carry out. Their options are declared here, so
+// that help, completion and manual page have them; the Python program then reads the command line
+// as typed. `integration.help` compares the two lists.
 #pragma once
 
 #include <string>

@@ -10,12 +10,12 @@
 namespace dipper::launch {
 namespace {
 
-/// mpirun's command before the program; it takes no parameter twice.
+/// mpirun's command before the program, with each parameter once.
 class Command {
  public:
   explicit Command(const std::vector<std::string>& options) : options_(options) {}
 
-  /// "--word value", unless the user has said that word, with one dash or two.
+  /// Adds "--word value", unless the user gave that option, with one dash or two.
   void add(const std::string& word, const std::string& value) {
     if (!says(word)) words.insert(words.end(), {"--" + word, value});
   }
@@ -41,8 +41,8 @@ void keep_here(Command& command, int ranks) {
   // Two ranks unbound tend to stay on one core. A single rank is left to the scheduler, so that two
   // runs of one rank share a machine.
   command.add("bind-to", ranks > 1 ? "core:overload-allowed" : "none");
-  // A rank that yields while it waits gives a whole slice of the scheduler (3 ms) to any other work
-  // on its core, thousands of times a second of the run: it yields only where ranks share cores.
+  // A rank that yields while it waits gives a whole time slice (3 ms) to any other work on its
+  // core, thousands of times per second: ranks yield only where they share cores.
   command.add_parameter(
       "mpi_yield_when_idle",
       static_cast<unsigned>(ranks) > std::thread::hardware_concurrency() ? "1" : "0");
@@ -54,7 +54,7 @@ void keep_here(Command& command, int ranks) {
 }
 
 void go_abroad(Command& command) {
-  // Where the network alone is gone mpirun hears of it by these, in s; its own are 300, 20, 9.
+  // With these, in s, mpirun notices a network failure; its defaults are 300, 20, 9.
   command.add_parameter("oob_tcp_keepalive_time", "10");
   command.add_parameter("oob_tcp_keepalive_intvl", "5");
   command.add_parameter("oob_tcp_keepalive_probes", "3");

@@ -23,7 +23,7 @@ constexpr double kMuchRattle = 0.05;  // of a dig's windows; at true size up to 
 constexpr double kHighPeak = 6;       // times the mean; whole digs have 3 to 5
 constexpr double kMuchBeyond = 0.33;  // of a dig; at true size up to 0.29
 
-/// `whole`: the run came to its end; one that was cut short goes on by --resume.
+/// `whole`: the run reached its end; one that was interrupted can be resumed.
 void warn_of_pass(const cases::Case& c, const json& p, bool whole,
                   std::vector<std::string>& warnings) {
   const int pass = p.at("pass").get<int>();

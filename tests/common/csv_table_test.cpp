@@ -35,7 +35,7 @@ TEST(CsvTable, EveryFaultHasItsLineAndColumn) {
   EXPECT_THAT(r.faults, ElementsAre("t.csv:3:3: z_m is \"\"; it must be a finite number",
                                     "t.csv:4:4: 1 columns; each row has 2: x_m,z_m",
                                     "t.csv:5:6: 3 columns; each row has 2: x_m,z_m; with decimal "
-                                    "commas, semicolons part the columns",
+                                    "commas, separate the columns by semicolons",
                                     "t.csv:6:3: z_m is \"nan\"; it must be a finite number"));
   ASSERT_EQ(r.rows.size(), 2U);
   EXPECT_EQ(r.rows[1].line, 7);
@@ -69,10 +69,10 @@ TEST(CsvTable, OneCauseIsOneLine) {
     stamps += "2026-03-14T06:12:00.5Z,1\n";
   }
   EXPECT_THAT(read(commas).faults,
-              ElementsAre("t.csv:2:8: 4 columns, and so in 113 more lines; each row has 2: "
-                          "x_m,z_m; with decimal commas, semicolons part the columns"));
+              ElementsAre("t.csv:2:8: 4 columns, and the same in 113 more lines; each row has 2: "
+                          "x_m,z_m; with decimal commas, separate the columns by semicolons"));
   EXPECT_THAT(read(stamps).faults,
-              ElementsAre("t.csv:2:1: x_m is \"2026-03-14T06:12:00.5Z\", and so in 113 more "
+              ElementsAre("t.csv:2:1: x_m is \"2026-03-14T06:12:00.5Z\", and the same in 113 more "
                           "lines; it must be a finite number; dipper import reads time stamps"));
   EXPECT_THAT(read(std::string_view("x\0_\0m\0", 6)).faults,
               ElementsAre("t.csv: is UTF-16, or no text; save it as plain text in UTF-8"));

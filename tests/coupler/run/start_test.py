@@ -50,7 +50,7 @@ class Start(RunTest):
         self.assertLess(push[1], 0.01 * push[0])
 
         pile = self.summary(cleared)["pile"]
-        self.assertIn("pile: stood", out)
+        self.assertIn("below its profile", out)
         self.assertLess(abs(pile["below_profile_mean_m"]), 1)
         self.assertIn("pile: cached", out, "how the dig starts is not part of the pile")
 

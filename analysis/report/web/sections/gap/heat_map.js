@@ -32,7 +32,7 @@ function passes(cells, parts, key) {
 function held(data, after) {
   if (!data.passes) return '';
   const { holdout } = data.passes;
-  return ` Pass ${holdout.join(', ')}: held out${after ? ', shown with the effect only' : ' and not looked at here'}.`;
+  return ` Pass ${holdout.join(', ')}: held out${after ? ', shown with the effect only' : ' and not used here'}.`;
 }
 
 function map(data, cells, rows, phases, { pass, heldOut }, key) {

@@ -1,4 +1,4 @@
-// What the analysis says, and how sure it is.
+// The verdict, and its probability.
 import { h } from '../../dom.js';
 import { pValue, percent } from '../../format.js';
 import { masthead } from '../../page.js';
@@ -7,7 +7,7 @@ import { channelName, strengthText, title } from './words.js';
 
 const WORDS = {
   named: 'The model misses this effect. Fresh runs with the effect added were compared with the passes held out.',
-  class: 'These effects look alike in these data. The experiments below would tell them apart.',
+  class: 'These effects look alike in these data. The experiments below would distinguish them.',
   unknown: 'Model and mine disagree, but no effect of the catalogue can be named with confidence.',
   'no-gap': 'Model and mine agree within the scatter of instruments and seeds. That does not prove that nothing is missing.',
 };
