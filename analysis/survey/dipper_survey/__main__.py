@@ -62,7 +62,7 @@ def site_of(values, args):
 
 def box_of(values, rear):
     """The part of W where the case's bench is to be: from the shovel to the rear wall."""
-    x0 = values.get("machine.base_position_m", [0])[0]
+    x0 = values["machine.base_position_m" if "machine.base_position_m" in values else "domain.min_m"][0]
     most = values["domain.max_m"][0] - MARGIN_m
     x1 = most
     if "pile.toe_x_m" in values:

@@ -217,6 +217,8 @@ def fill(height, kept, step):
 
 def find_bench(columns, z, kept, to_rear):
     """(first, last) of columns.x: from just before the rock's foot to the rear, and the floor's height before it."""
+    z = z.copy()
+    z[:int(np.argmax(kept.mean(axis=1) >= SEEN_SHARE))] = 0.0  # not seen before the face: ground
     labels, n = ndimage.label(z > ROCK_m)
     at_shovel = np.isin(range(1, n + 1), labels[0])
     if n == 0:

@@ -126,7 +126,8 @@ def _nothing_there(path, looked, site, box):
     if site == Site():
         return said + ("say where W lies in the mine's coordinates: site.origin_m and site.azimuth_deg in the case, or "
                        "--origin and --azimuth")
-    return said + "is site.origin_m (easting, northing, elevation) or site.azimuth_deg another?"
+    return said + ("is site.origin_m (easting, northing, elevation) or site.azimuth_deg another? Are x, y and z the first "
+                   "columns of the file, or named in a header?")
 
 
 def _doubts(looked, surface, cell):
