@@ -194,6 +194,9 @@ struct ObservationCase {
   double scale_gain = 0;  ///< the truck scale reads 1 + this times the mass
   double truck_spillage =
       0;  ///< part of the last pass that falls off the truck before it is weighed
+  double scale_offset_t = 0;   ///< the truck scale reads so much too much for each pass
+  double hoist_cell_gain = 0;  ///< the hoist's force is read as 1 + this times what it is
+  double crowd_cell_gain = 0;  ///< likewise the crowd's
 };
 
 /// The whole case, as it will run (after --set).

@@ -59,8 +59,7 @@ core::Body Link::receive() {
           side_, fmt::format("no answer for {} s after the run was told to end", said.count()));
     }
     if (Clock::now() - start - (options_.starved() - starved) >= limit) {
-      const std::chrono::duration<double> said = limit;
-      throw PeerError(side_, fmt::format("no answer for {} s", said.count()));
+      throw PeerError(side_, fmt::format("no answer for {} s", limit / 1.0s));
     }
     publish();
     if (established_) requester_.sent_again();

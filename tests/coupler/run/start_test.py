@@ -67,7 +67,7 @@ class Start(RunTest):
         self.run_case(self.folder / "turned", *settings, case=case)
         side = []
         for name in ("first", "turned"):
-            side.append((rocks(self.folder / name / "dumps" / "rocks_0.dump")["y"] > 0).mean())
+            side.append((rocks(self.folder / name / "dumps" / "rocks_0.dump.gz")["y"] > 0).mean())
         self.assertLess(side[0], 0.45)
         self.assertGreater(side[1], 0.55)
         again, _ = self.run_case(self.folder / "again", *settings, case=case)
@@ -126,7 +126,7 @@ class Start(RunTest):
             self.run_case(out, "--ranks", "1", "--set", "end_s=0.03", "--set", "pile.settle_s=0.3",
                           "--set", "pile.relax_s=0.1", case=case)
         self.assertEqual(json.loads((out / "summary.json").read_text())["status"], "complete")
-        self.assertTrue((out / "dumps" / "rocks_0.dump").is_file())
+        self.assertTrue((out / "dumps" / "rocks_0.dump.gz").is_file())
 
     def test_a_pile_that_flies_apart_is_not_dug(self):
         """Far too soft for its fall: spheres are pressed through each other and thrown out of the box."""

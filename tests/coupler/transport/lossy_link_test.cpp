@@ -5,10 +5,10 @@
 
 #include <thread>
 
-#include "coupler/core/coupling.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/remote.hpp"
 #include "coupler/transport/serve.hpp"
+#include "tests/coupler/core/advance.hpp"
 #include "tests/coupler/transport/memory_transport.hpp"
 #include "tests/coupler/transport/pair_fakes.hpp"
 
@@ -52,7 +52,7 @@ class LossyPair {
     coupling.start();
     std::vector<double> x;
     for (int i = 0; i < windows; ++i) {
-      x.push_back(coupling.advance(5).machine.bodies[0].X_WB.p.x());
+      x.push_back(advance(coupling, 5).machine.bodies[0].X_WB.p.x());
     }
     return x;
   }
@@ -88,7 +88,7 @@ std::vector<double> reference(int windows) {
   coupling.start();
   std::vector<double> x;
   for (int i = 0; i < windows; ++i) {
-    x.push_back(coupling.advance(5).machine.bodies[0].X_WB.p.x());
+    x.push_back(advance(coupling, 5).machine.bodies[0].X_WB.p.x());
   }
   return x;
 }
