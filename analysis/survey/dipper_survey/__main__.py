@@ -118,8 +118,8 @@ def next_step(case, out, values):
     if profile and (case / profile).resolve() == out.resolve():
         told = check_json(case)
         if told["sound"]:
-            return [f"check: {told['case']} is sound with it: about {told['size']['rocks']:.0f} rocks; look at {out.stem}"
-                    f".png, and at dipper preview {case}"]
+            return [f"check: {told['case']} is sound with it: about {told['size']['rocks']:.0f} rocks; look at "
+                    f"{out.stem}.png, and at dipper preview {case}"]
         return ["check: the case has these errors with it:"] + [f"{f['key']}: {f['message']}" for f in told["findings"]]
     path = os.path.relpath(out, case)
     return [f"in {case / 'case.yaml'}, in place of {REPLACED}:",

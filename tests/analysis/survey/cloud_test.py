@@ -151,7 +151,8 @@ def las_file(tmp_path, version=(1, 2), form=3, flags=None, classes=None, cut=0):
     return text(tmp_path, data[:len(data) - cut], "scan.las")
 
 
-@pytest.mark.parametrize("version, form", [((1, 0), 0), ((1, 2), 3), ((1, 3), 5), ((1, 4), 6), ((1, 4), 7), ((1, 4), 1)])
+@pytest.mark.parametrize("version, form", [((1, 0), 0), ((1, 2), 3), ((1, 3), 5), ((1, 4), 6), ((1, 4), 7),
+                                           ((1, 4), 1)])
 def test_las(tmp_path, version, form, monkeypatch):
     monkeypatch.setattr(las, "PART", 700)
     np.testing.assert_allclose(read(las_file(tmp_path, version, form)), POINTS, rtol=0, atol=6e-4)
