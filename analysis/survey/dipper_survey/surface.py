@@ -226,8 +226,8 @@ def find_bench(columns, z, kept, to_rear):
         raise NoSurface(f"no rock: nothing is more than {ROCK_m} m over the ground, the highest is at z = "
                         f"{z.max():.2f} m; the elevation of the ground for the third number of site.origin_m")
     if at_shovel.all():
-        raise NoSurface(f"no toe: rock or what looks like it is {z[0].min():.2f} m or more over the ground right from x "
-                        f"= {columns.x[0]:.2f} m, the shovel's place; the elevation of the ground for the third "
+        raise NoSurface(f"no toe: rock or what looks like it is {z[0].min():.2f} m or more over the ground right from x"
+                        f" = {columns.x[0]:.2f} m, the shovel's place; the ground's elevation for the third "
                         "number of site.origin_m, or a cloud that the shovel does not hide")
     volume = np.where(at_shovel, 0, ndimage.sum_labels(z, labels, range(1, n + 1)))
     bench = labels == 1 + int(np.argmax(volume))
