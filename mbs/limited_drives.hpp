@@ -15,6 +15,10 @@ struct DriveEffort {
   double speed;
   double sent_speed;
   bool saturated() const { return wanted > most || wanted < -most; }
+
+  /// What it wants over what it can do. One that brakes is ahead of where it is sent, and sending
+  /// it slower would be no help: it has none.
+  double overload() const;
 };
 
 /// What a drive wants over what it can do, of those that push the way they are sent.
@@ -26,8 +30,6 @@ struct Overload {
 struct DriveEfforts {
   DriveEffort hoist, crowd, swing;
 
-  /// A drive that brakes is ahead of where it is sent, and sending it slower would be no help: it
-  /// has none.
   Overload overload() const;
 };
 

@@ -10,14 +10,20 @@
 
 namespace dipper::launch {
 
+/// Files that a program reads and writes in place of /dev/null and its log; -1: none.
+struct Streams {
+  int in = -1, out = -1;
+};
+
 /// A program this run has started. It cannot outlive the launcher: not when the launcher ends, not
 /// when it is killed. stdout and stderr go to `log`.
 class Process {
  public:
   /// \param folder  in which it works, and drops what it drops; empty: where the launcher does
+  /// \param streams  which stay the caller's to close
   /// Throws std::runtime_error when the program cannot be started.
   Process(const std::vector<std::string>& command, const std::filesystem::path& log,
-          const std::filesystem::path& folder = {});
+          const std::filesystem::path& folder = {}, const Streams& streams = {});
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;

@@ -20,6 +20,7 @@ struct RunFacts {
   double interface_work_J = 0, energy_residual_J = 0;
   RunCost cost;
   std::string state_hash;
+  std::string operator_command;  ///< of the program that drove the machine; "": none did
 };
 
 /// The keys of docs/results.md, of a run whose record is closed. Passes are found in the record,
