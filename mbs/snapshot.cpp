@@ -11,7 +11,8 @@ namespace dipper::mbs {
 namespace {
 
 // The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, operator, rope and
-// wrenches as they are in memory: a checkpoint stays on the kind of machine that wrote it.
+// wrenches as they are in memory: a checkpoint can be read only on the kind of
+// machine that wrote it.
 constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
 constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
 // Drives that are told where to go, by more numbers.
