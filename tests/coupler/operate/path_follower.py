@@ -9,7 +9,8 @@ import csv
 from dipper_run.operator import Operator, serve
 
 DRIVES = ("hoist_m", "crowd_m", "swing_rad", "door_rad")
-REACTION_S, FULL, STALLED_CROWD, COMES_ALONG, ALONG, NEARLY_STOPPED, LET_BACK, GIVE_OUT_S = 0.2, 1.5, 0.25, 1.4, 0.5, 0.2, 0.1, 2.0
+REACTION_S, GIVE_OUT_S = 0.2, 2.0
+FULL, STALLED_CROWD, COMES_ALONG, ALONG, NEARLY_STOPPED, LET_BACK = 1.5, 0.25, 1.4, 0.5, 0.2, 0.1
 
 
 def clamp(x, least, most):
