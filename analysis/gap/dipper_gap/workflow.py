@@ -19,6 +19,7 @@ from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
 from .decision.next_experiment import propose
 from .history import History, history
 from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
+from .readings.before import check_reference
 from .simulation.plan import FRESH_SEEDS, make_plan, statement, without_runs
 from .simulation.simulator import request
 from .statistics.isolability import Isolability, isolability
@@ -104,8 +105,8 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
         known = _known(first, measured, before, runner)
         if omnibus(known[1], *compare(*known, measured)) >= EARLY_P:
             left = len(plan.requests()) - len(first.requests())
-            told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs and "
-                    "the effects that need none show no gap to explain",)
+            told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs "
+                    "and the effects that need none show no gap to explain",)
             out = conclude(*known, measured, runner, before)
             return replace(out, early=True, warnings=(*out.warnings, *told))
     return conclude(*_known(plan, measured, before, runner), measured, runner, before)
@@ -168,8 +169,8 @@ def within(told, before):
     """Of a change that came while the measured trucks were loaded: their mean, which is what is named, is less."""
     if not (told and told.trend and told.trend.interval90[0] > before):
         return ()
-    return (f"it began after {told.trend.began - before} of the measured trucks: what is said here is of the mean of them "
-            "all; give the trucks since then alone, and those before it to the reference",)
+    return (f"it began after {told.trend.began - before} of the measured trucks: what is said here is of the mean of "
+            "them all; give the trucks since then alone, and those before it to the reference",)
 
 
 def warnings(model, prediction, measured, before=None):
@@ -198,7 +199,7 @@ def motion_warnings(model, measured):
 
 def reference_warnings(model, measured, before):
     """Where the trucks now take another time than those before: what a drive does otherwise is no effect."""
-    out = list(before.questions())
+    out = [*before.questions(), *check_reference(measured, before)]
     (now, then) = (model.vectors.of_mine(m.seen_by(measured.channels))[2] for m in (measured, before))
     for k, number in enumerate(model.passes):
         for phase in dict.fromkeys(p for t in (*now, *then) for p in t[k]):

@@ -57,7 +57,7 @@ def test_what_has_changed_is_named_and_stands_against_the_reference():
     assert [t["period"] for t in trucks] == ["reference"] * BEFORE + ["measured"] * TRUCKS
     shown = json.loads(json.dumps(page(out, a, SMALL, "synthetic"), allow_nan=False))
     before_mass = np.mean([p.truck_mass_t for t in before.trucks() for p in t.passes if p.number == 1])
-    assert shown["masses"][0]["before"] == pytest.approx(before_mass, abs=0.01)  # the reference stands in the model's place
+    assert shown["masses"][0]["before"] == pytest.approx(before_mass, abs=0.01)  # in the model's place
     assert np.mean(np.abs(np.subtract(shown["curves"][0]["measured"], shown["curves"][0]["before"]))) < 100
 
 
