@@ -27,6 +27,8 @@ def as_json(out, catalogue, hashes):
         "trucks": out.trucks,
         "reference": _reference(out),
         "history": _history(out, catalogue),
+        "face": [{"what": f.kind, "unit": f.unit, "before": f.before, "now": f.now, "p_adjusted": f.p}
+                 for f in out.faces],
         "runs": out.runs,
         "ended_early": out.early,
         "seeds": out.seeds,

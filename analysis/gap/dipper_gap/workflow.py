@@ -20,6 +20,7 @@ from .decision.next_experiment import propose
 from .history import History, history
 from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
 from .readings.before import check_reference
+from .readings.face import CHANGED_P, compare_faces
 from .simulation.plan import FRESH_SEEDS, make_plan, statement, without_runs
 from .simulation.simulator import request
 from .statistics.isolability import Isolability, isolability
@@ -90,6 +91,7 @@ class Outcome:
     reference: int = 0      # trucks of the reference
     fidelity: float = None  # mean z^2 by which the reference differs from the model, in the model's own spread
     history: History = None  # truck by truck since the reference
+    faces: tuple = ()       # readings.face.FaceChange of the surveys of both periods
     runs: int = 0
     seeds: dict = field(default_factory=dict)
 
@@ -151,7 +153,9 @@ def conclude(model, prediction, measured, runner, before=None):
     if before:
         reference = prediction.baseline.reference
         names = list(out.effects) or [n for n in out.look.verdict.members[:1]]
-        out = replace(out, reference=reference.trucks, fidelity=fidelity(prediction.baseline))
+        out = replace(out, reference=reference.trucks, fidelity=fidelity(prediction.baseline),
+                      faces=compare_faces(measured, before))
+        out = replace(out, warnings=(*out.warnings, *other_faces(out.faces)))
         if out.look.verdict.verdict != "no-gap":
             told = history(model, prediction, names, seen.training.at, measured, before)
             out = replace(out, history=told, warnings=(*out.warnings, *within(told, reference.trucks)))
@@ -163,6 +167,13 @@ def fidelity(b):
     """Mean square of what the reference differs by from the model, in the sd that the difference should have."""
     plain = replace(b, reference=None, scatter=1.0, trucks=b.reference.trucks, own=b.reference.own)
     return float(np.mean((b.reference.shift / plain.sd) ** 2))
+
+
+def other_faces(faces):
+    """Where the trucks did not dig at faces like the reference's."""
+    return tuple(f"the face is another one than in the reference: {f.kind} {f.now:.3g} {f.unit} for {f.before:.3g} (p "
+                 f"{f.p:.2g}): what the rock and the place of the shovel do is in the difference too"
+                 for f in faces if f.kind in ("slope", "toe", "crest") and f.p < CHANGED_P)
 
 
 def within(told, before):
