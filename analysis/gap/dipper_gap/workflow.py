@@ -16,6 +16,7 @@ import numpy as np
 
 from .decision.confirm import confirm, drawn
 from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
+from .decision.law import find_law
 from .decision.next_experiment import propose
 from .history import History, history
 from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
@@ -91,6 +92,7 @@ class Outcome:
     reference: int = 0      # trucks of the reference
     fidelity: float = None  # mean z^2 by which the reference differs from the model, in the model's own spread
     history: History = None  # truck by truck since the reference
+    law: object = None      # decision.law.Law, where the catalogue has no name
     faces: tuple = ()       # readings.face.FaceChange of the surveys of both periods
     runs: int = 0
     seeds: dict = field(default_factory=dict)
@@ -159,6 +161,8 @@ def conclude(model, prediction, measured, runner, before=None):
         if out.look.verdict.verdict != "no-gap":
             told = history(model, prediction, names, seen.training.at, measured, before)
             out = replace(out, history=told, warnings=(*out.warnings, *within(told, reference.trucks)))
+    if out.look.verdict.verdict == "unknown":
+        out = replace(out, law=find_law(model, prediction.baseline, seen.holdout.passes, measured, before))
     lines, loads = drawn(model, prediction, seen.holdout, measured, after, before)
     return replace(out, curves=lines, masses=loads, proposals=tuple(experiments(out)))
 
