@@ -31,7 +31,7 @@ def a_dig(seconds=13.6, kg=LOAD_KG, number=0):
 
 def test_the_rope_is_as_long_as_told_at_every_drive():
     arm = Arm(Shovel(), MOTION, np.linspace(0, MOTION.end, 200))
-    long = [rope_run(arm.shovel, p)[0] for p in arm.point(arm.shovel.bail).T]
+    long = rope_run(arm.shovel, arm.point(arm.shovel.bail))[0]
     assert np.allclose(long, arm.shovel.rope_length + arm.hoist, atol=1e-9)
 
 
