@@ -69,7 +69,7 @@ def dig_spans(digs, motion):
 def cycle(digs, motion, hidden=None):
     """The truck of these digs, one a pass."""
     hidden = hidden or Hidden()
-    t = np.arange(0.0, motion.end, 1 / RATE_HZ)
+    t = np.arange(0.5 / RATE_HZ, motion.end, 1 / RATE_HZ)  # a reading is the mean about it
     arm = Arm(hidden.shovel, motion, t)
     rock, load = np.zeros((3, len(t))), np.zeros(len(t))
     dumped = []

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """What the mine and the model differ by with nothing hidden: force and mass, phase by phase.
 
-usage: fidelity.py TABLE OBSERVED [OBSERVED ...]
+usage: fidelity.py TABLE [OBSERVED ...]
 
 OBSERVED are folders that `dipper observe RUN` wrote of runs of cases/screening; the mine's are all in runs/base, seen
-by the same 1 Hz logger without errors. TABLE gets, for each pass and phase, means over the trucks and their standard
-deviations, and the difference in units of both (z).
+by the same 1 Hz logger without errors. What docs/data/screening_passes.csv tells of the model is compared too. TABLE
+gets, for each pass and phase, means over the trucks and their standard deviations.
 """
+import csv
 import sys
 from pathlib import Path
 
@@ -69,27 +70,45 @@ def observed(folder):
 
 
 def own(folder, motion):
-    log, passes = truck_log([Dig.load(folder, k + 1) for k in range(PASSES)], motion, {})
+    """The figures of one of the mine's trucks, and those of the committed table of the model's passes."""
+    digs = [Dig.load(folder, k + 1) for k in range(PASSES)]
+    log, passes = truck_log(digs, motion, {})
     time, means = second_means(log)
-    return figures(time, means, [(a, b, m) for (a, _, b), m in zip(passes, log.tonnes)])
+    said = figures(time, means, [(a, b, m) for (a, _, b), m in zip(passes, log.tonnes)])
+    force = np.hypot(log.signals["hoist_force_kN"], log.signals["crowd_force_kN"]) / 1e3
+    for k, (d, (_, dump, _)) in enumerate(zip(digs, passes)):
+        touched = 34.0 * k + d.table[np.argmax(np.linalg.norm(d.table[:, 1:4], axis=1) > 20e3), 0]
+        dug = (log.time_s > touched) & (log.time_s < dump)
+        said[k + 1, "dig to dump", "dig_force_mean_MN"] = force[dug].mean()
+        said[k + 1, "dig to dump", "dig_force_peak_MN"] = force[dug].max()
+        said[k + 1, "dig to dump", "payload_t"] = log.tonnes[k]
+    return said
+
+
+def known(file=HERE.parents[1] / "docs/data/screening_passes.csv"):
+    """Of cases/screening, 16 runs: [{(pass, phase, figure): value}]."""
+    with open(file) as f:
+        rows = [r for r in csv.DictReader(line for line in f if not line.startswith("#")) if r["case"] == "after"]
+    names = ("dig_force_mean_MN", "dig_force_peak_MN", "payload_t")
+    return [{(int(r["pass"]), "dig to dump", n): float(r[n]) for r in rows if r["seed"] == seed for n in names}
+            for seed in dict.fromkeys(r["seed"] for r in rows)]
 
 
 def main(words):
-    if len(words) < 2:
+    if not words:
         print(__doc__, file=sys.stderr)
         return 2
     motion = Motion.read(HERE.parents[1] / "cases/screening/motion.csv")
     mine = [own(f, motion) for f in complete(HERE / "runs/base")]
-    model = [observed(Path(w)) for w in words[1:]]
-    rows = [f"# tests/gap_mine/fidelity.py; mine: {len(mine)} trucks, model: {len(model)} runs of cases/screening; sd "
-            "of single trucks, empty for one; kN as a logger of 1 Hz shows them, without errors",
-            "pass,phase,figure,mine,mine_sd,model,model_sd,ratio"]
-    for key in mine[0]:
+    model = [observed(Path(w)) for w in words[1:]] + known()
+    rows = ["# tests/gap_mine/fidelity.py: nothing hidden, no errors of instruments; sd of single trucks",
+            "# forces of a phase as a logger of 1 Hz shows them, kN; from dig to dump at full rate",
+            "pass,phase,figure,mine,mine_sd,mine_trucks,model,model_sd,model_runs,ratio"]
+    for key in sorted(mine[0], key=lambda k: (k[0], (*PHASES, "dig to dump").index(k[1]), k[2])):
         a, b = (np.array([said[key] for said in side if key in said]) for side in (mine, model))
         sd = [f"{x.std(ddof=1):.4g}" if len(x) > 1 else "" for x in (a, b)]
-        if len(b):
-            rows.append(f"{key[0]},{key[1]},{key[2]},{a.mean():.4g},{sd[0]},{b.mean():.4g},{sd[1]},"
-                        f"{a.mean() / b.mean():.3f}")
+        theirs = f"{b.mean():.4g},{sd[1]},{len(b)},{a.mean() / b.mean():.3f}" if len(b) else ",,0,"
+        rows.append(f"{key[0]},{key[1]},{key[2]},{a.mean():.4g},{sd[0]},{len(a)},{theirs}")
     Path(words[0]).write_text("\n".join(rows) + "\n")
     return 0
 

@@ -61,7 +61,7 @@ def second_means(log):
     """Times and means of each second of a log's signals."""
     every = int(RATE_HZ)
     n = len(log.time_s) // every * every
-    return (log.time_s[:n].reshape(-1, every)[:, -1] + 1 / RATE_HZ,
+    return (log.time_s[:n].reshape(-1, every)[:, -1] + 0.5 / RATE_HZ,
             {k: v[:n].reshape(-1, every).mean(axis=1) for k, v in log.signals.items()})
 
 
