@@ -29,7 +29,7 @@ VOLUME = {n: _union(m) for n, m in SHAPES.items()}
 class Material:
     """Hertz-Mindlin contacts; the friction makes the pile's angle, the density the box's weight (calibrate.py)."""
 
-    density: float = 3640.0      # of a rock, kg/m^3
+    density: float = 3600.0      # of a rock, kg/m^3
     friction: float = 0.45       # rock on rock and on the ground
     steel: float = 0.45          # rock on the dipper
     young: float = 5e8           # Pa: soft, for the step; 0.2 MN presses two of the least rocks 16 mm together
