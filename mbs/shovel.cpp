@@ -18,7 +18,7 @@
 namespace dipper::mbs {
 namespace {
 
-/// Crowd, hoist and swing end at a row of the motion, or at a look of the operator.
+/// A step ends at a row of the motion, or when the operator updates its set points.
 std::int64_t pieces(std::int64_t length_ns, std::int64_t longest_ns) {
   return (length_ns + longest_ns - 1) / longest_ns;
 }
@@ -46,7 +46,7 @@ struct Shovel::Impl {
     }
     const machine::Drives start = motion->value(0);
     const machine::ShovelKinematics rigid(machine, X_W0, rake);
-    // The drives stand still; an acceleration in the motion's first interval must not tilt the
+    // The drives are at rest; an acceleration in the motion's first interval must not affect the
     // equilibrium.
     committed.numbers =
         system.find_equilibrium(start, rigid.saddle_angle(start.hoist, start.crowd));
@@ -56,21 +56,27 @@ struct Shovel::Impl {
     energy_at_start = i.kinetic + i.potential;
   }
 
-  /// Puts the system where it is committed to be.
+  /// Sets the system to its committed state.
   void restore() {
     if (sender) sender->reset(seconds(committed.t_ns), committed.sender);
     system.set(seconds(committed.t_ns), committed.numbers);
     system.hold(committed.F_Bo_W);
   }
 
-  /// From where it is committed to be, with the wrenches of `to`, to the time of `to`.
+  void take(const core::Order& order) {
+    if (!sender) throw std::invalid_argument("an order for prescribed drives");
+    sender->take(seconds(committed.t_ns), order);
+    system.set_points_changed();
+  }
+
+  /// Integrates from the committed state, with the wrenches of `to`, to the time of `to`.
   void integrate(Snapshot& to) {
     const std::int64_t t0_ns = committed.t_ns, t1_ns = to.t_ns;
     const std::int64_t looks = pieces(t1_ns - t0_ns, max_substep_ns);
     std::int64_t t_ns = t0_ns;
     for (std::int64_t k = 1; t_ns < t1_ns; ++k) {
-      // Prescribed: a stretch for each piece of the motion, so that no jump of acceleration is
-      // inside a step. Limited: one for each look of the operator.
+      // Prescribed: one interval for each row of the motion, so that no jump of acceleration is
+      // inside a step. Limited: one for each update of the operator.
       const std::int64_t next_ns =
           std::min(t1_ns, sender ? t0_ns + (t1_ns - t0_ns) * k / looks : motion->next_row_ns(t_ns));
       if (sender) {
@@ -123,7 +129,7 @@ struct Shovel::Impl {
   std::unique_ptr<Operator> sender;             ///< none: the drives are prescribed
   bool contact_on_return;
   std::vector<machine::ReturnLeg> return_legs;  ///< on which the bodies meet no rock
-  std::int64_t max_substep_ns;                  ///< of the integrator; from look to look
+  std::int64_t max_substep_ns;  ///< of the integrator, and between the operator's updates
   ShovelSystem system;
   Snapshot committed;
   double energy_at_start = 0;
@@ -176,7 +182,7 @@ core::MachineState Shovel::Impl::report(const Snapshot& at, std::int64_t t_next_
   }
   out.contact = contact(at);
   out.channels = {
-      // As shovel_channels.cpp names them.
+      // In the order of shovel_channels.cpp.
       drive.position.swing,
       drive.rate.swing,
       q[kSaddle],
@@ -226,8 +232,8 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
   const std::int64_t t0_ns = impl_->committed.t_ns;
   if (step.t_end_ns <= t0_ns) {
     throw std::invalid_argument(
-        fmt::format("shovel: a window must go forward; it is at {} ns and asked for {} ns", t0_ns,
-                    step.t_end_ns));
+        fmt::format("shovel: a window must go forward; the time is {} ns, the window's end {} ns",
+                    t0_ns, step.t_end_ns));
   }
   if (step.F_Bo_W.size() != kBodies) {
     throw std::invalid_argument(fmt::format("shovel: {} wrenches; there must be {}: dipper, door",
@@ -245,6 +251,7 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
   to.F_Bo_W = {step.F_Bo_W[0], step.F_Bo_W[1]};
   core::MachineState result;
   try {
+    if (!step.order.to.empty()) impl_->take(step.order);
     impl_->integrate(to);
     const ShovelNumbers& n = to.numbers;
     if (!n.q.allFinite() || !n.u.allFinite() || !n.works.allFinite() || !n.rope.allFinite())

@@ -1,4 +1,4 @@
-// The shovel as the master sees it: wrenches of the rock in, motion of dipper and door out.
+// The shovel's interface to the master: wrenches of the rock in, motion of dipper and door out.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,13 @@ constexpr std::int64_t kLongestSubstep_ns = 1'200'000;
 ///
 /// At construction the shovel stands still with the drives as at t = 0 and the saddle angle at
 /// which the stretched ropes carry the weight. Its drives are prescribed, or go where an operator
-/// (operator.hpp) sends them within their limits (limited_drives.hpp); then more channels tell of
-/// both.
+/// (operator.hpp) sends them within their limits (limited_drives.hpp); then there are
+/// more channels, of both.
 ///
 /// Powers: a drive's is positive when it puts energy into the machine. Works (drive_work,
 /// interface_work, dissipated_energy) are integrated from t = 0 along with the motion, and
-/// energy_residual = energy gained - drive_work - interface_work + dissipated_energy is what the
-/// integrator got wrong.
+/// energy_residual = energy gained - drive_work - interface_work + dissipated_energy is the
+/// integrator's error.
 ///
 /// Errors: std::runtime_error naming what, where, when if a wrench or the result is not finite,
 /// or a joint leaves the range in which the ropes' path exists; std::invalid_argument for a wrong

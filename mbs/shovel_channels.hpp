@@ -1,4 +1,4 @@
-// What the shovel tells of itself at the end of a window.
+// The shovel's channels at the end of a window.
 #pragma once
 
 #include <vector>

@@ -11,13 +11,18 @@ namespace dipper::mbs {
 namespace {
 
 // The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, operator, rope and
-// wrenches as they are in memory: a checkpoint stays on the kind of machine that wrote it.
+// wrenches as they are in memory: a checkpoint can be read only on the kind of
+// machine that wrote it.
 // Rows that the motion has gone on with follow, behind their length, where there are any.
 constexpr std::uint64_t kMostRows = 1 << 26;  // bytes: a day's motion is shorter
 constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
 constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
+// Drives that are told where to go, by more numbers.
+constexpr char kTold[] = "DIPMBST1", kToldSegmented[] = "DIPMBSC1";
+constexpr std::size_t kFollower = 4;
 
 const char* magic_of(const Snapshot& s) {
+  if (s.sender.size() > kFollower) return s.numbers.rope.size() > 0 ? kToldSegmented : kTold;
   if (s.numbers.rope.size() > 0) return s.sender.empty() ? kSegmented : kLimitedSegmented;
   return s.sender.empty() ? kPrescribed : kLimited;
 }

@@ -17,6 +17,7 @@ json json_of_setup(const ShovelSetup& s) {
           {"motion", s.motion.string()},
           {"planned", s.planned},
           {"limited_drives", s.drives == DriveMode::limited},
+          {"told", s.told},
           {"contact_on_return", s.contact_on_return},
           {"base_position_m", json_of(s.base_position_m)},
           {"rake_angle_deg", s.rake_angle_deg},
@@ -38,6 +39,7 @@ ShovelSetup shovel_from(const json& j) {
   s.motion = j.at("motion").get<std::string>();
   s.planned = j.value("planned", false);  // recordings made before have no such entry
   s.drives = j.at("limited_drives").get<bool>() ? DriveMode::limited : DriveMode::prescribed;
+  s.told = j.at("told");
   s.contact_on_return = j.at("contact_on_return");
   s.base_position_m = vector_from(j.at("base_position_m"));
   s.rake_angle_deg = j.at("rake_angle_deg");

@@ -101,7 +101,7 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
   return setup;
 }
 
-setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers) {
+setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers, bool told) {
   if (c.machine.kind == cases::MachineKind::poses)
     return setup::PosesSetup{c.machine.poses, body_names(c)};
   setup::ShovelSetup setup;
@@ -109,6 +109,7 @@ setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& laye
   setup.motion = c.machine.motion;
   setup.planned = c.machine.operated_by == cases::OperatorKind::plan;
   setup.drives = c.machine.drives;
+  setup.told = told;
   setup.contact_on_return = c.machine.contact_on_return;
   setup.base_position_m = c.machine.base_position_m;
   setup.rake_angle_deg = c.machine.rake_angle_deg;
