@@ -78,8 +78,8 @@ CostEstimate cost_estimate(const cases::Case& c) {
 std::string to_string(const CostEstimate& e) {
   return fmt::format(
       "estimate: {} of processor time ({} to dig, {} to settle the pile unless it is in the "
-      "cache), "
-      "{} on the requested cores, {} of memory, {} of disk; accurate within a factor of 1.5",
+      "cache), {} of wall time if each rank has a core, {} of memory, {} of disk; accurate within "
+      "a factor of 1.5",
       duration(e.dig_s + e.settle_s), duration(e.dig_s), duration(e.settle_s), duration(e.wall_s),
       bytes(e.memory_B), bytes(e.disk_B));
 }

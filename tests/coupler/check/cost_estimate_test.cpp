@@ -63,8 +63,8 @@ TEST(CostEstimate, SaysHowLongOnRanks) {
   EXPECT_THAT(
       to_string({1e5, 600, 7200, 7800, 3e8, 2.5e9}),
       testing::HasSubstr("estimate: 2 h 10 min of processor time (2 h 0 min to dig, 10 min to "
-                         "settle the pile unless it is in the cache), 2 h 10 min on the "
-                         "requested cores, 300 MB of memory, 2.5 GB of disk"));
+                         "settle the pile unless it is in the cache), 2 h 10 min of wall "
+                         "time if each rank has a core, 300 MB of memory, 2.5 GB of disk"));
 }
 
 TEST(CostEstimate, ComesWithAWarningWhereTheDiskIsTooSmall) {
