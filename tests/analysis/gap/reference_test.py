@@ -54,7 +54,7 @@ def test_nothing_has_changed_in_a_mine_that_the_model_misses_everywhere():
 
 
 def test_what_has_changed_is_named_and_stands_against_the_reference():
-    now, before = periods([{}] * BEFORE, [{"crowd_friction": 120}] * TRUCKS, 2)
+    now, before = periods([{}] * BEFORE, [{"crowd_friction": 120}] * TRUCKS, 3)
     out, a = judge(now, before)
     assert a["verdict"] == "named" and a["effect"] == "crowd_friction"
     assert a["parameter"]["estimate"] == pytest.approx(0.85 * 120, rel=0.15)  # this mine's crowd shows 85 % of it
