@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -139,6 +140,19 @@ bool looks_like_date(std::string_view s) {
          s.find_first_not_of("0123456789-T:+Z., ") == std::string_view::npos;
 }
 
+/// 943,981 or -1,234,567: commas that may separate thousands, or one that has three decimals.
+bool is_grouped(std::string_view s) {
+  if (!s.empty() && (s[0] == '+' || s[0] == '-')) s.remove_prefix(1);
+  const std::size_t first = std::min(s.find(','), s.size());
+  if (first < 1 || first > 3 || s[0] == '0' || s.size() == first || (s.size() - first) % 4 != 0)
+    return false;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const bool mark = i >= first && (i - first) % 4 == 0;
+    if (mark ? s[i] != ',' : s[i] < '0' || s[i] > '9') return false;
+  }
+  return true;
+}
+
 /// Reads the fields of one table. The first number with a comma or a point decides whether the
 /// table has decimal commas. Where commas separate columns, only a quoted number can have one.
 class NumberReader {
@@ -150,8 +164,13 @@ class NumberReader {
     if (text[mark] != decimal_) return false;
     std::string plain(text);
     plain[mark] = '.';
-    return parse_number(plain, value);
+    if (!parse_number(plain, value)) return false;
+    commas_are_decimal_ = commas_are_decimal_ || (decimal_ == ',' && !is_grouped(text));
+    return true;
   }
+
+  /// Whether some number has a comma that separates no thousands.
+  bool commas_are_decimal() const { return commas_are_decimal_; }
 
   std::string right(std::string_view text) const {
     if (looks_like_date(text)) return "a finite number; dipper import reads time stamps";
@@ -161,6 +180,7 @@ class NumberReader {
 
  private:
   char decimal_ = 0;
+  bool commas_are_decimal_ = false;
 };
 
 /// Faults of rows. If there are more than a few of one kind, only the first is reported.
@@ -170,6 +190,8 @@ class RowFaults {
     ++count_[kind];
     faults_.push_back({std::move(kind), line, column, std::move(wrong), std::move(right)});
   }
+
+  bool empty() const { return faults_.empty(); }
 
   void tell(const std::filesystem::path& file, std::vector<Finding>& findings) const {
     std::set<std::string> told;
@@ -211,6 +233,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
   NumberReader number;
   int line_number = 0;
   Layout layout;
+  std::optional<Finding> grouped;  // the first number whose commas may separate thousands
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t newline = std::min(text.find('\n', begin), text.size());
     const std::string_view line = text.substr(begin, newline - begin);
@@ -249,7 +272,16 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
         row.name = field.text;
         continue;
       }
-      if (number.read(without_unit(field.text, columns[i]), row.values[i])) continue;
+      const std::string_view bare = without_unit(field.text, columns[i]);
+      if (!grouped && is_grouped(bare))
+        grouped = {
+            file, line_number, "",
+            fmt::format("{} is \"{}\": every comma in the file has three digits after it, "
+                        "and may separate thousands; write decimals with a point, and nothing "
+                        "between thousands",
+                        columns[i], field.text),
+            field.column};
+      if (number.read(bare, row.values[i])) continue;
       faults.add(columns[i], line_number, field.column,
                  fmt::format("{} is \"{}\"", columns[i], field.text),
                  "it must be " + number.right(field.text));
@@ -258,6 +290,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
     if (sound) rows.push_back(std::move(row));
   }
   faults.tell(file, findings);
+  if (grouped && !number.commas_are_decimal() && faults.empty()) findings.push_back(*grouped);
   if (layout.delimiter == 0)
     findings.push_back(
         {file, line_number + 1, "", fmt::format("no header; it must be \"{}\"", header), 1});

@@ -25,9 +25,9 @@ struct CsvRow {
 /// numbers, the unit after a number, minus signs of word processors, empty columns at the end,
 /// empty lines and rows, "sep=;" before the header, lines that begin with #. Faults are appended
 /// to `findings` with line and column: a wrong header, after which nothing is read; too many or
-/// too few columns; a field that is not a number. Of many faults of one kind only the first is
-/// reported. The result has the sound rows. `file` is for the findings only. `name_column`: the one
-/// of `columns` that holds texts.
+/// too few columns; a field that is not a number; commas that all have three digits after them. Of
+/// many faults of one kind only the first is reported. The result has the sound rows. `file` is for
+/// the findings only. `name_column`: the one of `columns` that holds texts.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& columns,
                               std::vector<Finding>& findings, const std::string& name_column = {});

@@ -25,4 +25,7 @@ class DraftFile {
   std::filesystem::path file_, path_;
 };
 
+/// Whether a file's name is one that DraftFile writes to.
+bool is_draft(const std::filesystem::path& file);
+
 }  // namespace dipper

@@ -20,6 +20,7 @@
 #include "dem/holding.hpp"
 #include "dem/moist/crust.hpp"
 #include "dem/moist/register_moist.hpp"
+#include "dem/rock_dump.hpp"
 #include "dem/rock_image.hpp"
 #include "dem/time_loop.hpp"
 #include "dem/wall_motion.hpp"
@@ -77,6 +78,7 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
     setup_.resumed ? walls_[b]->adopt(X_WB[b], setup_.resumed->at(b)) : walls_[b]->place(X_WB[b]);
   }
   X_WB_ = X_WB;
+  RockDump::of(*lmp_);
   if (!setup_.resumed)
     for (const auto& feature : features_) feature->before_set_up();
   set_up_time_loop(*lmp_);

@@ -10,6 +10,7 @@
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
 #include "common/case_lines.hpp"
+#include "common/draft_file.hpp"
 
 namespace dipper::analysis::io {
 namespace fs = std::filesystem;
@@ -63,7 +64,7 @@ Found find_dumps(const fs::path& folder) {
   Found found;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+    if (entry.is_regular_file() && !is_draft(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::map<std::string, bool> is_wall;
   for (const fs::path& file : files) {

@@ -151,6 +151,14 @@ struct TruckCase {
   std::filesystem::path mesh;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< origin of the truck mesh, in W
   double heading_deg = 0;                                ///< about z
+  double rated_t = 0;  ///< payload that it is to leave with; 0: not given
+};
+
+/// site: where W lies in the mine's coordinates (analysis/survey). By default they are W's.
+struct SiteCase {
+  Eigen::Vector3d origin_m =
+      Eigen::Vector3d::Zero();  ///< easting, northing, elevation of W's origin
+  double azimuth_deg = 90;      ///< of W's x, clockwise from grid north
 };
 
 /// The loop over the rock's time steps: this program's faster one (dem/fast), or LIGGGHTS's own.
@@ -208,6 +216,7 @@ struct Case {
   std::map<std::string, std::filesystem::path>
       bodies;  ///< body name -> wall mesh, in its own frame
   TruckCase truck;
+  SiteCase site;
   /// The DEM box, in W. Rock that leaves it is lost; a wall that leaves it is an error.
   Box domain{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   DemCase dem;

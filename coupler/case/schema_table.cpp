@@ -14,6 +14,7 @@ using machine::DriveMode;
 constexpr Range any{};
 constexpr Range place{-1e4, 1e4, false, false};   // m: a coordinate in W
 constexpr Range simulated{0, 1e5, false, false};  // s: more than a day
+constexpr Range mine{-1e8, 1e8, false, false};    // m: a coordinate of a mine's grid
 constexpr Range turn{-360, 360, false, false};
 constexpr Range friction{0, 5, false, false};
 constexpr Range damping{0, 10, false, false};
@@ -259,6 +260,17 @@ std::vector<KeySpec> make_schema() {
        "origin of the truck mesh, in W", SLOT(c.truck.position_m)},
       {"truck.heading_deg", "deg", turn, {}, optional, dig,
        "rotation of the truck about z; default 0", SLOT(c.truck.heading_deg)},
+      {"truck.rated_t", "t", between(0, 1000), {}, optional, output,
+       "rated payload of the truck: passes to fill it, under- and overload; default 0: not given",
+       SLOT(c.truck.rated_t)},
+
+      {"site.origin_m", "m", mine, {}, optional, output,
+       "easting, northing and elevation of W's origin in the mine's grid, for dipper survey; "
+       "default [0, 0, 0]",
+       SLOT(c.site.origin_m)},
+      {"site.azimuth_deg", "deg", turn, {}, optional, output,
+       "direction of W's x, clockwise from grid north, for dipper survey; default 90: east",
+       SLOT(c.site.azimuth_deg)},
 
       {"domain.min_m", "m", place, {}, required, settling,
        "lower corner of the DEM box, in W", SLOT(c.domain.min_m)},

@@ -60,6 +60,7 @@ std::string guess(const CLI::App& app, const std::vector<std::string>& words) {
 std::vector<Command> add_commands(CLI::App& app, const std::vector<std::string>& words,
                                   Reporter& reporter) {
   return {add_import_command(app, words),
+          add_survey_command(app, words),
           add_motion_command(app, reporter),
           add_check_command(app, reporter),
           add_preview_command(app, reporter),

@@ -17,8 +17,8 @@ namespace {
 // Debian's, for which scripts/setup installs the packages; another python3 may not have them.
 constexpr const char* kPython = "/usr/bin/python3";
 // Each holds one package.
-constexpr std::array kFolders = {"analysis/gap", "analysis/logs", "analysis/runs",
-                                 "analysis/study"};
+constexpr std::array kFolders = {"analysis/gap", "analysis/logs", "analysis/runs", "analysis/study",
+                                 "analysis/survey"};
 
 /// Becomes `python3 -m package words...`. Returns only when that cannot be started; throws
 /// std::runtime_error.
@@ -69,6 +69,27 @@ Command add_import_command(CLI::App& app, const std::vector<std::string>& words)
            "folder of motion.csv, measured/, import.png and import.txt (default: named as LOG)");
   sub->add_flag("--dry", "write DIR/import.png only, and say what would be done");
   return python_command(sub, "dipper_import", words);
+}
+
+Command add_survey_command(CLI::App& app, const std::vector<std::string>& words) {
+  auto* sub = app.add_subcommand("survey", "a surveyed point cloud as the face of a case's pile");
+  sub->footer(
+      "Reads x y z text, CSV, PLY or LAS in the mine's coordinates and writes the surface that "
+      "pile.profile takes, with a picture and what was left out and filled (docs/survey.md). "
+      "Example:\n  dipper survey scan.las --case cases/mine --origin 512345.2,7443210.9,182.4 "
+      "--azimuth 37");
+  add_word(sub, "CLOUD", "FILE", "the points")->required();
+  add_word(sub, "--case", "DIR", "the case: width of the bench, domain, and site where it has one")
+      ->required();
+  add_word(sub, "--origin", "E,N,Z",
+           "easting, northing and elevation of the case's origin in m (default: site.origin_m)");
+  add_word(sub, "--azimuth", "DEG",
+           "direction of the dig, clockwise from grid north (default: site.azimuth_deg)");
+  add_word(sub, "--rear", "X",
+           "x of the bench's rear wall in m (default: the case's, or as far as the cloud shows)");
+  add_word(sub, "--out", "FILE",
+           "a surface, .stl, or a section, .csv (default: face.stl in the case's folder)");
+  return python_command(sub, "dipper_survey", words);
 }
 
 Command add_study_command(CLI::App& app, const std::vector<std::string>& words) {

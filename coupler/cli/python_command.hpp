@@ -12,6 +12,7 @@ namespace dipper::cli {
 
 /// \param words the command line without the program's name
 Command add_import_command(CLI::App& app, const std::vector<std::string>& words);
+Command add_survey_command(CLI::App& app, const std::vector<std::string>& words);
 Command add_study_command(CLI::App& app, const std::vector<std::string>& words);
 Command add_gap_command(CLI::App& app, const std::vector<std::string>& words);
 

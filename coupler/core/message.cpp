@@ -23,9 +23,7 @@ struct MessageCheck {
   }
   void check(const Pose& X, std::size_t body) const {
     require(is_finite(X), "pose", body);
-    const double norm = X.R.norm();
-    require(std::abs(norm - 1) < 1e-6, "pose", body,
-            fmt::format("has a quaternion of length {:.9g} in place of 1", norm).c_str());
+    require(std::abs(X.R.norm() - 1) < 1e-6, "pose", body, "has a quaternion not of length 1");
   }
   void check(const Wrench& F, std::size_t body) const { require(is_finite(F), "wrench", body); }
   void check(const BodyState& b, std::size_t body) const {
@@ -42,7 +40,13 @@ struct MessageCheck {
     for (std::size_t b = 0; b < list.size(); ++b) check(list[b], b);
   }
 
-  void operator()(const MachineStep& m) const { all(m.F_Bo_W); }
+  void operator()(const MachineStep& m) const {
+    all(m.F_Bo_W);
+    for (const double x : m.order.to)
+      if (!std::isfinite(x))
+        throw std::runtime_error(fmt::format("{} sent an order that is not finite (t = {:.6f} s)",
+                                             side, static_cast<double>(envelope.t_ns) * 1e-9));
+  }
   void operator()(const MachineState& m) const {
     all(m.bodies);
     all(m.X_WB_next);

@@ -1,5 +1,6 @@
 #include "coupler/launch/mpirun.hpp"
 
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,6 +37,14 @@ class Command {
   const std::vector<std::string>& options_;
 };
 
+/// Whether one process may read another's memory, as ranks do to pass messages on. Containers may
+/// refuse it, and Open MPI then says so for every message.
+bool may_read_memory() {
+  char from = 1, to = 0;
+  const iovec there{&from, 1}, here{&to, 1};
+  return process_vm_readv(getpid(), &here, 1, &there, 1, 0) == 1;
+}
+
 void keep_here(Command& command, int ranks) {
   if (!command.says("nooversubscribe")) command.words.push_back("--oversubscribe");
   // Two ranks unbound tend to stay on one core. A single rank is left to the scheduler, so that two
@@ -47,6 +56,7 @@ void keep_here(Command& command, int ranks) {
       "mpi_yield_when_idle",
       static_cast<unsigned>(ranks) > std::thread::hardware_concurrency() ? "1" : "0");
   command.add_parameter("btl", "self,vader");
+  if (!may_read_memory()) command.add_parameter("btl_vader_single_copy_mechanism", "none");
   command.add_parameter("plm", "isolated");
   command.add_parameter("ras", "^slurm,gridengine");
   for (const char* where : {"orte_tmpdir_base", "btl_vader_backing_directory"})

@@ -12,7 +12,9 @@ namespace dipper::result {
 inline std::filesystem::path first_dump(const std::filesystem::path& folder) {
   std::filesystem::path first;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".dump" || !analysis::io::step_in_name(entry.path())) continue;
+    if (analysis::io::without_gz(entry.path()).extension() != ".dump" ||
+        !analysis::io::step_in_name(entry.path()))
+      continue;
     if (first.empty() ||
         *analysis::io::step_in_name(entry.path()) < *analysis::io::step_in_name(first))
       first = entry.path();

@@ -9,6 +9,7 @@
 #include "coupler/case/machine_kind.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/deck/stable_timestep.hpp"
+#include "coupler/result/truck_load.hpp"
 #include "machine/motion.hpp"
 
 namespace dipper::result {
@@ -76,8 +77,12 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
   }
   const bool whole = summary.value("status", "complete") == "complete";
   for (const json& p : summary.at("passes")) warn_of_pass(c, p, whole, warnings);
+  if (const auto truck = truck_load(c.truck.rated_t, summary.at("passes"))) {
+    const std::string overload = overload_warning(*truck);
+    if (!overload.empty()) warnings.push_back(overload);
+  }
   if (const auto drives = summary.find("drives");
-      whole && drives != summary.end() && c.end_s == 0) {
+      whole && drives != summary.end() && c.end_s == 0 && !summary.contains("operator")) {
     const double path_s = drives->at("path_time_s").get<double>(),
                  motion_s = cases::motion_end_s(c);
     if (path_s < motion_s - 1e-3)

@@ -14,6 +14,7 @@
 #include "coupler/result/drive_limits_met.hpp"
 #include "coupler/result/pass_rows.hpp"
 #include "coupler/result/run_warnings.hpp"
+#include "coupler/result/truck_load.hpp"
 
 namespace dipper::result {
 namespace {
@@ -62,6 +63,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const RunFolder& folder)
       {"sim_s", sim_s},
       {"cpu_s_per_sim_s", ratio(cpu_s, sim_s)},
       {"state_hash", f.state_hash}};
+  if (!f.operator_command.empty()) out["operator"] = f.operator_command;
   if (!f.failure.empty()) out["failure"] = f.failure;
   return out;
 }
@@ -108,6 +110,10 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
         profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
   }
   tell_drives(c, folder.record(), summary, reporter);
+  if (const auto truck = truck_load(c.truck.rated_t, summary.at("passes"))) {
+    summary["truck"] = as_json(*truck);
+    reporter.line("truck: " + to_text(*truck));
+  }
   const std::vector<std::string> warnings = run_warnings(c, summary);
   summary["warnings"] = warnings;
   write_text(folder.summary(), summary.dump(2) + '\n');

@@ -52,7 +52,8 @@ TEST_F(Manifest, AnyFlippedBitIsFound) {
       std::string flipped = whole;
       flipped[at] = static_cast<char>(flipped[at] ^ 4);
       write(file, flipped);
-      EXPECT_THAT(damage_of(folder_), HasSubstr(file.string() + " has changed since it was written"));
+      EXPECT_THAT(damage_of(folder_),
+                  HasSubstr(file.string() + " has changed since it was written"));
     }
     write(file, whole);
   }

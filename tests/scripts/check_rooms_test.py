@@ -99,7 +99,8 @@ class CheckRooms(unittest.TestCase):
                    'packages = ["dipper_gap", "dipper_gap.readings", "dipper_gap.simulation", "dipper_gap.statistics"]')
         self.write(f"{runs}/plan.py")
         self.write(f"{statistics}/match.py", "from ..simulation.plan import split")
-        self.check(f"{statistics}/match.py: imports {runs}/plan.py, but {statistics} and {runs} must not use each other")
+        self.check(f"{statistics}/match.py: imports {runs}/plan.py, "
+                   f"but {statistics} and {runs} must not use each other")
 
     def test_a_python_file_in_no_room(self):
         self.write("analysis/attic/old.py")
