@@ -32,7 +32,8 @@ def few_draws(monkeypatch):
 def known():
     plan, simulator = make_plan(SMALL, TRUCKS, 1), fake_mine.FakeSimulator()
     folders = dict(zip(plan.requests(), simulator.run(plan.requests())))
-    return learn(plan, folders, in_a_row([synthetic.run()] * TRUCKS))
+    like = in_a_row([synthetic.run()] * TRUCKS)
+    return learn(plan, folders, like, like)
 
 
 def judge(now, before, with_reference=True):
