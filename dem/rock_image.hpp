@@ -27,7 +27,7 @@ void put_rock(LAMMPS_NS::LAMMPS& lmp, ByteWriter& out);
 /// had. Between time steps, once set up. Collective.
 void get_rock(LAMMPS_NS::LAMMPS& lmp, ByteReader& in);
 
-/// One file with what `put` writes on each rank. Collective.
+/// One file with what `put` writes on each rank, deflated. Collective.
 void write_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp,
                  const std::function<void(ByteWriter&)>& put);
 
