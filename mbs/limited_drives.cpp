@@ -6,7 +6,7 @@
 namespace dipper::mbs {
 namespace {
 
-// How far a drive at its limit is behind: below what the teeth's way is known to, and so stiff that
+// The lag of a drive at its limit: below the accuracy of the path of the teeth, and so stiff that
 // the ropes stay the softest part of the hoist.
 constexpr double kLag_m = 0.05;
 
@@ -46,11 +46,12 @@ DriveEfforts LimitedDrives::efforts(const machine::DriveState& to,
           effort(swing_, &machine::Drives::swing)};
 }
 
+double DriveEffort::overload() const {
+  return wanted * sent_speed >= 0 ? std::abs(wanted) / most : 0.0;
+}
+
 Overload DriveEfforts::overload() const {
-  const auto of = [](const DriveEffort& e) {
-    return e.wanted * e.sent_speed >= 0 ? std::abs(e.wanted) / e.most : 0.0;
-  };
-  return {of(crowd), std::max(of(hoist), of(swing))};
+  return {crowd.overload(), std::max(hoist.overload(), swing.overload())};
 }
 
 }  // namespace dipper::mbs

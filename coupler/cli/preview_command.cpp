@@ -23,7 +23,7 @@ struct PreviewOptions {
   std::vector<std::string> set;
 };
 
-constexpr double kDryWindow_s = 5e-3;  // the machine alone is as exact as in shorter ones
+constexpr double kDryWindow_s = 5e-3;  // without rock, shorter ones are no more accurate
 
 int preview(const PreviewOptions& o, Reporter& reporter) {
   launch::catch_interrupts();
@@ -44,7 +44,7 @@ int write_dry_page(cases::Case c, dry::RockModel rock, const fs::path& page, Rep
   const TemporaryFolder scratch("dipper-preview");
   const result::RunFolder folder = result::RunFolder::create(scratch.path() / c.name);
   enter_own_network(reporter);
-  const run::RunStatus status = dry::dry_run(c, rock, folder, reporter);
+  const run::RunStatus status = dry::dry_run(c, rock, folder, std::nullopt, reporter);
   if (status != run::RunStatus::complete) return static_cast<int>(status);
   analysis::report::write_dry_page(folder.root(), page);
   reporter.line(page.string());

@@ -10,8 +10,8 @@ namespace dipper::deck {
 /// in front of the pour, which rises from the toe. Open surfaces.
 mesh::TriangleMesh funnel_walls(const cases::Case& c);
 
-/// For the dig: sides and rear only a little higher than the bench, so that the dipper's load
-/// swings out over them.
+/// For the dig: sides and rear only a little higher than the bench, so that the loaded dipper
+/// swings over them.
 mesh::TriangleMesh bench_walls(const cases::Case& c);
 
 }  // namespace dipper::deck

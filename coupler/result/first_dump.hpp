@@ -1,4 +1,4 @@
-// The frame of a run that shows the settled pile.
+// The dump of the settled pile.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,8 @@
 
 namespace dipper::result {
 
-/// The text dump of the particles with the lowest step in a run's folder of dumps; empty: none.
+/// The text dump of the particles with the lowest step in a run's folder of dumps; empty: there is
+/// none.
 inline std::filesystem::path first_dump(const std::filesystem::path& folder) {
   std::filesystem::path first;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

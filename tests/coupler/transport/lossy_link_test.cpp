@@ -253,6 +253,25 @@ TEST(LossyLink, SilenceEndsInATimeout) {
   EXPECT_THROW(link.ask(core::Command{core::Action::hello, ""}, 0, 0), PeerError);
 }
 
+TEST(LossyLink, ASideThatHangsIsNotWaitedForOnceTheUserWantsAnEnd) {
+  MemoryNetwork network;
+  auto alone = network.connect({Channels::from_dem});
+  const auto began = std::chrono::steady_clock::now();
+  LinkOptions options;
+  options.wants_end = [&] { return std::chrono::steady_clock::now() - began > 200ms; };
+  options.patience = 300ms;
+  Link link("dem", *alone, Channels::to_dem, identity(), options);
+  try {
+    link.ask(core::Command{core::Action::hello, ""}, 0, 0);
+    FAIL() << "nobody answers";
+  } catch (const PeerError& e) {
+    EXPECT_EQ(e.side, "dem");
+    EXPECT_STREQ(e.what(), "no answer for 0.3 s after the run was told to end");
+  }
+  EXPECT_GE(std::chrono::steady_clock::now() - began, 500ms);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, 20s) << "and not the 5 min of a first answer";
+}
+
 TEST(Answer, OnlyTheMachineLoads) {
   FakeMachine machine;
   FakeRock rock;

@@ -1,13 +1,14 @@
 """A measured folder: what a mine's logger and truck scale say, or what a simulation would have shown them.
 
-    channels.yaml  NAME: {unit, role: driven|response, sigma, common_sigma}   for each channel used
+    channels.yaml  NAME: {unit, role: driven|response, sigma, common_sigma[, drift_sigma]}   for each channel used
     passes.csv     pass,t_start_s,t_end_s,truck_mass_t, and truck where the same passes were dug for several
     signals.csv    time_s and one column for each signal (optional: then only the masses are compared)
 
-`sigma` is the standard deviation of one reading, `common_sigma` that of an error all readings share.
+`sigma` is the standard deviation of one reading, `common_sigma` that of an error all readings share, and
+`drift_sigma` that of what the shared error may have changed by since an earlier folder of the same instrument.
 """
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -18,9 +19,13 @@ from dipper_run.findings import Findings
 from dipper_run.section import Section
 from dipper_run.text_file import read_text, read_yaml
 
+from .face import LEAST_POINTS
+
 DRIVEN = "driven"
 RESPONSE = "response"
 CHANNEL_KEYS = "{unit, role, sigma, common_sigma}"
+ASSUMED = Path(__file__).with_name("assumed_channels.yaml")
+MOST_DRIFT = 1.415  # of common_sigma: two errors of that size differ by no more
 
 
 @dataclass(frozen=True)
@@ -57,6 +62,7 @@ class Channel:
     role: str
     sigma: float
     common_sigma: float
+    drift_sigma: float = None  # None: not told
 
 
 @dataclass(frozen=True)
@@ -77,6 +83,7 @@ class Measured:
     time_s: np.ndarray
     signals: dict
     folder: str = ""
+    profiles: dict = field(default_factory=dict)  # {(truck, pass): (x, z)}, x rising: the face before that pass
 
     def seen_by(self, channels):
         """The same as a mine with these channels would have it: what it does not log is left out."""
@@ -124,9 +131,17 @@ def read_measured(folder, need_passes=1, simulated=False):
     if simulated and signals:
         passes = [p for p in passes if _readings(time_s, p) >= LEAST_SAMPLES]
     _optional_table(folder / "pile_angle.csv", ("pile", "angle_deg"), found)
-    _optional_table(folder / "profile.csv", ("pass", "x_m", "z_m"), found)
+    profiles = read_profiles(folder / "profile.csv", found)
     found.raise_if_any()
-    return Measured(channels, tuple(passes), time_s, signals, str(folder))
+    return Measured(channels, tuple(passes), time_s, signals, str(folder), profiles)
+
+
+def read_channels(file=ASSUMED):
+    """{name: Channel} of a channels.yaml; throws BadInput. Without a file, of instruments as a mine may have them."""
+    found = Findings()
+    channels = _channels(Path(file), found)
+    found.raise_if_any()
+    return channels
 
 
 def _channels(file, found):
@@ -151,11 +166,12 @@ def _channel(channels, name):
     if (told := section.text("unit", unit, right, needed=True)) != unit:
         section.wrong("unit", f"is {told}", right)
     role = section.one_of("role", (DRIVEN, RESPONSE) if name in MOTION else (RESPONSE,), needed=True)
-    sizes = (section.number(key, 0.0, f"a number in {unit}, 0 or more", needed=True, allowed=lambda x: x >= 0)
-             for key in ("sigma", "common_sigma"))
-    channel = Channel(name, unit, role, *sizes)
+    sigma, common = (section.number(key, 0.0, f"a number in {unit}, 0 or more", needed=True, allowed=lambda x: x >= 0)
+                     for key in ("sigma", "common_sigma"))
+    drift = section.number("drift_sigma", None, f"a number in {unit}, 0 to {MOST_DRIFT - 0.005:g} times common_sigma",
+                           allowed=lambda x: 0 <= x <= MOST_DRIFT * common)
     section.end()
-    return channel
+    return Channel(name, unit, role, sigma, common, drift)
 
 
 def _rows(file, found):
@@ -319,6 +335,26 @@ def _readings(time, p):
     return int(np.sum((time >= p.t_start_s) & (time <= p.t_end_s)))
 
 
+def read_profiles(file, found):
+    """{(truck, pass): (x, z)} of a profile.csv, each with x rising; {} where there is none."""
+    if not file.is_file():
+        return {}
+    table, lines = read_table(file, ("pass", "x_m", "z_m"), found)
+    if not lines or any(name not in table for name in ("pass", "x_m", "z_m")):
+        return {}
+    trucks, out = table.get(TRUCK, np.ones(len(lines))), {}
+    for line, truck, number in zip(lines, trucks, table["pass"]):
+        if np.isfinite(truck + number) and not (truck == int(truck) >= 1 and number == int(number) >= 1):
+            found.add(file, line, "pass", f"is {number:g} of truck {truck:g}", "whole numbers from 1")
+    for key in dict.fromkeys(zip(trucks.tolist(), table["pass"].tolist())):
+        at = np.flatnonzero((trucks == key[0]) & (table["pass"] == key[1]))
+        x, first = np.unique(table["x_m"][at], return_index=True)
+        if len(at) and len(x) < LEAST_POINTS:
+            found.add(file, lines[at[0]], "x_m", f"{len(x)} points of pass {key[1]:g}", f"{LEAST_POINTS} or more")
+        out[tuple(int(k) if np.isfinite(k) else 0 for k in key)] = (x, table["z_m"][at][first])
+    return out
+
+
 def _optional_table(file, columns, found):
     if file.is_file():
         read_table(file, columns, found)
@@ -330,8 +366,9 @@ def write_measured(m, folder):
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "channels.yaml", "w") as f:
         for c in m.channels.values():
+            drift = "" if c.drift_sigma is None else f", drift_sigma: {c.drift_sigma:g}"
             f.write(f"{c.name}: {{unit: {c.unit}, role: {c.role}, sigma: {c.sigma:g}, "
-                    f"common_sigma: {c.common_sigma:g}}}\n")
+                    f"common_sigma: {c.common_sigma:g}{drift}}}\n")
     weighed = MASS in m.channels
     with open(folder / "passes.csv", "w") as f:
         f.write(",".join((PASS_COLUMNS if weighed else PASS_COLUMNS[:3]) + (TRUCK,)) + "\n")
