@@ -39,7 +39,7 @@ TEST(CostEstimate, IsWhatRunsHaveTaken) {
   const CostEstimate frames = cost_estimate(
       load(source / "cases" / "quick", {{"end_s", "1.65"}, {"output.dump_every_s", "0.0165"}}));
   EXPECT_THAT(frames.dumps_B, about(33e6));
-  EXPECT_THAT(frames.disk_B, about(65e6));
+  EXPECT_THAT(frames.disk_B, about(48e6));
 
   EXPECT_THAT(cost_estimate(load(source / "cases" / "screening", {})).dig_s, about(86));
   EXPECT_THAT(cost_estimate(load(source / "cases" / "aitik_coarse", {})).dig_s, about(316));
