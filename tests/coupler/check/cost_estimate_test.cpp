@@ -28,7 +28,6 @@ TEST(CostEstimate, IsWhatRunsHaveTaken) {
   const CostEstimate narrow = cost_estimate(load(checkout.folder(), {}));
   EXPECT_THAT(narrow.spheres, about(5701));
   EXPECT_THAT(narrow.dig_s, about(106 + 7));
-  EXPECT_THAT(narrow.disk_B, about(184e6));
 
   const std::filesystem::path source = test::source();
   const CostEstimate quick =
@@ -37,6 +36,10 @@ TEST(CostEstimate, IsWhatRunsHaveTaken) {
   EXPECT_THAT(quick.dig_s, about(72));
   EXPECT_THAT(quick.record_B, about(21e6));
   EXPECT_THAT(quick.disk_B - quick.dumps_B, about(238e6 - 107e6));
+  const CostEstimate frames = cost_estimate(
+      load(source / "cases" / "quick", {{"end_s", "1.65"}, {"output.dump_every_s", "0.0165"}}));
+  EXPECT_THAT(frames.dumps_B, about(33e6));
+  EXPECT_THAT(frames.disk_B, about(48e6));
 
   EXPECT_THAT(cost_estimate(load(source / "cases" / "screening", {})).dig_s, about(86));
   EXPECT_THAT(cost_estimate(load(source / "cases" / "aitik_coarse", {})).dig_s, about(316));
@@ -79,7 +82,7 @@ TEST(CostEstimate, ComesWithAWarningWhereTheDiskIsTooSmall) {
                               "warning: output.dump_every_s: /.* has .* free, but the run "
                               "needs about .*; with 0, dumps at the start only, it needs .*\n"));
   EXPECT_LT(cost_estimate(load(checkout.folder(), {{"output.dump_every_s", "0"}})).disk_B,
-            0.6 * cost_estimate(load(checkout.folder(), {})).disk_B);
+            0.6 * cost_estimate(load(checkout.folder(), {{"output.dump_every_s", "0.02"}})).disk_B);
 }
 
 }  // namespace
