@@ -19,6 +19,7 @@
 #include "coupler/deck/domain_split.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
+#include "coupler/deck/rock_kinds.hpp"
 #include "coupler/deck/shape_library.hpp"
 
 namespace dipper::deck {
@@ -67,7 +68,7 @@ std::string mesh_in_deck(const std::string& name, const fs::path& mesh) {
   return mesh.is_absolute() ? "${deck}/walls/" + name + ".stl" : mesh.generic_string();
 }
 
-std::string case_in(const cases::Case& c) {
+std::string case_in(const cases::Case& c, double reach_m) {
   const PileShape pile = pile_shape(c);
   const AtomTypes types = atom_types(c);
   std::string out = "# Written by dipper from the case: what dem_in/*.in needs of it.\n";
@@ -108,6 +109,8 @@ std::string case_in(const cases::Case& c) {
   var("pour_run", pile.pour_run_m, "m, x from the toe to the pour's crest");
   var("pour_mass", pile.mass_kg, "kg");
   var("settle_time", c.pile.settle_s, "s, with the sheet");
+  if (c.pile.built == cases::PileBuilt::bricks)
+    var("reach", reach_m, "m, of a rock beyond its centre");
   var("relax_time", c.pile.relax_s, "s, without");
   text("pour_seed", std::to_string(prime_seed(c.seed, 0)), "");
   for (const auto& [name, mesh] : wall_meshes(c))
@@ -223,7 +226,7 @@ std::string rocks_in(const cases::Case& c, const std::map<std::string, RockShape
     const cases::SizeClass& s = c.rock.classes[i];
     const double size = 2 * classes[i].radius_m;
     for (const std::string& shape : s.shapes) {
-      const std::string fix = s.name + "_" + shape;
+      const std::string fix = kind_name(s, shape);
       const auto seed = prime_seed(c.seed, 1 + static_cast<int>(templates.size()));
       templates.push_back({fix, s.mass_percent / 100 / static_cast<double>(s.shapes.size())});
       if (classes[i].is_sphere) {
@@ -308,6 +311,22 @@ std::vector<ClassCount> rock_counts(const cases::Case& c) {
   return out;
 }
 
+std::map<std::string, RockShape> used_shapes(const cases::Case& c, const fs::path& folder) {
+  std::map<std::string, RockShape> used;
+  for (const cases::SizeClass& s : c.rock.classes)
+    for (const std::string& name : s.shapes)
+      if (name != "sphere" && used.count(name) == 0) used[name] = find_rock_shape(folder, name);
+  return used;
+}
+
+void write_rock(const cases::Case& c, const std::map<std::string, RockShape>& shapes,
+                const fs::path& folder) {
+  write_text(folder / "material.in", material_in(c));
+  write_text(folder / "rocks.in", rocks_in(c, shapes));
+  for (const auto& [name, shape] : shapes)
+    write_text(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
+}
+
 void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& folder) {
   for (const ClassCount& k : rock_counts(c))
     if (k.rocks < 1)
@@ -316,24 +335,23 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
                       "larger or the class smaller",
                       k.name, k.rocks));
 
-  std::map<std::string, RockShape> used;
-  for (const cases::SizeClass& s : c.rock.classes)
-    for (const std::string& name : s.shapes)
-      if (name != "sphere" && used.count(name) == 0) used[name] = find_rock_shape(shapes, name);
-
+  const std::map<std::string, RockShape> used = used_shapes(c, shapes);
+  const double reach_m = largest_reach_m(rock_kinds(c, used));
   fs::create_directories(folder);
-  write_text(folder / "case.in", case_in(c));
+  write_text(folder / "case.in", case_in(c, reach_m));
   write_text(folder / "walls.in", walls_in(c));
-  write_text(folder / "material.in", material_in(c));
-  write_text(folder / "rocks.in", rocks_in(c, used));
-  for (const auto& [name, shape] : used)
-    write_text(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
+  write_rock(c, used, folder);
   if (c.pile.surface) {
     write_text(folder / kSurfaceFile, mesh::to_stl("surface", c.pile.surface->mesh()));
   } else {
     write_text(folder / "outline.csv", cases::to_csv(bench_outline(c)));
   }
-  write_text(folder / "funnel.stl", mesh::to_stl("funnel", funnel_walls(c)));
+  if (c.pile.built == cases::PileBuilt::bricks) {
+    for (const auto& [name, wall] : closing_walls(c, reach_m))
+      write_text(folder / (name + ".stl"), mesh::to_stl(name, wall));
+  } else {
+    write_text(folder / "funnel.stl", mesh::to_stl("funnel", funnel_walls(c)));
+  }
   write_text(folder / "sides.stl", mesh::to_stl("sides", bench_walls(c)));
   for (const auto& [name, mesh] : wall_meshes(c)) {
     if (!mesh.is_absolute()) continue;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "coupler/case/case.hpp"
+#include "coupler/deck/rock_shape.hpp"
 
 namespace dipper::deck {
 
@@ -22,12 +24,21 @@ struct ClassCount {
 };
 std::vector<ClassCount> rock_counts(const cases::Case& c);
 
+/// The case's shapes by name, but for `sphere`, from the folder with NAME.yaml or NAME.stl of each.
+std::map<std::string, RockShape> used_shapes(const cases::Case& c,
+                                             const std::filesystem::path& folder);
+
+/// Writes of what write_deck does what the rock is: material.in, rocks.in and NAME.spheres.
+void write_rock(const cases::Case& c, const std::map<std::string, RockShape>& shapes,
+                const std::filesystem::path& folder);
+
 /// Writes into `folder` (created):
 ///   case.in      variables: box, step, walls, pile, truck, body meshes, ranks
 ///   material.in  type-pair tables (contact_table.hpp)
 ///   rocks.in     templates of the classes and their distribution by mass
 ///   NAME.spheres one per rock shape, diameter 1 m
-///   funnel.stl   frictionless walls while the rock settles: sides, rear, retaining sheet
+///   funnel.stl   frictionless walls while poured rock settles: sides, rear, retaining sheet
+///   left.stl, right.stl, rear.stl   in its place for a bench of bricks: walls that close in on it
 ///   sides.stl    the same sides and rear cut down along the bench, for the dig
 ///   walls/       copies of the body and truck meshes that the case names by absolute paths;
 ///                relative ones are seen from where LIGGGHTS starts
