@@ -101,6 +101,10 @@ void place_rocks(LAMMPS_NS::LAMMPS& lmp, const std::vector<setup::PlacedRock>& r
     atom->map_init();
     atom->map_set();
     bodies->add_body_finalize();
+    // Wraps those round that reach over a side at which the box repeats: LIGGGHTS reads back no
+    // others from a restart file.
+    int one, two;
+    bodies->data().remap_bodies(static_cast<int*>(bodies->extract("body", one, two)));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <mpi.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -18,18 +19,28 @@
 namespace dipper::dem {
 namespace {
 
+[[noreturn]] void fail(const std::exception& e) {
+  std::fprintf(stderr, "place-rocks: %s\n", e.what());
+  MPI_Abort(MPI_COMM_WORLD, 1);
+  std::abort();
+}
+
 void run(const std::vector<std::string>& words, std::vector<char*> liggghts_words) {
   LAMMPS_NS::LAMMPS lammps(static_cast<int>(liggghts_words.size()), liggghts_words.data(),
                            MPI_COMM_WORLD);
   lammps.input->file();
-  if (words[0] == "get") {
-    setup::write_placed_rocks(words[1], placed_rocks(lammps));
-    // LIGGGHTS crashes as it ends where a restart was read and nothing was set up since.
-    lammps.input->one("run 0");
-    return;
+  try {
+    if (words[0] == "get") {
+      setup::write_placed_rocks(words[1], placed_rocks(lammps));
+      // LIGGGHTS crashes as it ends where a restart was read and nothing was set up since.
+      lammps.input->one("run 0");
+    } else {
+      place_rocks(lammps, setup::read_placed_rocks(words[1]));
+      lammps.input->one(("write_restart " + words[2]).c_str());
+    }
+  } catch (const std::exception& e) {
+    fail(e);  // before LIGGGHTS ends, which would crash
   }
-  place_rocks(lammps, setup::read_placed_rocks(words[1]));
-  lammps.input->one(("write_restart " + words[2]).c_str());
 }
 
 }  // namespace
@@ -50,11 +61,6 @@ int main(int argc, char** argv) {
   std::vector<char*> liggghts_words = {argv[0]};
   liggghts_words.insert(liggghts_words.end(), argv + 1 + own, argv + argc);
   dipper::dem::register_moist();
-  try {
-    dipper::dem::run(words, liggghts_words);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "place-rocks: %s\n", e.what());
-    MPI_Abort(MPI_COMM_WORLD, 1);
-  }
+  dipper::dem::run(words, liggghts_words);
   MPI_Finalize();
 }

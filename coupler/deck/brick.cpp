@@ -142,7 +142,7 @@ void write_brick_deck(const cases::Case& c, const std::map<std::string, RockShap
                   "variable settle_time  index {:.9g}   # s\n",
                   rock.dem.timestep_s, shape.side_m, shape.side_m, shape.pour_height_m + 1,
                   types.count(), types.ground(), needs_cohesion_model(rock) ? "moist" : "off",
-                  rock.pile.settle_s));
+                  rock.pile.settle_s + rock.pile.relax_s));
 }
 
 std::vector<PlacedRock> loose_brick(const std::vector<RockKind>& kinds, const BrickShape& shape) {
