@@ -1,4 +1,4 @@
-// Degrees, in which people write angles, and radians, in which everything is computed.
+// Degrees, for people, and radians, for computing.
 #pragma once
 
 namespace dipper {

@@ -5,7 +5,7 @@
 
 namespace dipper {
 
-/// An axis-aligned box [m], in the axes its user names. Empty (min > max) until something is added.
+/// An axis-aligned box [m]; the user states the axes. Empty (min > max) until something is added.
 struct Box {
   Eigen::Vector3d min_m = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d max_m = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
@@ -13,12 +13,12 @@ struct Box {
   Eigen::Vector3d sides_m() const { return max_m - min_m; }
   bool is_empty() const { return (min_m.array() > max_m.array()).any(); }
 
-  /// Its faces count as inside.
+  /// Points on its faces are inside.
   bool holds(const Eigen::Vector3d& p) const {
     return (p.array() >= min_m.array()).all() && (p.array() <= max_m.array()).all();
   }
 
-  /// Farther out by `by_m` on every side.
+  /// Extended by `by_m` on every side.
   Box grown(double by_m) const { return {min_m.array() - by_m, max_m.array() + by_m}; }
 
   /// A cube of half side `margin_m` about `point`.

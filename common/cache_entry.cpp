@@ -31,7 +31,7 @@ void sweep(const fs::path& folder, const fs::path& locked_entry) {
     if (f.path().extension() == ".part") parts.push_back(f.path());
   for (const fs::path& part : parts) {
     FileLock lock(writers_lock(part));
-    std::error_code ignored;  // another may be sweeping too
+    std::error_code ignored;  // another process may be removing them, too
     if (entry_of(part) == locked_entry || lock.try_lock()) fs::remove_all(part, ignored);
   }
 }

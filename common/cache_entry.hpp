@@ -1,4 +1,4 @@
-// A folder of the cache that many runs may want at once.
+// A folder of the cache that many runs may need at once.
 #pragma once
 
 #include <filesystem>
@@ -9,34 +9,33 @@
 
 namespace dipper {
 
-/// Whether an entry is there and its files are what was written (common/manifest.hpp).
+/// Whether an entry exists and its files are undamaged (common/manifest.hpp).
 bool is_sound(const std::filesystem::path& entry);
 
-/// What the process that writes an entry has locked; of the entry, or of a part that is to become
-/// it.
+/// The lock file of the process that writes an entry, or a part that becomes one.
 std::filesystem::path writers_lock(const std::filesystem::path& entry_or_part);
 
-/// The right to write an entry, and the folder to write it in: an entry appears whole or not at
-/// all. Other processes are kept out as long as this lives, and a process that dies keeps nobody
-/// out. What writers that died have left in the cache is removed.
+/// The lock on an entry, and the folder to write it in: an entry appears whole or not at all. Holds
+/// the lock during its lifetime; the lock of a process that dies is released. Removes what dead
+/// writers left in the cache.
 class CacheWriter {
  public:
-  /// Empty when another is writing the entry; ask again later. An entry that is there and is not
-  /// what was written is set aside with a warning. When the entry is there and sound, the
-  /// writer is one that has nothing to do: see `is_needed`.
+  /// Empty when another process is writing the entry; try again later. A damaged entry is moved
+  /// aside with a warning. When a sound entry exists, the writer has nothing to do: see
+  /// `is_needed`.
   static std::unique_ptr<CacheWriter> begin(const std::filesystem::path& entry);
 
   ~CacheWriter();
   CacheWriter(const CacheWriter&) = delete;
   CacheWriter& operator=(const CacheWriter&) = delete;
 
-  /// False: the entry is there, somebody has made it.
+  /// False when the entry exists.
   bool is_needed() const;
 
-  /// A new folder, gone with the writer unless it is kept.
+  /// A new folder, removed with the writer unless it is kept.
   const std::filesystem::path& part() const;
 
-  /// Makes the folder the entry.
+  /// Turns the folder into the entry.
   void keep();
 
  private:
@@ -47,15 +46,15 @@ class CacheWriter {
 
 /// Calls `write` with a new folder beside `entry`, and makes that folder the entry once `write` has
 /// returned. Of several processes one writes and the others wait for it, calling `while_waiting`
-/// ten times a second, which may throw to give up; should the writer die, one of those that wait
-/// takes over. An entry that is not what was written is set aside with a warning, and made
-/// again. Returns whether it was this call that wrote. What `write` throws is passed on.
+/// ten times a second, which may throw to give up; if the writer dies, one of those that wait
+/// takes over. A damaged entry is moved aside with a warning, and made again. Returns whether this
+/// call wrote it. Exceptions of `write` are passed on.
 bool make_once(const std::filesystem::path& entry,
                const std::function<void(const std::filesystem::path& part)>& write,
                const std::function<void()>& while_waiting);
 
-/// An entry's name: the SHA-256 of `what`, the text of `files`, and names and text of all that a
-/// deck holds but its folders and case.in, which also have what an entry does not depend on.
+/// An entry's name: the SHA-256 of `what`, the text of `files`, and names and text of all files of
+/// a deck except its folders and case.in, on parts of which an entry does not depend.
 std::string deck_hash(std::string what, const std::vector<std::filesystem::path>& files,
                       const std::filesystem::path& deck);
 

@@ -4,8 +4,8 @@
 
 namespace dipper {
 
-/// Where settled piles, calibrations and fitted rock shapes are kept: what the program's main has
-/// set. Throws InputError where it has set none.
+/// The folder of settled piles, calibrations and fitted rock shapes, as set by the program's main.
+/// Throws InputError when none was set.
 std::filesystem::path cache_folder();
 void set_cache_folder(const std::filesystem::path& folder);
 

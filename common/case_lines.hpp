@@ -25,9 +25,9 @@ class CaseLines {
   /// Of a file; throws InputError when it cannot be read.
   static CaseLines read(const std::filesystem::path& file);
 
-  const CaseLine* find(std::string_view key) const;  ///< nullptr: there is none
+  const CaseLine* find(std::string_view key) const;  ///< nullptr: no such key
 
-  /// A key's number, or nothing when it has none.
+  /// A key's number; empty when it has none.
   std::optional<double> number(std::string_view key) const;
 
   /// A key's text without its quotes; "" when there is none.

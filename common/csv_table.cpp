@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -17,9 +18,9 @@ namespace dipper {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr int kFew = 3;  // faults of one kind that are told one by one
+constexpr int kFew = 3;  // faults of one kind that are reported one by one
 
-// As word processors and spreadsheets write a minus sign and a blank, in UTF-8.
+// The minus signs and blanks of word processors and spreadsheets, in UTF-8.
 constexpr std::array<std::pair<std::string_view, char>, 6> kLookAlikes{{{"\u2212", '-'},
                                                                         {"\u2012", '-'},
                                                                         {"\u2013", '-'},
@@ -85,7 +86,7 @@ std::vector<Field> split(std::string_view line, char delimiter) {
   }
 }
 
-/// Empty fields beyond the first `n` are what spreadsheets leave of columns that once were.
+/// Drops empty fields beyond the first `n`, which spreadsheets leave of deleted columns.
 void drop_empty_tail(std::vector<Field>& fields, std::size_t n) {
   while (fields.size() > n && fields.back().text.empty()) fields.pop_back();
 }
@@ -99,13 +100,13 @@ bool names_separator(std::string_view line) {
   return line.size() == 5 && (line.substr(0, 4) == "sep=" || line.substr(0, 4) == "SEP=");
 }
 
-/// How a table's columns stand in its lines. `place[i]` is the field of the column i.
+/// The layout of a table's lines. `place[i]` is the field of the column i.
 struct Layout {
   char delimiter = 0;  ///< 0: no header yet
   std::vector<std::size_t> place;
 };
 
-/// The layout that a header says; without a delimiter when it does not name the columns.
+/// The layout by a header; without a delimiter when the header does not name the columns.
 Layout find_layout(std::string_view line, const std::vector<std::string>& columns) {
   for (const char delimiter : {',', ';', '\t', '|'}) {
     std::vector<Field> fields = split(line, delimiter);
@@ -121,7 +122,7 @@ Layout find_layout(std::string_view line, const std::vector<std::string>& column
   return {};
 }
 
-/// A number without the unit of its column behind it: "2 %" of passing_percent, "0.5 m" of size_m.
+/// A number without the unit that follows it: "2 %" of passing_percent, "0.5 m" of size_m.
 std::string_view without_unit(std::string_view text, const std::string& column) {
   const std::string unit = column.substr(column.find_last_of('_') + 1);
   for (const std::string_view word :
@@ -139,8 +140,21 @@ bool looks_like_date(std::string_view s) {
          s.find_first_not_of("0123456789-T:+Z., ") == std::string_view::npos;
 }
 
-/// Reads the fields of one table: whether its numbers have decimal commas shows in the first that
-/// has a comma or a point. Between commas only a quoted number can have one.
+/// 943,981 or -1,234,567: commas that may separate thousands, or one that has three decimals.
+bool is_grouped(std::string_view s) {
+  if (!s.empty() && (s[0] == '+' || s[0] == '-')) s.remove_prefix(1);
+  const std::size_t first = std::min(s.find(','), s.size());
+  if (first < 1 || first > 3 || s[0] == '0' || s.size() == first || (s.size() - first) % 4 != 0)
+    return false;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const bool mark = i >= first && (i - first) % 4 == 0;
+    if (mark ? s[i] != ',' : s[i] < '0' || s[i] > '9') return false;
+  }
+  return true;
+}
+
+/// Reads the fields of one table. The first number with a comma or a point decides whether the
+/// table has decimal commas. Where commas separate columns, only a quoted number can have one.
 class NumberReader {
  public:
   bool read(std::string_view text, double& value) {
@@ -150,8 +164,13 @@ class NumberReader {
     if (text[mark] != decimal_) return false;
     std::string plain(text);
     plain[mark] = '.';
-    return parse_number(plain, value);
+    if (!parse_number(plain, value)) return false;
+    commas_are_decimal_ = commas_are_decimal_ || (decimal_ == ',' && !is_grouped(text));
+    return true;
   }
+
+  /// Whether some number has a comma that separates no thousands.
+  bool commas_are_decimal() const { return commas_are_decimal_; }
 
   std::string right(std::string_view text) const {
     if (looks_like_date(text)) return "a finite number; dipper import reads time stamps";
@@ -161,9 +180,10 @@ class NumberReader {
 
  private:
   char decimal_ = 0;
+  bool commas_are_decimal_ = false;
 };
 
-/// Faults of rows. One cause is one finding: of more than a few of a kind the first stands for all.
+/// Faults of rows. If there are more than a few of one kind, only the first is reported.
 class RowFaults {
  public:
   void add(std::string kind, int line, int column, std::string wrong, std::string right) {
@@ -171,12 +191,15 @@ class RowFaults {
     faults_.push_back({std::move(kind), line, column, std::move(wrong), std::move(right)});
   }
 
+  bool empty() const { return faults_.empty(); }
+
   void tell(const std::filesystem::path& file, std::vector<Finding>& findings) const {
     std::set<std::string> told;
     for (const Fault& f : faults_) {
       const int n = count_.at(f.kind);
       if (n > kFew && !told.insert(f.kind).second) continue;
-      const std::string more = n > kFew ? fmt::format(", and so in {} more lines", n - 1) : "";
+      const std::string more =
+          n > kFew ? fmt::format(", and the same in {} more lines", n - 1) : "";
       findings.push_back({file, f.line, "", f.wrong + more + "; " + f.right, f.column});
     }
   }
@@ -210,6 +233,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
   NumberReader number;
   int line_number = 0;
   Layout layout;
+  std::optional<Finding> grouped;  // the first number whose commas may separate thousands
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t newline = std::min(text.find('\n', begin), text.size());
     const std::string_view line = text.substr(begin, newline - begin);
@@ -233,10 +257,11 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
     drop_empty_tail(fields, columns.size());
     if (fields.size() != columns.size()) {
       const bool commas = layout.delimiter == ',' && fields.size() > columns.size();
-      faults.add("", line_number, static_cast<int>(line.size()) + 1,
-                 fmt::format("{} columns", fields.size()),
-                 fmt::format("each row has {}: {}{}", columns.size(), header,
-                             commas ? "; with decimal commas, semicolons part the columns" : ""));
+      faults.add(
+          "", line_number, static_cast<int>(line.size()) + 1,
+          fmt::format("{} columns", fields.size()),
+          fmt::format("each row has {}: {}{}", columns.size(), header,
+                      commas ? "; with decimal commas, separate the columns by semicolons" : ""));
       continue;
     }
     CsvRow row{line_number, std::vector<double>(columns.size()), {}};
@@ -247,7 +272,16 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
         row.name = field.text;
         continue;
       }
-      if (number.read(without_unit(field.text, columns[i]), row.values[i])) continue;
+      const std::string_view bare = without_unit(field.text, columns[i]);
+      if (!grouped && is_grouped(bare))
+        grouped = {
+            file, line_number, "",
+            fmt::format("{} is \"{}\": every comma in the file has three digits after it, "
+                        "and may separate thousands; write decimals with a point, and nothing "
+                        "between thousands",
+                        columns[i], field.text),
+            field.column};
+      if (number.read(bare, row.values[i])) continue;
       faults.add(columns[i], line_number, field.column,
                  fmt::format("{} is \"{}\"", columns[i], field.text),
                  "it must be " + number.right(field.text));
@@ -256,6 +290,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
     if (sound) rows.push_back(std::move(row));
   }
   faults.tell(file, findings);
+  if (grouped && !number.commas_are_decimal() && faults.empty()) findings.push_back(*grouped);
   if (layout.delimiter == 0)
     findings.push_back(
         {file, line_number + 1, "", fmt::format("no header; it must be \"{}\"", header), 1});

@@ -10,7 +10,7 @@
 
 namespace dipper {
 
-/// One row and where it stands.
+/// One row and its line.
 struct CsvRow {
   int line = 0;                ///< 1-based
   std::vector<double> values;  ///< one a column; 0 of the column of names
@@ -19,20 +19,20 @@ struct CsvRow {
 
 /// Reads a table whose first line names `columns`, these and no others, in any order, and whose
 /// every other line has a number (common/numbers.hpp) for each; a row's values are in the order of
-/// `columns`. What parts the names parts the numbers; these may have decimal commas, all of them,
-/// in quotes where commas part the columns. As spreadsheets leave them, and left out of account:
-/// a byte-order mark, line ends of any system, quotes and blanks round names and numbers, a
-/// number's own unit behind it, minus signs of word processors, empty columns at the end, empty
-/// lines and rows, "sep=;" before the header, lines that begin with #. Faults are appended to
-/// `findings` with line and column: a wrong header, after which nothing is read, too many or too
-/// few columns, a field that is no number; one of a kind stands for all where they are many. The
-/// result has the rows that are sound. `file` is for the findings only. `name_column`: the one of
-/// `columns` that holds texts.
+/// `columns`. The delimiter of the header is that of the rows. Numbers may have decimal commas: all
+/// of them, and in quotes where commas separate the columns. Accepted and ignored, as spreadsheets
+/// write them: a byte-order mark, line ends of any system, quotes and blanks around names and
+/// numbers, the unit after a number, minus signs of word processors, empty columns at the end,
+/// empty lines and rows, "sep=;" before the header, lines that begin with #. Faults are appended
+/// to `findings` with line and column: a wrong header, after which nothing is read; too many or
+/// too few columns; a field that is not a number; commas that all have three digits after them. Of
+/// many faults of one kind only the first is reported. The result has the sound rows. `file` is for
+/// the findings only. `name_column`: the one of `columns` that holds texts.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& columns,
                               std::vector<Finding>& findings, const std::string& name_column = {});
 
-/// The same of a file; that it cannot be read is a finding too.
+/// Reads a file; a file that cannot be read is a finding, too.
 std::vector<CsvRow> read_csv(const std::filesystem::path& file,
                              const std::vector<std::string>& columns,
                              std::vector<Finding>& findings, const std::string& name_column = {});

@@ -22,4 +22,8 @@ DraftFile::~DraftFile() {
   if (path_ != file_) fs::remove(path_, ignored);
 }
 
+bool is_draft(const fs::path& file) {
+  return file.stem().extension().string().rfind(".part", 0) == 0;
+}
+
 }  // namespace dipper

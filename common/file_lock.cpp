@@ -40,7 +40,7 @@ bool FileLock::try_lock() {
     throw std::system_error(why, std::generic_category(), file_.string());
   }
   // The last owner may have removed the file between our opening and locking it: a lock on a file
-  // without a name keeps nobody out.
+  // without a name excludes nobody.
   struct stat held {
   }, named{};
   if (fstat(fd, &held) != 0 || stat(file_.c_str(), &named) != 0 || held.st_ino != named.st_ino) {
@@ -48,7 +48,7 @@ bool FileLock::try_lock() {
     return false;
   }
   fd_ = fd;
-  if (ftruncate(fd_, 0) == 0) dprintf(fd_, "%d\n", getpid());  // a name for owner(), no more
+  if (ftruncate(fd_, 0) == 0) dprintf(fd_, "%d\n", getpid());  // for owner() only
   return true;
 }
 

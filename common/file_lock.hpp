@@ -1,4 +1,4 @@
-// One process at a time.
+// A lock between processes.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,11 @@
 
 namespace dipper {
 
-/// A lock on a file of its own, which is made for it and gone with it. The kernel drops it with the
-/// process, however that ends; the file that a killed process leaves keeps nobody out.
-/// A file system without locks (Lustre without -o flock, NFS without lockd) has a file FILE.held in
-/// their place, which names host and process: what a process killed on this host leaves keeps
-/// nobody out either.
+/// A lock on a file of its own, which is made and removed with it. The kernel releases it when the
+/// process ends in any way; the file that a killed process leaves blocks nobody.
+/// On a file system without locks (Lustre without -o flock, NFS without lockd) a file FILE.held,
+/// which names host and process, replaces the lock; one left by a process killed on this host
+/// blocks nobody either.
 class FileLock {
  public:
   explicit FileLock(std::filesystem::path file) : file_(std::move(file)) {}
@@ -21,7 +21,7 @@ class FileLock {
   /// Takes the lock unless another holds it. Throws std::system_error naming the file.
   bool try_lock();
 
-  /// The process that holds the lock, as far as the file tells.
+  /// The process that holds the lock, if the file names it.
   std::optional<long> owner() const;
 
  private:
@@ -29,7 +29,7 @@ class FileLock {
 
   std::filesystem::path file_;
   std::filesystem::path
-      held_;  ///< where the file system has no locks: a file that only one can make
+      held_;  ///< where the file system has no locks: a file that only one process can make
   int fd_ = -1;
 };
 

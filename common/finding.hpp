@@ -1,4 +1,4 @@
-// What is wrong with an input, and where.
+// Faults of an input, and their places.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace dipper {
 
-/// A place in a file; line 0: none, as for what was said on the command line.
+/// A place in a file; line 0: none, as for the command line.
 struct Origin {
   std::filesystem::path file;
   int line = 0;  ///< 1-based
@@ -17,16 +17,15 @@ struct Origin {
 struct Finding {
   std::filesystem::path file;
   int line = 0;     ///< 1-based; 0: none
-  std::string key;  ///< dotted; empty: none
+  std::string key;  ///< dotted; may be empty
   std::string message;
   int column = 0;  ///< 1-based, in bytes; 0: none
 };
 
-/// "file:line:column: key: message", without what there is none of. The one way a fault is printed.
+/// "file:line:column: key: message", without the parts that are empty. All faults are printed so.
 std::string to_string(const Finding& finding);
 
-/// Puts findings from the `first` on in the order of their lines; others of a line stay as they
-/// are.
+/// Sorts findings from the `first` on by line; those of one line keep their order.
 void sort_by_line(std::vector<Finding>& findings, std::size_t first = 0);
 
 }  // namespace dipper

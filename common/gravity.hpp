@@ -2,6 +2,6 @@
 
 namespace dipper {
 
-constexpr double kGravity_m_s2 = 9.81;  ///< along W's -z; as the decks in dem_in/ have it
+constexpr double kGravity_m_s2 = 9.81;  ///< along W's -z; as in the decks of dem_in/
 
 }  // namespace dipper

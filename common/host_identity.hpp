@@ -1,4 +1,4 @@
-// Which host, and which of its networks, a process is in.
+// The host and the network namespace of a process.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace dipper {
 std::string host_name();
 
 /// The same for two processes if and only if they share a network: this boot of the kernel and the
-/// network namespace. What one sends to the loopback device the other then hears.
+/// network namespace. Each then receives what the other sends to the loopback device.
 std::string network_identity();
 
 }  // namespace dipper

@@ -1,4 +1,4 @@
-// A file the user wrote is wrong.
+// The error for faults in a user's input.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace dipper {
 
-/// Everything wrong with an input at once; what() has a line for each fault.
+/// All faults of an input at once; what() has a line for each.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Finding> findings);

@@ -26,11 +26,11 @@ fs::path data_folder() {
   const fs::path folder =
       given_folder().empty() ? own_folder().parent_path() / "share" / "dipper" : given_folder();
   std::error_code failed;
-  // The build tree's is a link to the repository; messages and logs name the files themselves.
+  // In the build tree it is a link to the repository; messages and logs name the files themselves.
   fs::path found = fs::canonical(folder, failed);
   if (failed || !fs::is_directory(found / "dem_in")) {
     throw InputError({{folder, 0, "",
-                       "has no dem_in, so Dipper's own files are not there; set DIPPER_DATA to the "
+                       "has no dem_in, so Dipper's own files are missing; set DIPPER_DATA to the "
                        "folder that has them (PREFIX/share/dipper of an installation)"}});
   }
   return found;

@@ -35,7 +35,7 @@ template <std::size_t N>
 std::array<double, N> numbers_from(const nlohmann::json& j) {
   if (!j.is_array() || j.size() != N)
     throw nlohmann::json::other_error::create(
-        501, "a list of " + std::to_string(N) + " numbers belongs here", &j);
+        501, "must be a list of " + std::to_string(N) + " numbers", &j);
   return j.get<std::array<double, N>>();
 }
 

@@ -25,7 +25,7 @@ void sync(const fs::path& path) {
   const int failed = fsync(fd);
   const int why = errno;
   close(fd);
-  // Some file systems cannot sync a folder, and say so.
+  // Some file systems cannot sync a folder, and return an error.
   if (failed != 0 && why != EINVAL)
     throw std::system_error(why, std::generic_category(), path.string());
 }
@@ -67,7 +67,7 @@ std::string damage_of(const fs::path& folder) {
   const fs::path manifest = folder / kManifest;
   std::ifstream in(manifest, std::ios::binary);
   if (!in) return manifest.string() + " is missing";
-  const std::string cut = manifest.string() + " is not what was written";
+  const std::string cut = manifest.string() + " has changed since it was written";
   std::size_t files = 0;
   for (std::string line; std::getline(in, line); ++files) {
     if (line == "# files: " + std::to_string(files) && !in.eof()) return "";
@@ -75,7 +75,7 @@ std::string damage_of(const fs::path& folder) {
     const fs::path file = folder / line.substr(kDigits + 2);
     if (!fs::is_regular_file(file)) return file.string() + " is missing";
     if (sha256_file(file) != line.substr(0, kDigits))
-      return file.string() + " is not what was written: its SHA-256 is another";
+      return file.string() + " has changed since it was written: its SHA-256 differs";
   }
   return cut;
 }
@@ -88,7 +88,7 @@ void require_undamaged(const fs::path& folder) {
       {{{},
         0,
         "",
-        damage + "; put it back, or take it as it is: remove " + (folder / kManifest).string()}});
+        damage + "; restore it, or accept it as it is: remove " + (folder / kManifest).string()}});
 }
 
 void rename_sealed(const fs::path& from, const fs::path& to) {

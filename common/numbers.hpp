@@ -1,4 +1,4 @@
-// Numbers in text, read the same way wherever they stand: a case, a mesh, a table, a command line.
+// Numbers in text, read the same way in a case, a mesh, a table and on the command line.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 namespace dipper {
 
 /// Reads a number that is the whole of `text`: an optional sign (+ or -), decimal digits with an
-/// optional point, and an optional exponent. Nothing may stand before or after it, not even a
+/// optional point, and an optional exponent. Nothing may precede or follow it, not even a
 /// blank. Refused are nan, inf, hexadecimal digits, digits grouped by commas, and what a double
-/// cannot hold (1e999, 1e-400). The locale plays no part. Returns false, with `value` as it was,
+/// cannot hold (1e999, 1e-400). The locale has no effect. Returns false, with `value` as it was,
 /// when `text` is no such number.
 bool parse_number(std::string_view text, double& value);
 

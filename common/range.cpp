@@ -7,7 +7,7 @@
 namespace dipper {
 namespace {
 
-/// As one writes it: 2147483647, 1e12, 0.25.
+/// In the usual form: 2147483647, 1e12, 0.25.
 std::string written(double x) {
   if (std::abs(x) < 1e10 && x == std::round(x)) return fmt::format("{:.0f}", x);
   std::string text = fmt::format("{:g}", x);

@@ -1,4 +1,4 @@
-// The numbers a key may have.
+// The allowed numbers of a key.
 #pragma once
 
 #include <string>

@@ -1,23 +1,23 @@
-// Where a program's words to its user go.
+// The output of a program for its user.
 #pragma once
 
 #include <string>
 
 namespace dipper {
 
-/// Libraries say what they do to one of these; the program decides where it is shown. Whatever
-/// becomes of the words, the work goes on: no method throws.
+/// Libraries report to one of these; the program decides where it is shown. No method throws: the
+/// work continues when the output cannot be written.
 class Reporter {
  public:
   virtual ~Reporter() = default;
 
-  /// Of what is done or found; may hold several lines, the last without its end.
+  /// What was done or found; may have several lines, the last without a newline.
   virtual void line(const std::string& text) = 0;
 
-  /// What went wrong.
+  /// An error.
   virtual void error(const std::string& text) = 0;
 
-  /// How far a long work has come: the next one, or the next line, takes its place.
+  /// Progress of long work: the next one, or the next line, replaces it.
   virtual void progress(const std::string& text) = 0;
 };
 

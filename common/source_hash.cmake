@@ -1,4 +1,4 @@
-# Writes OUT, the source of dipper::source_hash(), when what it says has changed. Runs at every build.
+# Writes OUT, the source of dipper::source_hash(), when its contents change. Runs at every build.
 #   cmake -D SOURCE=FOLDER -D OUT=FILE -P source_hash.cmake
 cmake_minimum_required(VERSION 3.25)
 set(text "")

@@ -1,4 +1,4 @@
-// A folder for what is needed only while something is done.
+// A folder for temporary files.
 #pragma once
 
 #include <filesystem>
@@ -6,12 +6,12 @@
 
 namespace dipper {
 
-/// A new folder of our own where the system keeps temporary files, gone with all that is in it
-/// when this is.
+/// A new folder where the system keeps temporary files, removed with its contents at the end of
+/// this object's lifetime.
 class TemporaryFolder {
  public:
-  /// `name` begins the folder's, for who finds it after a kill. Throws std::system_error naming the
-  /// folder that cannot be made.
+  /// The folder's name begins with `name`, so that one left by a kill can be recognised. Throws
+  /// std::system_error naming the folder that cannot be made.
   explicit TemporaryFolder(const std::string& name);
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -1,4 +1,4 @@
-// A file of text that is there whole or not at all.
+// A text file that is written whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace dipper {
 
-/// Writes the file as these bytes, in place of what it held, which stays when they cannot be
-/// written to the end: then std::runtime_error names the file.
+/// Replaces the file's contents by these bytes. Throws std::runtime_error naming the file when they
+/// cannot be written to the end; the old contents then remain.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace dipper

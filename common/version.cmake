@@ -1,8 +1,8 @@
-# Writes OUT, the source of dipper::version(), when what it says has changed. Runs at every build.
+# Writes OUT, the source of dipper::version(), when its contents change. Runs at every build.
 #   cmake -D SOURCE=FOLDER -D VERSION=0.1.0 -D OUT=FILE -P version.cmake
 cmake_minimum_required(VERSION 3.25)
 set(text "${VERSION}")
-# A tarball that lies in somebody else's repository is not of that repository's commit.
+# A tarball unpacked in another repository is not of that repository's commit.
 execute_process(COMMAND git -C "${SOURCE}" rev-parse --show-prefix --short=7 HEAD
                 OUTPUT_VARIABLE said RESULT_VARIABLE failed ERROR_QUIET)
 if(NOT failed AND said MATCHES "^\n([0-9a-f]+)\n$")

@@ -1,12 +1,11 @@
-// Words to the user from the libraries.
+// Warnings from the libraries to the user.
 #pragma once
 
 #include <string>
 
 namespace dipper {
 
-/// Tells of something that went another way than planned, though not wrong: "dipper: MESSAGE" on
-/// the standard error.
+/// Reports something unexpected that is not an error: "dipper: MESSAGE" on standard error.
 void warn(const std::string& message);
 
 }  // namespace dipper

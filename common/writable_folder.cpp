@@ -35,7 +35,7 @@ void require_writable(const std::filesystem::path& folder) {
   fs::path nearest = fs::absolute(folder);
   while (!fs::exists(fs::symlink_status(nearest, unknown)) && nearest.has_relative_path())
     nearest = nearest.parent_path();
-  if (!fs::is_directory(nearest, unknown)) refuse(folder, nearest.string() + " is no folder");
+  if (!fs::is_directory(nearest, unknown)) refuse(folder, nearest.string() + " is not a folder");
   if (!can_write_into(nearest))
     refuse(folder, std::error_code(errno, std::generic_category()).message());
 }

@@ -1,4 +1,4 @@
-// The folder that a command's result goes to.
+// The folder of a command's results.
 #pragma once
 
 #include <filesystem>
@@ -6,15 +6,15 @@
 
 namespace dipper {
 
-/// Makes the folder where it is not, before the work that would be lost without it. Throws
+/// Makes the folder if it does not exist, before the work that would be lost without it. Throws
 /// InputError when it cannot be made or written into; `remedy` says what to do then.
 void make_writable(const std::filesystem::path& folder,
                    const std::string& remedy = "choose another --out");
 
-/// The same of a folder that is made only once there is something to put into it. Makes nothing.
+/// Checks the same for a folder that is made later. Makes nothing.
 void require_writable(const std::filesystem::path& folder);
 
-/// What to do where the cache's folder cannot be written.
+/// The remedy when the cache's folder cannot be written.
 inline constexpr const char* kOtherCache = "set XDG_CACHE_HOME to a folder that can be written";
 
 }  // namespace dipper

@@ -1,4 +1,4 @@
-// Reads a file of known keys: who reads asks for each by name, and what is wrong is noted.
+// Reads a file of known keys: the caller asks for each by name, and faults are collected.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +11,8 @@
 
 namespace dipper {
 
-/// A section of a file. A key that is missing or holds something else gives a finding at its line
-/// and a value of zero or nothing; below a section that is missing nothing further is noted.
+/// A section of a file. A key that is missing or of another kind gives a finding at its line and a
+/// zero or empty value; a missing section gives no further findings below it.
 /// `what` says what belongs at a key: "a number in m". The tree must outlive the section.
 class YamlSection {
  public:
@@ -26,7 +26,7 @@ class YamlSection {
   std::vector<double> numbers(const std::string& name, std::size_t count, const std::string& what);
   Eigen::Vector3d vector(const std::string& name, const std::string& what);
 
-  /// Of a list that is an element of one: `name` is the element's key in this section.
+  /// For a list that is an element of a list: `name` is the element's key in this section.
   std::vector<double> numbers_at(const YamlTree& node, const std::string& name, std::size_t count,
                                  const std::string& what);
 
@@ -36,17 +36,17 @@ class YamlSection {
   /// The node of a key that may be missing; nullptr when it is.
   const YamlTree* find(const std::string& name);
 
-  /// A finding for every key that nobody has asked for.
+  /// Adds a finding for every key that was not asked for.
   void refuse_others();
 
-  /// Notes a fault of the key `name`, or of the section itself when that is "".
+  /// Adds a fault of the key `name`, or of the section itself when that is "".
   void fault(const YamlTree& at, const std::string& name, const std::string& message);
 
   bool is_there() const { return node_ != nullptr; }
-  const YamlTree& node() const { return *node_; }  ///< of a section that is there
+  const YamlTree& node() const { return *node_; }  ///< only for a section that exists
 
  private:
-  YamlSection(std::string key, std::vector<Finding>& findings);  // one that is missing
+  YamlSection(std::string key, std::vector<Finding>& findings);  // a missing one
 
   const YamlTree* node_ = nullptr;
   std::string key_;

@@ -14,7 +14,7 @@ namespace dipper {
 namespace {
 
 // yaml-cpp's events rather than its Node: a Node loses the line of a key, keeps both of two equal
-// keys without a word, and follows an alias into a cycle.
+// keys silently, and follows an alias into a cycle.
 class TreeBuilder : public YAML::EventHandler {
  public:
   TreeBuilder(std::filesystem::path file, std::string set_key, std::vector<Finding>& findings)
@@ -160,7 +160,7 @@ std::optional<std::size_t> first_not_utf8(const std::string& text) {
                                : lead >= 0xE0 && lead <= 0xEF ? 3
                                : lead >= 0xF0 && lead <= 0xF4 ? 4
                                                               : 0;
-    // The second byte keeps out long forms, surrogates and what lies beyond the last code point.
+    // The second byte excludes long forms, surrogates and values beyond the last code point.
     const unsigned second = length > 1 ? byte(i + 1) : 0x80U;
     bool sound = length > 0 && !(lead == 0xE0 && second < 0xA0) &&
                  !(lead == 0xED && second > 0x9F) && !(lead == 0xF0 && second < 0x90) &&
@@ -209,7 +209,7 @@ YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
   } catch (const YAML::Exception& e) {
     findings.push_back({file, line(e.mark), set_key, "not valid YAML: " + e.msg});
   }
-  // The lines of what a file does not have are those of the file itself.
+  // The root of an empty file has the file's first line.
   if (builder.root.origin.file.empty()) builder.root.origin = {file, set_key.empty() ? 1 : 0};
   return std::move(builder.root);
 }

@@ -17,7 +17,7 @@ class ByteWriter {
     static_assert(std::is_trivially_copyable_v<T>);
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  /// Of trivial elements, Eigen's fixed vectors among them.
+  /// For trivial elements, including Eigen's fixed vectors.
   template <typename T>
   void put_all(const std::vector<T>& values) {
     put(values.size());
@@ -44,7 +44,7 @@ class ByteReader {
   template <typename T>
   std::vector<T> get_all() {
     const auto n = get<std::size_t>();
-    if (n > (bytes_.size() - at_) / sizeof(T)) throw std::runtime_error("it is cut short");
+    if (n > (bytes_.size() - at_) / sizeof(T)) throw std::runtime_error("it is incomplete");
     std::vector<T> values(n);
     take(values.data(), n * sizeof(T));
     return values;
@@ -52,7 +52,7 @@ class ByteReader {
 
  private:
   void take(void* to, std::size_t size) {
-    if (size > bytes_.size() - at_) throw std::runtime_error("it is cut short");
+    if (size > bytes_.size() - at_) throw std::runtime_error("it is incomplete");
     std::memcpy(to, bytes_.data() + at_, size);
     at_ += size;
   }

@@ -17,7 +17,7 @@
 namespace dipper::dem {
 namespace {
 
-/// Before the first run every rank holds the whole mesh, where it has been put.
+/// Before the first run every rank holds the whole mesh, at its initial pose.
 mesh::TriangleMesh wall(LAMMPS_NS::LAMMPS& lmp, const std::string& id) {
   auto* fix = dynamic_cast<LAMMPS_NS::FixMeshSurface*>(lmp.modify->find_fix_id(id.c_str()));
   if (fix == nullptr)

@@ -1,4 +1,4 @@
-// Rock that stands where the machine starts is taken out before the first step.
+// Removes rock at the machine's initial position before the first step.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ class LAMMPS;
 
 namespace dipper::dem {
 
-/// Takes out every rock with a sphere that overlaps one of the closed wall meshes or lies inside
-/// its steel: it would be shot out. (Svanberg et al. 2021, section 3.2: rocks in the space of the
+/// Removes every rock with a sphere that overlaps one of the closed wall meshes or lies inside its
+/// steel: it would be thrown out. (Svanberg et al. 2021, section 3.2: rocks in the space of the
 /// bucket were moved or removed, since the pile is made when there is no shovel.) Rock that is free
-/// in the dipper's hollow stays. To be called after the deck and before the first run. Collective.
+/// in the dipper's hollow stays. Call after the deck and before the first run. Collective.
 /// Throws std::runtime_error when the deck has no such mesh.
 Cleared clear_start(LAMMPS_NS::LAMMPS& lmp, const std::vector<std::string>& meshes);
 
-/// Clears the start. Channels: rocks_removed, mass_removed; 0 in the rows after a resume.
+/// The feature that does so. Channels: rocks_removed, mass_removed; 0 in the rows after a resume.
 class ClearStart final : public RockFeature {
  public:
   ClearStart(LAMMPS_NS::LAMMPS& lmp, std::vector<std::string> meshes);

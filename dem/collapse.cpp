@@ -16,7 +16,7 @@ namespace dipper::dem {
 Collapse::Collapse(LAMMPS_NS::LAMMPS& lmp, setup::RockFall fall)
     : lmp_(lmp), fall_(std::move(fall)) {}
 
-/// Told from the step alone, so that a resumed run can tell whether the rock has come.
+/// Decided by the step alone, so that a resumed run knows whether the rock has come.
 bool Collapse::needs_all_rock(const RockWindow& window) const {
   return window.first_step <= fall_.at_step && fall_.at_step < window.first_step + window.n_steps;
 }

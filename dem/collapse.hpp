@@ -1,4 +1,4 @@
-// Rock that comes into the run at a given step.
+// Rock that is added at a given step.
 #pragma once
 
 #include <vector>

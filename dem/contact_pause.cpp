@@ -16,8 +16,8 @@
 namespace dipper::dem {
 namespace {
 
-/// The number of meshes that a wall contact looks at, of those it was made with: the first. Not
-/// public in LIGGGHTS; a class derived from it may name it.
+/// The number of meshes that a wall contact uses: the first of those it was made with. Protected in
+/// LIGGGHTS, so accessible from a derived class.
 struct Meshes : LAMMPS_NS::FixWallGran {
   static int& number(LAMMPS_NS::FixWallGran& wall) { return wall.*(&Meshes::n_FixMesh_); }
 };
@@ -81,7 +81,7 @@ void ContactPause::clear() {
   if (lmp_.comm->me == 0)
     fmt::print(
         "the dipper is back: {:.0f} rocks, {:.0f} kg, in its steel and {:.0f} rocks, {:.0f} "
-        "kg, on the floor were taken out\n",
+        "kg, on the floor were removed\n",
         in_steel.rocks, in_steel.mass_kg, on_floor.rocks, on_floor.mass_kg);
 }
 

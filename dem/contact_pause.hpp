@@ -1,4 +1,4 @@
-// The dipper meets no rock on its way back to the face.
+// No contact between dipper and rock during the return to the face.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,11 @@ namespace dipper::dem {
 
 class WallMotion;
 
-/// Takes the bodies' walls out of the wall contact for the windows that say so (Svanberg et al.
+/// Removes the bodies' walls from the wall contact in windows without contact (Svanberg et al.
 /// 2021, section 3.3: "The contact was deactivated when the rope shovel was moving back to the dig
-/// position") and puts them back. Rock that is in their steel by then is taken out, as at a run's
-/// start: it would be shot out. So is, where the set-up says so, the rock that lies on the floor in
-/// front of the face, which in a mine is the work of a dozer. Both are booked.
+/// position") and puts them back. Rock that is in their steel by then is removed, as at a run's
+/// start. So is, if the set-up says so, the rock on the floor in front of the face, which a dozer
+/// removes in a mine. Both masses are recorded.
 ///
 /// Channels, summed over the run so far: cleared_overlap and cleared_floor, kg.
 class ContactPause final : public RockFeature {

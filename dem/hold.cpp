@@ -26,7 +26,7 @@
 namespace dipper::dem {
 namespace {
 
-constexpr double kStruck = 5;  // times the change of load that wakes: an impact
+constexpr double kStruck = 5;  // times the change of load that wakes a rock: an impact
 
 Vector3d vector(const double* p) { return Eigen::Map<const Vector3d>(p); }
 
@@ -103,14 +103,14 @@ HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, 
   }
   if (const int group = lmp.group->find(kLayerGroup); group >= 0)
     layer_ = lmp.group->bitmask[group];
-  if (lmp.group->find(kRestGroup) < 0)  // else it came with a restart file, and with who is in it
+  if (lmp.group->find(kRestGroup) < 0)  // else it came with a restart file, with its members
     lmp.input->one(fmt::format("group {} subtract all all", kRestGroup).c_str());
   resting_ = rest_bit(lmp);
 }
 
 HoldRock::HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm)
     : HoldRock(lmp, settings, comm, RockNumbers(lmp)) {
-  // Of every rock, joined over the ranks: its integrators' bits and the layer's.
+  // For every rock, joined over the ranks: its integrators' bits and the layer's.
   std::vector<int> bits(numbers_.size(), 0);
   for (int i = 0; i < lmp_.atom->nlocal; ++i) {
     largest_m_ = std::max(largest_m_, lmp_.atom->radius[i]);
@@ -199,8 +199,8 @@ void HoldRock::follow_loads(double dt_s) {
 
 void HoldRock::look_at_motion(double dt_s) {
   for_each_rock([&](const Facts& f, const Vector3d& x, const auto&...) {
-    // What was on another rank is judged by its speed: rock that chatters on the boundary between
-    // two would else never come to rest.
+    // Rock that was on another rank is judged by its speed: rock that crosses the boundary to and
+    // fro would otherwise never come to rest.
     HeldRecord& rock = rocks_[f.rock];
     const bool seen = rock.seen_step == gathered_;
     const double way = seen ? (x - rock.seen_p_W).norm() : f.v_W.norm() * dt_s;
@@ -285,7 +285,7 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
     soon.emplace_back(b.box, b.X_WB, b.V_WB_W, settings_.ahead_s, 1.2 * settings_.margin_m);
   }
   look(near, soon);
-  // What moves until the next check, and some: lists reach over the skin.
+  // Rock that moves until the next check, with a margin: lists reach over the skin.
   const std::vector<Rest> at_rest = policy_.all();
   expose(at_rest, moving(at_rest, lmp_.neighbor->skin, 2 * settings_.check_s));
   const bool alarm = policy_.alarms();
@@ -301,7 +301,7 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
     std::vector<Rest> next = policy_.decide();
     expose(next, moving(next, settings_.layer_m, settings_.sight_s));
     if (!frame) policy_.park(next);
-    // Lists are built anew for a change: not for a few rocks more at rest.
+    // Lists are rebuilt for a change, but not for a few more rocks at rest.
     const auto in_lists = static_cast<std::size_t>(
         std::count_if(at_rest.begin(), at_rest.end(), [](Rest r) { return r != Rest::parked; }));
     if (alarm || policy_.changes(next) > in_lists / 50) {
@@ -311,7 +311,7 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
       park_again_ = frame;
     }
   }
-  // What is disturbed stays so until the next look at who is.
+  // A disturbed rock stays so until the next check.
   const std::uint8_t keep = gather ? 0 : rest_flag::disturbed;
   policy_.keep_flags(keep);
 }
@@ -350,9 +350,8 @@ void HoldRock::hold_layer() {
 }
 
 void HoldRock::apply(std::vector<Rest> rest) {
-  // A held rock's load is the sum of its contacts. As contacts leave the lists and return, what
-  // they carried is made up for, so that the sum tells what has changed since the rock came to
-  // rest.
+  // A held rock's load is the sum of its contacts. When contacts leave the lists and return, their
+  // forces are compensated, so that the sum is the change since the rock came to rest.
   std::vector<Vector3d> before(numbers_.size(), Vector3d::Zero());
   std::vector<bool> was_held(numbers_.size(), false);
   for_each_rock([&](const Facts& f, const auto&...) {

@@ -1,4 +1,4 @@
-// Holds rock at rest far from the machine, so that the cost of a step follows the rock that moves.
+// Holds rock at rest far from the machine, so that the cost of a step depends on the moving rock.
 #pragma once
 
 #include <mpi.h>
@@ -29,35 +29,35 @@ inline constexpr const char* kLayerGroup = "held_layer";
 /// Puts the rock of the layer into the group, before the first run. Collective.
 void mark_layer(LAMMPS_NS::LAMMPS& lmp, const setup::HeldLayer& layer);
 
-/// What HoldRock keeps of one rock, beside what the rules keep of it.
+/// HoldRock's data of one rock, besides those of the rules.
 struct HeldRecord {
-  bool of_layer = false;  ///< held whatever its load; the same on every rank
+  bool of_layer = false;  ///< held under any load; the same on every rank
   /// The integrators' bits of its spheres, taken from the mask while it rests. The same on every
   /// rank: a rock that has just crossed a boundary migrates as it comes to rest.
   int groups = 0;
-  // Of rock on this rank.
-  Vector3d carried_N = Vector3d::Zero();  ///< held: makes up for contacts that are not computed
+  // For rock on this rank.
+  Vector3d carried_N = Vector3d::Zero();  ///< held: compensates contacts that are not computed
   Vector3d excess_N =
       Vector3d::Zero();  ///< held: averaged change of its load since it came to rest
-  Vector3d seen_p_W = Vector3d::Zero();  ///< where it was at the last look at motion ...
+  Vector3d seen_p_W = Vector3d::Zero();  ///< its place at the last check of motion ...
   std::int64_t seen_step = -1;           ///< ... on this rank, at this step
 };
 
 /// All methods but the last two are collective.
 ///
-/// A held rock keeps its place and the forces on it are still computed; the sum of what it carried
-/// when it came to rest and what has changed since must stay below a part of its weight, or it
-/// wakes. Contact history is kept through all of it, so stress is what it was when the rock wakes.
+/// A held rock keeps its place, and the forces on it are still computed; when the change of its
+/// load since it came to rest exceeds a part of its weight, it wakes. Contact history is kept, so
+/// the stress is unchanged when the rock wakes.
 ///
-/// Rock of the group kLayerGroup is held from the beginning, whatever its load, until a moving wall
-/// comes near; then it is rock like any other, and leaves the group. The group is saved.
+/// Rock of the group kLayerGroup is held from the beginning, under any load, until a moving wall
+/// comes near; then it leaves the group and is treated as other rock. The group is saved.
 ///
-/// Who else rests is saved with all that is known of it: a checkpoint wakes nothing.
+/// The state of other resting rock is saved too: a checkpoint wakes nothing.
 class HoldRock {
  public:
   HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm);
 
-  /// As it was when it was saved, once the rock is in LIGGGHTS as it was then.
+  /// Restores the saved state, after the rock in LIGGGHTS has been restored.
   HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm,
            ByteReader& in);
   void save(ByteWriter& out) const;
@@ -65,7 +65,7 @@ class HoldRock {
   /// Before each window of n steps.
   void before_window(std::int64_t n_steps, const std::vector<MovingBody>& bodies);
 
-  /// Wakes all rock: before anything that wants all of it.
+  /// Wakes all rock: before anything that needs all of it.
   void release();
 
   /// Holds the rock of the layer again.
@@ -85,8 +85,8 @@ class HoldRock {
   };
   HoldRock(LAMMPS_NS::LAMMPS& lmp, const setup::HoldSettings& settings, MPI_Comm comm,
            RockNumbers numbers);
-  /// In these steps LIGGGHTS writes rock by itself: a restart file of the deck's, or a dump other
-  /// than the one that knows of parked rock. It is written at the end of a step, within the window.
+  /// Steps in which LIGGGHTS itself writes rock: a restart file of the deck, or a dump other than
+  /// the one that includes parked rock. It is written at the end of a step, within the window.
   bool all_rock_is_written(std::int64_t from, std::int64_t until) const;
   void unpark();
   template <typename Visit>
@@ -94,7 +94,8 @@ class HoldRock {
   void look(const std::vector<WallZone>& near, const std::vector<WallZone>& soon);
   void follow_loads(double dt_s);
   void look_at_motion(double dt_s);
-  /// Moving rock as spheres that ask for a gap, and for `ahead_s` of their way; of all ranks.
+  /// Moving rock as spheres with a clearance, and with their path of the next `ahead_s`; of all
+  /// ranks.
   Reach moving(const std::vector<Rest>& rest, double gap_m, double ahead_s) const;
   /// Flags rock at rest that moving rock reaches.
   void expose(const std::vector<Rest>& rest, const Reach& reach);
@@ -116,8 +117,8 @@ class HoldRock {
   int layer_ = 0;                  ///< mask bit of the layer's group; 0: none
   int resting_ = 0;                ///< mask bit of kRestGroup
   std::vector<HeldRecord> rocks_;  ///< by number; what the rules keep of each is in policy_
-  std::int64_t checked_ = 0, gathered_ = 0, followed_ = 0;  ///< steps of the last looks
-  bool park_again_ = false;                                 ///< a dump wanted all rock in
+  std::int64_t checked_ = 0, gathered_ = 0, followed_ = 0;  ///< steps of the last checks
+  bool park_again_ = false;                                 ///< a dump needed all rock
 };
 
 }  // namespace dipper::dem

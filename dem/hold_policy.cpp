@@ -37,7 +37,7 @@ Reach::Reach(std::vector<Mover> movers, double largest_m) {
     reach = std::max(reach, m.radius_m + m.gap_m);
     box_.add({m.x, m.y, m.z});
   }
-  // A rock far off must not ask for many cells.
+  // A rock far away must not need many cells.
   const double most = 8.0 * static_cast<double>(movers.size()) + 1000;
   double count = 0;
   for (cell_m_ = std::max((reach + largest_m) / kAround, 1e-3);; cell_m_ *= 1.25) {
@@ -55,7 +55,7 @@ Reach::Reach(std::vector<Mover> movers, double largest_m) {
     cell_of.push_back(at(cell(0, m.x), cell(1, m.y), cell(2, m.z)));
     ++first_[cell_of.back() + 1];
   }
-  // Along each axis in turn, so that a cell hears of all movers around it.
+  // Along each axis in turn, so that a cell includes all movers around it.
   near_.assign(static_cast<std::size_t>(count), 0);
   for (std::size_t c = 0; c < near_.size(); ++c) near_[c] = first_[c + 1] > 0 ? 1 : 0;
   for (const int stride : {1, cells_[0], cells_[0] * cells_[1]}) {
@@ -130,7 +130,7 @@ bool HoldPolicy::alarms() const {
   return std::any_of(rocks_.begin(), rocks_.end(), [](const RestRecord& r) {
     if (r.rest != Rest::moving && (r.flags & (rest_flag::near | rest_flag::struck)) != 0)
       return true;
-    // Moving rock is about to touch what is not there.
+    // Moving rock is about to touch parked rock.
     return r.rest == Rest::parked && (r.flags & rest_flag::exposed) != 0;
   });
 }

@@ -1,12 +1,12 @@
-// Which rock may stand still without being computed: the rules alone, without LIGGGHTS.
+// The rules that decide which rock at rest need not be computed; without LIGGGHTS.
 //
 // A rock (a sphere, or a multisphere as a whole) is
-//   moving   integrated as ever;
+//   moving   integrated as usual;
 //   held     computed but not moved: the boundary that moving rock rests on;
-//   parked   out of the simulation, with its contact history, since nothing that moves can touch
-//   it.
-// The paper's simplified model (Svanberg et al. 2021, section 3.2, Fig. 11b) does the same once and
-// for all by hand: still particles removed, a layer of 0.5 m held.
+//   parked   removed from the simulation, with its contact history, since nothing that moves can
+//            touch it.
+// The paper's simplified model (Svanberg et al. 2021, section 3.2, Fig. 11b) does the same once, by
+// hand: particles at rest removed, a layer of 0.5 m held.
 #pragma once
 
 #include <cstddef>
@@ -22,17 +22,17 @@ namespace dipper::dem {
 
 enum class Rest : std::uint8_t { moving, held, parked };
 
-/// What is known of a rock at a check; bits, so that ranks can be joined by a bitwise or.
+/// The state of a rock at a check; bits, so that ranks can be joined by a bitwise or.
 namespace rest_flag {
 inline constexpr std::uint8_t busy = 1;       ///< too fast to be at rest
 inline constexpr std::uint8_t near = 2;       ///< a moving wall is within the margin
 inline constexpr std::uint8_t soon = 4;       ///< or will be
 inline constexpr std::uint8_t disturbed = 8;  ///< held, and its load has changed
-inline constexpr std::uint8_t struck = 16;    ///< the same, and cannot wait for the next look
+inline constexpr std::uint8_t struck = 16;    ///< the same, and cannot wait for the next check
 inline constexpr std::uint8_t exposed = 32;   ///< at rest, within reach of a rock that moves
 }  // namespace rest_flag
 
-/// Where a body's box is now and where it will be if it goes on as it moves.
+/// A body's box now, and where it will be if it keeps its velocity.
 class WallZone {
  public:
   /// \param box  in the body's frame
@@ -45,17 +45,17 @@ class WallZone {
   Box box_;  ///< with the margin, in the body's frame
 };
 
-/// A sphere of moving rock and the clear room it asks for around it.
+/// A sphere of moving rock and its clearance.
 struct Mover {
   double x, y, z, radius_m, gap_m;
 };
 
-/// Tells what is within the gap of a mover. Movers are sorted into cells half as wide as the
-/// largest reach, x running fastest; a question looks at the rows of five around its cell, and at
-/// none where all of them are known to be empty.
+/// Finds what is within the gap of a mover. Movers are sorted into cells half as wide as the
+/// largest reach, x running fastest; a query checks the rows of five around its cell, unless all of
+/// them are known to be empty.
 class Reach {
  public:
-  /// \param largest_m  radius of the largest sphere that will be asked about
+  /// \param largest_m  radius of the largest sphere in any query
   Reach(std::vector<Mover> movers, double largest_m);
   bool touches(const Vector3d& p, double radius_m) const;
 
@@ -74,10 +74,10 @@ class Reach {
   std::vector<Mover> movers_;         ///< cell by cell
 };
 
-/// What the rules keep of one rock; the same on every rank, but for flags until they are joined.
+/// The rules' data of one rock; the same on every rank, except flags until they are joined.
 struct RestRecord {
   Rest rest = Rest::moving;
-  std::uint8_t flags = 0;  ///< rest_flag: what is known of it at this check
+  std::uint8_t flags = 0;  ///< rest_flag: its state at this check
   float calm_s = 0;        ///< for how long it has been calm, while it moves
 };
 
@@ -92,23 +92,23 @@ class HoldPolicy {
   std::size_t size() const { return rocks_.size(); }
 
   void flag(std::size_t rock, std::uint8_t bits) { rocks_[rock].flags |= bits; }
-  /// Keeps of every rock's flags only these bits.
+  /// Clears all other bits of every rock's flags.
   void keep_flags(std::uint8_t bits);
   /// All flags, for joining them over ranks.
   std::vector<std::uint8_t> flags() const;
   void set_flags(const std::vector<std::uint8_t>& flags);
 
-  /// Counts how long moving rock has been calm; `dt_s` since the last look.
+  /// Counts how long moving rock has been calm; `dt_s` since the last check.
   void observe(double dt_s);
 
   /// True when rock at rest must wake at once.
   bool alarms() const;
 
-  /// Who moves and who is held from here on: wakes what is near, soon near, disturbed; holds what
-  /// has been calm for long enough.
+  /// Decides which rock moves and which is held: wakes rock that is near, soon near or disturbed;
+  /// holds rock that has been calm for long enough.
   std::vector<Rest> decide() const;
 
-  /// Splits the rock that `rest` has at rest: held where exposed, parked elsewhere.
+  /// Splits the resting rock of `rest`: exposed rock is held, other rock parked.
   void park(std::vector<Rest>& rest) const;
 
   /// How many rocks differ.
@@ -116,7 +116,7 @@ class HoldPolicy {
 
   void adopt(const std::vector<Rest>& rest);
 
-  /// Everything, for a checkpoint.
+  /// The whole state, for a checkpoint.
   const std::vector<RestRecord>& records() const { return rocks_; }
   void restore(std::vector<RestRecord> records) { rocks_ = std::move(records); }
 

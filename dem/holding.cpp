@@ -6,7 +6,7 @@
 namespace dipper::dem {
 namespace {
 
-/// The layer is held by what holds rock at rest; by itself it lets no other rock come to rest.
+/// HoldRock holds the layer, too; with a layer alone no other rock comes to rest.
 setup::HoldSettings settings_of(const setup::RockSetup& setup) {
   if (setup.hold) return *setup.hold;
   setup::HoldSettings layer_only;
@@ -23,7 +23,8 @@ Holding::Holding(LAMMPS_NS::LAMMPS& lmp, const setup::RockSetup& setup,
 void Holding::measure_boxes() {
   for (std::size_t b = 0; b < walls_.size(); ++b) {
     Box box = walls_[b]->box();
-    for (const setup::Scale& s : setup_.scales) {  // what is weighed with a body is never parked
+    for (const setup::Scale& s :
+         setup_.scales) {  // rock that is weighed with a body is never parked
       if (s.body != setup_.bodies[b]) continue;
       box.add(s.box.min_m);
       box.add(s.box.max_m);
@@ -44,7 +45,7 @@ void Holding::before_set_up() {
 
 void Holding::release() {
   if (hold_) hold_->release();
-  hold_.reset();  // it counts the rock when it begins
+  hold_.reset();  // it counts the rock at its start
 }
 
 void Holding::before_window(const RockWindow& window) {

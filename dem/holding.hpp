@@ -11,8 +11,8 @@
 
 namespace dipper::dem {
 
-/// Tells HoldRock where the bodies are and go, and begins it anew after a release. Marks the held
-/// layer, if the set-up has one, at the run's start. Channel: rock_parked.
+/// Passes the bodies' positions and motion to HoldRock, and restarts it after a release. Marks the
+/// held layer, if the set-up has one, at the run's start. Channel: rock_parked.
 class Holding final : public RockFeature {
  public:
   /// \param walls  of the set-up's bodies, in their order; theirs is the extent of a body
@@ -27,7 +27,7 @@ class Holding final : public RockFeature {
   void save(ByteWriter& out) const override;
   void load(ByteReader& in) override;
 
-  /// Wakes all rock but keeps what is known of it, for the time of a look at all of it ...
+  /// Wakes all rock but keeps its state, while all of it is read ...
   void wake_all();
   /// ... after which the layer is held again.
   void hold_layer();
@@ -42,7 +42,7 @@ class Holding final : public RockFeature {
   LAMMPS_NS::LAMMPS& lmp_;
   setup::RockSetup setup_;
   std::vector<WallMotion*> walls_;
-  std::vector<Box> boxes_;  ///< of the bodies and of what is weighed with them, once in place
+  std::vector<Box> boxes_;  ///< of the bodies and of the regions weighed with them, once in place
   std::unique_ptr<HoldRock> hold_;
 };
 

@@ -20,6 +20,7 @@
 #include "dem/holding.hpp"
 #include "dem/moist/crust.hpp"
 #include "dem/moist/register_moist.hpp"
+#include "dem/rock_dump.hpp"
 #include "dem/rock_image.hpp"
 #include "dem/time_loop.hpp"
 #include "dem/wall_motion.hpp"
@@ -39,8 +40,8 @@ LiggghtsRock::LiggghtsRock(const setup::RockSetup& setup, MPI_Comm comm) : setup
   register_moist();
   lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(args.size()), args.data(), comm);
   if (setup.fast_loop) speed_up(*lmp_);
-  // LIGGGHTS opens the screen on rank 0 alone, yet every rank prints to it what is wrong with its
-  // part of a mesh, and would crash. Not stderr: Error::all closes any screen but stdout.
+  // LIGGGHTS opens the screen on rank 0 alone, but every rank prints faults of its part of a mesh
+  // to it, and would crash. Not stderr: Error::all closes any screen but stdout.
   if (lmp_->comm->me != 0) lmp_->screen = stdout;
   lmp_->input->file(setup.deck.c_str());
   for (const auto& body : setup_.bodies) walls_.push_back(WallMotion::attach(lmp_.get(), body));
@@ -77,6 +78,7 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
     setup_.resumed ? walls_[b]->adopt(X_WB[b], setup_.resumed->at(b)) : walls_[b]->place(X_WB[b]);
   }
   X_WB_ = X_WB;
+  RockDump::of(*lmp_);
   if (!setup_.resumed)
     for (const auto& feature : features_) feature->before_set_up();
   set_up_time_loop(*lmp_);
@@ -89,7 +91,8 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
 
 core::RockState LiggghtsRock::step(const core::RockStep& step) {
   if (!step.contact && !setup_.pauses)
-    throw std::runtime_error("the bodies' contact is to pause, which the set-up has not asked for");
+    throw std::runtime_error(
+        "the bodies' contact is to pause, but the set-up does not allow pauses");
   RockWindow window{lmp_->update->ntimestep, step.n_steps, X_WB_, step.X_WB_target, step.contact};
   window.all_rock_in = std::any_of(features_.begin(), features_.end(), [&](const auto& feature) {
     return feature->needs_all_rock(window);

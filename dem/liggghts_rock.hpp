@@ -23,7 +23,7 @@ class WallMotion;
 /// Runs windows of LIGGGHTS's time loop, moves the walls, and calls the rock's features
 /// (rock_feature.hpp) in this order: weighing, holding, crust, collapse, clearing of the start,
 /// pauses of the bodies' contact.
-/// A window is: features before it, walls told where to go, steps, features after it, walls' loads
+/// A window is: features before it, targets of the walls, steps, features after it, walls' loads
 /// and the features' channels. Every method is collective: each rank of the communicator makes the
 /// same call.
 class LiggghtsRock final : public core::LocalRock {
@@ -34,14 +34,15 @@ class LiggghtsRock final : public core::LocalRock {
 
   core::ServerInfo info() const override;
   core::RockState place(const std::vector<Pose>& X_WB) override;
-  /// Throws std::runtime_error for a pause of contact that the set-up has not asked for.
+  /// Throws std::runtime_error for a pause of contact that the set-up does not allow.
   core::RockState step(const core::RockStep& step) override;
   /// Writes a restart file of LIGGGHTS, and beside it its image (setup::image_of), which a resumed
-  /// run needs as well. Changes nothing: a run that saves goes on as one that does not, to the bit.
+  /// run needs as well. Changes nothing: a run that saves continues as one that does not, to the
+  /// bit.
   void save(const std::filesystem::path& file) override;
   std::string state_hash() override;
 
-  /// LIGGGHTS itself, for what no method gives: the tests read its meshes, contacts and momenta.
+  /// LIGGGHTS itself: the tests read its meshes, contacts and momenta.
   LAMMPS_NS::LAMMPS& liggghts() { return *lmp_; }
 
  private:
@@ -53,7 +54,7 @@ class LiggghtsRock final : public core::LocalRock {
   std::vector<WallMotion*> walls_;  // owned by LIGGGHTS
   std::vector<Pose> X_WB_;
   std::vector<std::unique_ptr<RockFeature>> features_;
-  Holding* holding_ = nullptr;  // one of them, or none
+  Holding* holding_ = nullptr;  // one of the features, or null
 };
 
 }  // namespace dipper::dem

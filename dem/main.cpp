@@ -1,5 +1,5 @@
-// dipper-dem CONFIG: the rock side of a paired run, under mpirun. Rank 0 listens; every rank does.
-// dipper-dem --hosts: where each rank is.
+// dipper-dem CONFIG: the rock side of a paired run, under mpirun. Rank 0 receives the requests;
+// every rank carries them out. dipper-dem --hosts: prints the place of each rank.
 #include <fmt/core.h>
 #include <mpi.h>
 #include <sys/prctl.h>
@@ -36,7 +36,7 @@ void broadcast(void* data, int bytes) {
   }
 }
 
-/// Hands rank 0's bytes to every rank.
+/// Sends rank 0's bytes to every rank.
 std::string share(std::string bytes) {
   std::int64_t size = static_cast<std::int64_t>(bytes.size());
   broadcast(&size, sizeof size);
@@ -45,7 +45,7 @@ std::string share(std::string bytes) {
   return bytes;
 }
 
-/// As launch::read_places takes it.
+/// In the format of launch::read_places.
 void tell_hosts() {
   int rank = 0, ranks = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -1,4 +1,4 @@
-// Puts a fix of our own into LIGGGHTS.
+// Adds a fix of Dipper's own to LIGGGHTS.
 #pragma once
 
 #include <fix.h>
@@ -12,8 +12,8 @@ namespace dipper::dem {
 /// Adds a FixClass(lmp, narg, arg), which LIGGGHTS then owns; `words` are what follows `fix`: its
 /// id, its group, and arguments of its own, from arg[5] on.
 ///
-/// Modify creates fixes by style name only, and its table of styles is private. So let it make a
-/// fix that does nothing, then put ours in its place: from there on Modify treats it like any.
+/// Modify creates fixes by style name only, and its table of styles is private. So it makes a fix
+/// that does nothing, which is then replaced by ours: Modify treats it like any other.
 template <class FixClass>
 FixClass* add_own_fix(LAMMPS_NS::LAMMPS* lmp, std::vector<std::string> words) {
   words.insert(words.begin() + 2, {"print", "2000000000", "-"});

@@ -26,7 +26,8 @@ namespace {
 
 constexpr int kOperation = LAMMPS_NS::OPERATION_COMM_EXCHANGE;
 
-/// LIGGGHTS keeps the bodies on a rank in arrays that grow by themselves, and their number apart.
+/// LIGGGHTS keeps the bodies on a rank in arrays that grow automatically, and their number
+/// separately.
 int& number_of_bodies(Multisphere& bodies) {
   int len1, len2;
   return *static_cast<int*>(bodies.extract("nbody", len1, len2));
@@ -101,8 +102,8 @@ ParkedRock::~ParkedRock() {
 }
 
 void ParkedRock::change(const std::vector<Rest>& rest) {
-  lmp_.atom->map_clear();  // while every sphere that is in it is still here
-  lmp_.atom->nghost = 0;   // what comes next would look for the ghosts' ids behind the spheres
+  lmp_.atom->map_clear();  // while every sphere in it still exists
+  lmp_.atom->nghost = 0;   // later code would look for the ghosts' ids behind the spheres
   take_out(rest);
   put_back(rest);
   keep_history(rest);
@@ -130,7 +131,7 @@ void ParkedRock::take_out(const std::vector<Rest>& rest) {
     if (rock == static_cast<std::size_t>(atom->tag[i]))
       masses_.push_back({rock, p_W, atom->rmass[i], {}});
   }
-  // From the last on, so that what takes a leaving sphere's place stays.
+  // From the last one, so that the sphere that takes a removed one's place stays.
   for (auto i = leaving.rbegin(); i != leaving.rend(); ++i) {
     atom->avec->copy(atom->nlocal - 1, *i, 1);
     --atom->nlocal;

@@ -1,4 +1,4 @@
-// Takes rock out of LIGGGHTS and puts it back as it was.
+// Removes rock from LIGGGHTS and puts it back unchanged.
 #pragma once
 
 #include <unordered_map>
@@ -21,13 +21,13 @@ class RockDump;
 /// The fix that moves the multispheres; null when the deck has none.
 LAMMPS_NS::FixMultisphere* multisphere_of(LAMMPS_NS::LAMMPS& lmp);
 
-/// A multisphere of this rank as one that migrates is packed, and back.
+/// Packs a multisphere of this rank as for migration, and unpacks it.
 std::vector<double> packed_body(LAMMPS_NS::Multisphere& bodies, int body);
 void add_body(LAMMPS_NS::Multisphere& bodies, std::vector<double> packed);
 
-/// Makes LIGGGHTS's maps of ids anew for the spheres and multispheres that are in it. Theirs reach
-/// to the largest id there has been, which after a resume may be less than that of rock which comes
-/// back. Collective.
+/// Rebuilds LIGGGHTS's maps of ids for its spheres and multispheres. Its own maps reach to the
+/// largest id so far, which after a resume may be less than that of rock that is put back.
+/// Collective.
 void renew_maps(LAMMPS_NS::LAMMPS& lmp);
 
 /// Numbers of the rocks: a single sphere's is its id, a multisphere's follows on the largest id.
@@ -40,7 +40,7 @@ class RockNumbers {
   void save(ByteWriter& out) const;
   std::size_t size() const { return size_; }
   std::size_t of_body(int tag) const { return spheres_ + static_cast<std::size_t>(tag); }
-  /// Of the sphere with this id.
+  /// The rock of the sphere with this id.
   std::size_t of_sphere(int tag) const { return rock_[static_cast<std::size_t>(tag)]; }
 
  private:
@@ -50,7 +50,8 @@ class RockNumbers {
 
 /// A sphere leaves and returns as one that migrates between ranks does: with all that every fix
 /// keeps of it, its wall contacts included. Contact history is kept by both partners, each under
-/// the other's id; who stays would lose its half when the lists are next built, so it is kept here.
+/// the other's id; the partner that stays would lose its half when the lists are built, so it is
+/// kept here.
 class ParkedRock {
  public:
   struct Sphere {
@@ -58,7 +59,7 @@ class ParkedRock {
     Vector3d p_W;
     double radius_m;
     std::vector<double> packed;
-    std::vector<double> shown;  ///< its row in the dump, if there is one
+    std::vector<double> shown;  ///< its row in the dump, if any
   };
   /// A rock's mass, where it is weighed.
   struct Mass {
@@ -74,9 +75,8 @@ class ParkedRock {
   ParkedRock(const ParkedRock&) = delete;
   ParkedRock& operator=(const ParkedRock&) = delete;
 
-  /// Makes the rock in LIGGGHTS that which is not `parked` in `rest`. To be called between the
-  /// storing of contact history (Modify::setup_pre_exchange) and the building of lists, both by the
-  /// caller.
+  /// Leaves in LIGGGHTS exactly the rock that is not `parked` in `rest`. Call between the storing
+  /// of contact history (Modify::setup_pre_exchange) and the building of lists, both by the caller.
   void change(const std::vector<Rest>& rest);
 
   void save(ByteWriter& out) const;
@@ -100,7 +100,7 @@ class ParkedRock {
   LAMMPS_NS::FixContactHistory* history_;
   std::vector<Sphere> spheres_;
   std::vector<Mass> masses_;
-  std::unordered_map<int, History> kept_;  ///< by sphere id: contacts with a partner not there
+  std::unordered_map<int, History> kept_;  ///< by sphere id: contacts with a parked partner
 };
 
 }  // namespace dipper::dem

@@ -1,11 +1,11 @@
-// How many ranks have come up, against how many were asked for.
+// Checks the number of ranks that were started.
 #pragma once
 
 namespace dipper::dem {
 
 /// Throws std::runtime_error, naming the mpirun on the path, when MPI_COMM_WORLD has another size.
 /// An mpirun of another MPI starts as many programs, each of which is rank 0 of 1: each would do
-/// the whole run, in one folder. Every program asks before it writes anything.
+/// the whole run, in one folder. Every program checks before it writes anything.
 void check_rank_count(int asked);
 
 }  // namespace dipper::dem

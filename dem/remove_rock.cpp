@@ -32,7 +32,7 @@ void take_out(LAMMPS_NS::LAMMPS& lmp, const RockNumbers& numbers,
               const std::vector<std::uint8_t>& goes, double& mass_kg) {
   LAMMPS_NS::Atom* atom = lmp.atom;
   atom->map_clear();
-  atom->nghost = 0;  // what comes next would look for the ghosts' ids behind the spheres
+  atom->nghost = 0;  // later code would look for the ghosts' ids behind the spheres
   for (int i = 0; i < atom->nlocal;) {
     const int tag = atom->tag[i];
     const std::size_t rock = numbers.of_sphere(tag);

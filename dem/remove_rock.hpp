@@ -1,4 +1,4 @@
-// Rock taken out of the simulation for good.
+// Removes rock from the simulation permanently.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ class LAMMPS;
 
 namespace dipper::dem {
 
-/// What was taken out; the same on every rank.
+/// The removed rock; the same on every rank.
 struct Cleared {
   double rocks = 0;  ///< multispheres and single spheres
   double mass_kg = 0;
@@ -22,8 +22,8 @@ struct Cleared {
 /// Of a sphere's centre [m, in W] and radius [m].
 using SphereTest = std::function<bool(const Vector3d& p_W, double radius_m)>;
 
-/// Takes out every rock of which a sphere passes the test, whole. Collective. Lists and forces are
-/// the caller's to set up: before the first run, by that; between steps, this is called between
+/// Removes every rock of which a sphere passes the test, as a whole. Collective. The caller sets up
+/// lists and forces: before the first run, by that run; between steps, call this between
 /// Modify::setup_pre_exchange, which stores contact history, and Integrate::setup_minimal.
 Cleared remove_rock(LAMMPS_NS::LAMMPS& lmp, const SphereTest& goes);
 

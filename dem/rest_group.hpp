@@ -1,17 +1,17 @@
 #pragma once
 
-// LIGGGHTS's headers count on what comes before them.
+// LIGGGHTS's headers depend on their order.
 #include <lammps.h>
 //
 #include <group.h>
 
 namespace dipper::dem {
 
-/// The LIGGGHTS group of the spheres that are held. What two of them press on each other with does
-/// not change, so the loop over contacts leaves it out; who holds them makes up for it.
+/// The LIGGGHTS group of the spheres that are held. The force between two of them does
+/// not change, so the loop over contacts skips it; HoldRock compensates.
 inline constexpr const char* kRestGroup = "at_rest";
 
-/// Its bit in a sphere's mask; 0 where nothing was ever held.
+/// Its bit in a sphere's mask; 0 when nothing was ever held.
 inline int rest_bit(const LAMMPS_NS::LAMMPS& lmp) {
   const int known = lmp.group->find(kRestGroup);
   return known < 0 ? 0 : lmp.group->bitmask[known];

@@ -1,4 +1,4 @@
-// What the rock does beyond moving and touching, one feature each.
+// Features of the rock beyond motion and contact.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct RockWindow {
   std::int64_t n_steps = 0;
   const std::vector<Pose>& X_WB;         ///< of the bodies when it begins
   const std::vector<Pose>& X_WB_target;  ///< when it ends
-  bool contact = true;                   ///< whether the bodies meet rock in it
-  bool all_rock_in = false;              ///< a feature needs all rock: none may be taken out
+  bool contact = true;                   ///< whether bodies and rock are in contact in it
+  bool all_rock_in = false;              ///< a feature needs all rock: none may be parked
 };
 
-/// LiggghtsRock calls its features in the order it lists them. Each method is collective over the
-/// ranks; what a method does by default is nothing.
+/// LiggghtsRock calls its features in the order of its list. Each method is collective over the
+/// ranks and does nothing by default.
 class RockFeature {
  public:
   RockFeature() = default;
@@ -29,7 +29,7 @@ class RockFeature {
   RockFeature(const RockFeature&) = delete;
   RockFeature& operator=(const RockFeature&) = delete;
 
-  /// What it adds to the record, the same through the whole run.
+  /// Its channels of the record, the same through the whole run.
   virtual std::vector<core::Channel> channels() const { return {}; }
 
   /// This rank's part of each of its channels, appended; the record gets the sums over ranks.
@@ -38,7 +38,8 @@ class RockFeature {
     static_cast<void>(parts);
   }
 
-  /// At a run's start, not when it is resumed: with the walls in place, before LIGGGHTS sets up ...
+  /// Called at a run's start, not after a resume: with the walls in place, before LIGGGHTS sets up
+  /// ...
   virtual void before_set_up() {}
   /// ... and after. True when forces have to be set up again.
   virtual bool after_set_up() { return false; }
@@ -48,15 +49,15 @@ class RockFeature {
     static_cast<void>(window);
     return false;
   }
-  /// Brings back all rock that it has taken out of LIGGGHTS or stopped, and begins anew with the
-  /// next window.
+  /// Brings back all rock that it has removed from LIGGGHTS or stopped, and restarts with the next
+  /// window.
   virtual void release() {}
 
   virtual void before_window(const RockWindow& window) { static_cast<void>(window); }
   virtual void after_window(const RockWindow& window) { static_cast<void>(window); }
 
-  /// What a checkpoint must know of it, and back, once LIGGGHTS's rock is as it was. Saving changes
-  /// nothing.
+  /// Its state for a checkpoint, and the restoring of it after LIGGGHTS's rock has been restored.
+  /// Saving changes nothing.
   virtual void save(ByteWriter& out) const { static_cast<void>(out); }
   virtual void load(ByteReader& in) { static_cast<void>(in); }
 };

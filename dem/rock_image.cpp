@@ -31,7 +31,7 @@ namespace {
 
 using LAMMPS_NS::FixMultisphere;
 
-/// Force and torque that a sphere (by id) or a multisphere (by tag) goes on with.
+/// Force and torque with which a sphere (by id) or a multisphere (by tag) continues.
 struct Load {
   int id;
   std::array<double, 6> load;
@@ -147,7 +147,7 @@ void write_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp,
     MPI_Send(mine.bytes().data(), size, MPI_BYTE, 0, 0, lmp.world);
     return;
   }
-  // One after the other: all of them may be more than rank 0 can hold.
+  // One after the other: all of them together may exceed rank 0's memory.
   ByteWriter head;
   head.put_all(sizes);
   std::ofstream out(file, std::ios::binary);
@@ -166,13 +166,13 @@ ByteReader read_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp)
   if (!in) throw std::runtime_error(file.string() + ": cannot be read");
   const auto read = [&](void* to, std::size_t size) {
     in.read(static_cast<char*>(to), static_cast<std::streamsize>(size));
-    if (!in) throw std::runtime_error(file.string() + ": it is cut short");
+    if (!in) throw std::runtime_error(file.string() + ": it is incomplete");
   };
   const auto ranks = static_cast<std::size_t>(lmp.comm->nprocs);
   std::size_t written = 0;
   read(&written, sizeof written);
   if (written != ranks)
-    throw std::runtime_error(fmt::format("{}: written by {} ranks; {} cannot go on from it",
+    throw std::runtime_error(fmt::format("{}: written by {} ranks; {} cannot continue from it",
                                          file.string(), written, ranks));
   std::vector<int> sizes(ranks);
   read(sizes.data(), ranks * sizeof(int));

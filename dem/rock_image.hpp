@@ -1,4 +1,4 @@
-// The rock in LIGGGHTS, to the bit: what a restart file of LIGGGHTS lacks.
+// The state of the rock in LIGGGHTS to the bit, which a LIGGGHTS restart file does not have.
 #pragma once
 
 #include <filesystem>
@@ -13,21 +13,21 @@ class LAMMPS;
 namespace dipper::dem {
 
 /// Writes a restart file without touching the simulation. The command `write_restart` sends spheres
-/// to other ranks first, so that lists and forces must be set up again, and forces come out
-/// different then: velocity Verlet damps contacts with the velocities of the half step, a set-up
+/// to other ranks first, so that lists and forces must be set up again, and forces
+/// differ then: velocity Verlet damps contacts with the velocities of the half step, a set-up
 /// with those of the whole one. Contact history in the file is that of the last list build, forces
-/// are not in it: the image has both. Collective.
+/// are missing: the image has both. Collective.
 void write_restart_untouched(LAMMPS_NS::LAMMPS& lmp, const std::filesystem::path& file);
 
-/// Every sphere and multisphere of this rank in its order, with all that LIGGGHTS's fixes keep of
-/// it, and the forces it goes on with. Collective, and changes nothing.
+/// Every sphere and multisphere of this rank in order, with all data of LIGGGHTS's fixes, and the
+/// forces. Collective; changes nothing.
 void put_rock(LAMMPS_NS::LAMMPS& lmp, ByteWriter& out);
 
-/// Puts that rock in place of what a restart file gave, builds lists and gives each the forces it
-/// had. Between time steps, once set up. Collective.
+/// Replaces the rock of a restart file by that rock, builds lists and restores the forces. Call
+/// between time steps, after set-up. Collective.
 void get_rock(LAMMPS_NS::LAMMPS& lmp, ByteReader& in);
 
-/// One file with what `put` writes on each rank. Collective.
+/// Writes the output of `put` on all ranks into one file. Collective.
 void write_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp,
                  const std::function<void(ByteWriter&)>& put);
 

@@ -77,7 +77,7 @@ void WallMotion::load(ByteReader& in) {
 }
 
 void WallMotion::begin_window(const Pose& X_WB_target, long n_steps) {
-  // Starting from the pose read back takes out what rounding the last window left.
+  // Starting from the pose read back removes the last window's rounding error.
   X_WB_ = pose_from_nodes();
   V_WB_W_ = twist_between(X_WB_, X_WB_target, static_cast<double>(n_steps) * update->dt);
   // Velocity Verlet gives the rock half of the first force and half of the last: the mean that
@@ -130,7 +130,7 @@ void WallMotion::initial_integrate(int) {
 
 void WallMotion::final_integrate() {
   // compute_vector: 0..2 total force, 3..5 total torque about the reference point, summed over
-  // ranks by the mesh's own final_integrate, which came before.
+  // ranks by the mesh's own final_integrate, which ran before.
   for (int k = 0; k < 3; ++k) {
     last_.force[k] = wall_->compute_vector(k);
     last_.torque[k] = wall_->compute_vector(3 + k);

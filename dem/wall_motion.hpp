@@ -1,4 +1,4 @@
-// Moves one LIGGGHTS wall mesh as a rigid body and adds up what the rock does to it.
+// Moves one LIGGGHTS wall mesh as a rigid body and sums the rock's force on it.
 #pragma once
 
 #include <fix.h>
@@ -23,7 +23,7 @@ namespace dipper::dem {
 
 /// A LIGGGHTS fix, put behind every fix of the deck so that it sees the step's final wall force.
 ///
-/// LIGGGHTS's own `fix move/mesh` knows one axis fixed in space and one velocity a mover; a dipper
+/// LIGGGHTS's own `fix move/mesh` has one axis fixed in space and one velocity per mover; a dipper
 /// pitches about an axis that itself swings. Here the mesh turns about the body's own origin by the
 /// exact increment of the window's twist, once a step, so general motion needs no correction
 /// within a window. All methods are collective over the world communicator.
@@ -47,17 +47,17 @@ class WallMotion : public LAMMPS_NS::Fix {
   /// The mesh's extent, in the body frame.
   Box box() const;
 
-  /// The mesh where it is, in W.
+  /// The mesh at its present pose, in W.
   mesh::TriangleMesh in_world() const;
 
   /// The window's mean and last wrench, and the pose read back from the mesh nodes.
   core::BodyLoad end_window();
 
-  /// What a checkpoint must know of it beside setup::WallMemory, and back, after `adopt`.
+  /// Its state for a checkpoint besides setup::WallMemory, and the restoring of it, after `adopt`.
   void save(ByteWriter& out) const;
   void load(ByteReader& in);
 
-  // What LIGGGHTS calls.
+  // Called by LIGGGHTS.
   int setmask() override;
   void setup_pre_force(int vflag) override;
   void initial_integrate(int vflag) override;
@@ -71,7 +71,7 @@ class WallMotion : public LAMMPS_NS::Fix {
 
   LAMMPS_NS::FixMeshSurface* wall_ = nullptr;
   LAMMPS_NS::AbstractMesh* mesh_ = nullptr;
-  /// Body-frame nodes of every element, by element id: what the pose is read back against.
+  /// Body-frame nodes of every element, by element id: the reference for the pose read back.
   std::vector<std::array<Vector3d, 3>> reference_;
   Pose X_WB_;
   Twist V_WB_W_;

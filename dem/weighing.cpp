@@ -33,8 +33,8 @@ void for_each_mass(LAMMPS_NS::LAMMPS& lmp, const Visit& visit) {
   }
 }
 
-/// A box of the set-up where it is now. Most rock is far from every box: a sphere about each
-/// rejects it, without turning it into its frame.
+/// A box of the set-up at its present place. Most rock is far from every box: a sphere around each
+/// box rejects it without a change of frame.
 struct PlacedBox {
   PlacedBox(const setup::Scale& s, const Pose& X_WS)
       : X_SW(inverse(X_WS)),

@@ -16,10 +16,10 @@ namespace dipper::dem {
 class Holding;
 
 /// Channels: the boxes' masses, rock_mass, rock_kinetic_energy, rocks (multispheres), particles
-/// (spheres, those of the rocks included). Rock that is parked counts.
+/// (spheres, those of the rocks included). Parked rock is included.
 class Weighing final : public RockFeature {
  public:
-  /// \param holding  what may have parked rock; null: nothing has
+  /// \param holding  may have parked rock; null: no rock is parked
   Weighing(LAMMPS_NS::LAMMPS& lmp, const setup::RockSetup& setup, const Holding* holding);
 
   std::vector<core::Channel> channels() const override;

@@ -74,7 +74,7 @@ double ShovelKinematics::rope_path(double saddle, double crowd) const {
 
 double ShovelKinematics::saddle_angle(double hoist, double crowd) const {
   const double rope = machine_.rope.length_at_zero_hoist + hoist;
-  // Raising the handle shortens the path, so there is one root at most; bisection is enough.
+  // Raising the handle shortens the path, so there is at most one root; bisection finds it.
   double low = machine_.limits.saddle_min;
   double high = machine_.limits.saddle_max;
   const double longest = rope_path(low, crowd);

@@ -1,4 +1,4 @@
-// Where the dipper is when the ropes do not stretch: for checks before a run.
+// The dipper's position with rigid ropes: for checks before a run.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct ShovelPose {
 
 /// The shovel with rigid ropes that never go slack.
 ///
-/// The saddle angle is where the path drum - over the sheave - bail is as long as the rope paid
-/// out; everything else is a chain of fixed and prescribed transforms:
+/// At the saddle angle the path from the drum over the sheave to the bail is as long as the rope
+/// paid out; the rest is a chain of fixed and prescribed transforms:
 /// X_WB = X_W0 Rz(swing) X_HS Ry(-saddle) Tx(reach + crowd) X_EB(rake).
 class ShovelKinematics {
  public:
@@ -40,12 +40,12 @@ class ShovelKinematics {
   /// door are 0. Throws std::domain_error for a point nearer to the saddle than the dipper reaches.
   Drives teeth_at(const Eigen::Vector2d& tip) const;
 
-  /// Where the tooth tips are then, the same point the other way round; swing and door do not
-  /// count. Throws as saddle_angle does.
+  /// The inverse: the tooth tips' point for hoist and crowd; swing and door have no effect. Throws
+  /// as saddle_angle does.
   Eigen::Vector2d teeth(const Drives& drives) const;
 
   /// The dipper's heel, the rear edge of its floor, while the tooth tips are at that point, in the
-  /// plane of the boom as they are. Throws as teeth_at does.
+  /// plane of the boom, as they are. Throws as teeth_at does.
   Eigen::Vector2d heel(const Eigen::Vector2d& tip) const;
 
   /// From the saddle to the tooth tips at a crowd [m].
@@ -57,8 +57,8 @@ class ShovelKinematics {
   /// The same with the saddle angle given.
   ShovelPose pose(const Drives& drives, double saddle) const;
 
-  /// Everything the motion asks that the machine cannot do, one message a limit with the time,
-  /// the worst value and the limit; empty when all is well. Also: the dipper's outline below the
+  /// Where the motion exceeds the machine's limits: one message per limit with the time, the worst
+  /// value and the limit; empty when it does not. Also reports the dipper's outline below the
   /// ground (z = 0 of X_W0).
   std::vector<std::string> check(const Motion& motion) const;
 

@@ -1,4 +1,4 @@
-// How a machine in the mine differs from its data sheet.
+// Differences of a machine in the mine from its data sheet.
 #pragma once
 
 #include "machine/machine_data.hpp"
@@ -11,15 +11,15 @@ struct MachineCondition {
   double hoist_loss = 0;       ///< of the rope's tension, in the sheaves
   double rope_compliance = 1;  ///< stretch at a load, as a multiple of the file's
 
-  /// What rides on the dipper: liners, rock that sticks. In B; the inertia about its own mass
+  /// Masses on the dipper: liners, rock that sticks. In B; the inertia about its own mass
   /// centre, axes of B.
   double added_mass_kg = 0;
   Vector3d added_center_m = Vector3d::Zero();
   Vector3d added_inertia_kg_m2 = Vector3d::Zero();
 };
 
-/// The products of inertia that a layer off the dipper's middle plane z = 0 brings are left out, as
-/// they are for the dipper itself.
+/// Products of inertia of a layer off the dipper's middle plane z = 0 are neglected, as for the
+/// dipper itself.
 MachineData in_condition(MachineData machine, const MachineCondition& condition);
 
 }  // namespace dipper::machine

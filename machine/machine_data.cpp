@@ -28,6 +28,13 @@ class Entries {
 
   bool has(const std::string& key) { return section_.find(key) != nullptr; }
 
+  /// Whether the source of an entry that is there begins with "assumed".
+  bool is_assumed(const std::string& key) {
+    YamlSection e = section_.section(key, "{value, unit, source}");
+    const YamlTree* source = e.find("source");
+    return source != nullptr && source->scalar.rfind("assumed", 0) == 0;
+  }
+
   std::string text(const std::string& key) { return entry(key, "-").text("value", "a text"); }
 
   std::string choice(const std::string& key, const std::vector<std::string>& words) {
@@ -40,7 +47,7 @@ class Entries {
     return word;
   }
 
-  /// Angles in deg come back in rad.
+  /// Returns angles given in deg in rad.
   double number(const std::string& key, const std::string& unit, const Range& range = {}) {
     const std::string what = unit == "-" ? "a number" : "a number in " + unit;
     return scale(unit) * entry(key, unit).number("value", what, range);
@@ -118,7 +125,8 @@ MachineData read(const YamlTree& file, std::vector<Finding>& findings) {
                 g.number("mass", "kg", kPositive),
                 g.vector("mass_center", "m"),
                 g.vector("inertia", "kg m^2"),
-                g.has("rated_load") ? g.number("rated_load", "kg", kPositive) : 0};
+                g.has("rated_load") ? g.number("rated_load", "kg", kPositive) : 0,
+                g.has("rated_load") && g.is_assumed("rated_load")};
   }
   {
     auto g = root.group("door");

@@ -39,16 +39,17 @@ struct MachineData {
   } handle;
 
   struct Dipper {
-    double struck_volume;   ///< m^3
-    Vector3d inside;        ///< m: depth, width, height
-    double tooth_reach;     ///< m beyond the lip
-    double base_rake;       ///< rad
-    Vector3d handle_end;    ///< p_BE, m
-    Vector3d bail;          ///< p_BL, m, left bail pin; the right one is at -y
-    double mass;            ///< kg without the door
-    Vector3d mass_center;   ///< p_BBcm, m
-    Vector3d inertia;       ///< kg m^2 about the mass centre, axes of B
-    double rated_load = 0;  ///< kg of rock, by the maker; 0: not known
+    double struck_volume;             ///< m^3
+    Vector3d inside;                  ///< m: depth, width, height
+    double tooth_reach;               ///< m beyond the lip
+    double base_rake;                 ///< rad
+    Vector3d handle_end;              ///< p_BE, m
+    Vector3d bail;                    ///< p_BL, m, left bail pin; the right one is at -y
+    double mass;                      ///< kg without the door
+    Vector3d mass_center;             ///< p_BBcm, m
+    Vector3d inertia;                 ///< kg m^2 about the mass centre, axes of B
+    double rated_load = 0;            ///< kg of rock; 0: not known
+    bool rated_load_assumed = false;  ///< no maker's figure: its source begins with "assumed"
   } dipper;
 
   struct Door {
@@ -70,19 +71,19 @@ struct MachineData {
     double mass_per_length = 0;  ///< kg/m, of a segmented one
   } rope;
 
-  /// What the drives can do at most: force F at speed v within |F| <= min(stall, power / |v|).
+  /// Limits of the drives: force F at speed v within |F| <= min(stall, power / |v|).
   struct DriveLimit {
     double stall;  ///< N, swing N m
     double power;  ///< W
   };
   struct DriveLimits {
     DriveLimit hoist;      ///< of both ropes together, at the bail
-    double hoist_inertia;  ///< kg at the ropes: what the drum and its motors weigh there
+    double hoist_inertia;  ///< kg: inertia of drum and motors, as a mass at the ropes
     DriveLimit crowd;
     DriveLimit swing;
   } drives;
 
-  /// Not in the file: a new machine has none. A case sets them (machine.crowd_friction_N, ...).
+  /// Not in the file: zero for a new machine. A case sets them (machine.crowd_friction_N, ...).
   struct Losses {
     double crowd_friction = 0;  ///< N, of the crowd's slide, against its motion
     double hoist_loss = 0;      ///< of the rope's tension, lost in the sheaves
@@ -99,8 +100,7 @@ struct MachineData {
   } limits;
 };
 
-/// How the drives move: exactly as they are sent, whatever it takes, or as far as their limits let
-/// them.
+/// Drives that follow the motion with any force, or as far as their limits allow.
 enum class DriveMode { prescribed, limited };
 
 /// Reads the file. Every entry must be there as {value, unit, source} with the unit expected here;

@@ -12,14 +12,14 @@
 namespace dipper::machine {
 namespace {
 
-constexpr int kCrowds = 12, kAngles = 60;  // a grid over what the limits allow
+constexpr int kCrowds = 12, kAngles = 60;  // a grid over the range within the limits
 
 struct Extent {
   const char* key;
   double low, high;
 };
 
-/// Limits that leave nothing between them.
+/// Limits with nothing between them.
 void find_empty_limits(const MachineData::Limits& l, std::vector<std::string>& faults) {
   for (const Extent& e :
        {Extent{"hoist", l.hoist_min, l.hoist_max}, Extent{"crowd", l.crowd_min, l.crowd_max},
@@ -30,7 +30,7 @@ void find_empty_limits(const MachineData::Limits& l, std::vector<std::string>& f
                       e.key, e.low, e.high));
 }
 
-/// Of a body: no axis has more moment of inertia than the two others together.
+/// Of a body: no moment of inertia exceeds the sum of the two others.
 void find_impossible_inertias(const MachineData& m, std::vector<std::string>& faults) {
   for (const auto& [body, inertia] : {std::pair{"handle", m.handle.inertia},
                                       {"dipper", m.dipper.inertia},
@@ -42,7 +42,7 @@ void find_impossible_inertias(const MachineData& m, std::vector<std::string>& fa
           body, inertia.x(), inertia.y(), inertia.z()));
 }
 
-/// Where the bail meets the sheave, or the rope pulls the handle down.
+/// Reports a bail inside the sheave, and a rope that pulls the handle down.
 std::string fault_at(const MachineData& m, const ShovelKinematics& shovel, double crowd) {
   const MachineData::Limits& l = m.limits;
   const auto angle = [&](int k) {

@@ -1,4 +1,4 @@
-// Whether a machine's dimensions can be put together at all, whatever it is told to do.
+// Checks that a machine's dimensions fit together, for any motion.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace dipper::machine {
 
-/// What is wrong, one sentence a cause with the key and the figures; empty when the loop from drum
+/// The faults, one sentence per cause with the key and the figures; empty when the loop from drum
 /// over sheave, bail, handle and saddle block closes with the ropes taut at every crowd for some
-/// hoist within the limits, and hoisting lifts. The first that is found of causes which follow from
-/// each other.
+/// hoist within the limits, and hoisting lifts. Of faults that follow from each other only the
+/// first.
 ///
 /// \param rake handle's centre line to dipper's floor, rad
 std::vector<std::string> geometry_faults(const MachineData& machine, double rake);

@@ -8,7 +8,7 @@ namespace dipper::machine {
 
 /// At a point between two others: that of the parabola through the three, limited to keep the cubic
 /// of either side monotone (Hyman 1983, SIAM J. Sci. Stat. Comput. 4:645); 0 where the values turn.
-/// `h` is how far apart the points are, `d` the slope of the line from one to the next; before,
+/// `h` is the distance of the points, `d` the slope of the line from one to the next; before,
 /// after.
 inline double monotone_slope(double h0, double d0, double h1, double d1) {
   if (d0 * d1 <= 0) return 0;

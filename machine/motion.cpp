@@ -16,7 +16,7 @@ namespace dipper::machine {
 namespace {
 
 const std::vector<std::string> kColumns = {"time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg"};
-constexpr double kLongest_s = 1e6;  // int64 nanoseconds hold it 9000 times over
+constexpr double kLongest_s = 1e6;  // 1/9000 of the range of int64 nanoseconds
 
 Drives drives(const std::array<double, 4>& v) { return {v[0], v[1], v[2], v[3]}; }
 
@@ -39,7 +39,7 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
   const auto fault = [&](int line, const std::string& message) {
     faults.push_back({file, line, "", message, 1});
   };
-  std::size_t not_later = 0, first_not_later = 0;  // a clock that was set back is one fault
+  std::size_t not_later = 0, first_not_later = 0;  // a clock that was set back counts as one fault
   for (const CsvRow& row : rows) {
     const auto& v = row.values;
     if (std::abs(v[0]) > kLongest_s) {
@@ -60,7 +60,7 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
   }
   if (not_later > 1)
     faults[first_not_later].message +=
-        fmt::format(", and so in {} more rows; dipper import sorts a log", not_later - 1);
+        fmt::format(", and the same in {} more rows; dipper import sorts a log", not_later - 1);
   if (faults.empty() && t_ns_.size() < 2)
     faults.push_back(
         {file, 0, "", fmt::format("{} row(s); a motion needs at least 2", t_ns_.size())});

@@ -1,4 +1,4 @@
-// motion.csv: what the four drives are told to do, as smooth functions of time.
+// motion.csv: the motion of the four drives as smooth functions of time.
 #pragma once
 
 #include <array>
@@ -46,7 +46,8 @@ class Motion {
   Drives rate(std::int64_t t_ns) const;
   Drives acceleration(std::int64_t t_ns) const;
 
-  /// All three at a time in seconds, for an integrator's stages between ticks.
+  /// Position, rate and acceleration at a time in seconds, for an integrator's stages between
+  /// ticks.
   DriveState at(double t_s) const;
 
   /// The first row after a time, where the acceleration may jump; int64's maximum after the last.

@@ -8,7 +8,7 @@
 namespace dipper::machine {
 namespace {
 
-/// The teeth's way of one pass: out through the rock and up to the dump, and back down.
+/// The path of the teeth in one pass: out through the rock and up to the dump, and back down.
 struct Way {
   TeethPath out, back;
 };
@@ -30,7 +30,7 @@ Way way(const MotionPlan& plan, std::size_t pass) {
 double Move::share(double t_s) const {
   const double span = end_s - start_s;
   const double tau = std::clamp(t_s - start_s, 0.0, span);
-  // Way at unit speed, `x` after the speed begins to rise.
+  // Distance at unit speed, `x` after the speed begins to rise.
   const auto risen = [&](double x) {
     return ramp_s > 0 ? x / 2 - ramp_s / (2 * M_PI) * std::sin(M_PI * x / ramp_s) : 0.0;
   };

@@ -1,4 +1,4 @@
-// A cycle of digs, laid out: from the teeth's way to the drives' curves.
+// The plan of a cycle of digs: from the path of the teeth to the drives' curves.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace dipper::machine {
 
-/// A share of 0 ... 1 over a time, at constant speed but for soft beginnings and ends: the speed's
-/// ramps are half waves of a sine. Zero before it, one after it.
+/// A share of 0 ... 1 over a time, at constant speed except at its ends, where the speed's ramps
+/// are half waves of a sine. Zero before it, one after it.
 struct Move {
   double start_s = 0, end_s = 0, ramp_s = 0;
   double share(double t_s) const;
 };
 
-/// One pass: control polygon of the teeth's way through the rock, and where the boom points.
+/// One pass: control polygon of the path of the teeth through the rock, and heading of the boom.
 struct PlannedPass {
   TeethPath dig;
   double heading_rad = 0;
@@ -40,7 +40,7 @@ struct MotionPlan {
 
 /// The rows of motion.csv, without its head: time_s,hoist_m,crowd_m,swing_deg,door_deg. After the
 /// last pass the dipper returns to the first dig. Throws std::domain_error, with time and point,
-/// where the machine cannot put its teeth.
+/// that the machine's teeth cannot reach.
 std::string motion_rows(const MotionPlan& plan, const ShovelKinematics& shovel);
 
 }  // namespace dipper::machine

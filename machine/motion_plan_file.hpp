@@ -1,4 +1,4 @@
-// plan.yaml: how a case's motion.csv came about.
+// plan.yaml: the plan from which a case's motion.csv is made.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,16 @@
 
 namespace dipper::machine {
 
-/// The surface in the plane of the boom at a heading [rad], x from the swing axis; `name` is what
-/// the plan calls it: "pile", or a path as in the file.
+/// The surface in the plane of the boom at a heading [rad], x from the swing axis; `name` is
+/// that of the plan: "pile", or a path as in the file.
 using FaceNamed = std::function<TeethPath(const std::string& name, double heading_rad)>;
 
 struct PlanFile {
-  std::string source;  ///< what the curves rest on, for the head of motion.csv
+  std::string source;  ///< the source of the curves, for the head of motion.csv
   MotionPlan plan;
 };
 
-/// Reads a plan (docs/motion.md has its keys) and lays its cuts through the faces. Throws
+/// Reads a plan (docs/motion.md has its keys) and computes its cuts through the faces. Throws
 /// InputError with every fault and its line, those of `face` included.
 PlanFile read_plan(const std::filesystem::path& file, const MachineData& machine,
                    const ShovelKinematics& shovel, const FaceNamed& face);

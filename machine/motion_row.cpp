@@ -10,7 +10,7 @@
 namespace dipper::machine {
 namespace {
 
-/// To the microsecond, with two digits after the point or more.
+/// To the microsecond, with at least two digits after the point.
 std::string time_text(double t_s) {
   std::string text = fmt::format("{:.6f}", t_s);
   while (text.back() == '0' && text[text.size() - 3] != '.') text.pop_back();

@@ -16,7 +16,7 @@ namespace {
 constexpr double kFarthest = 1e6;   // m, s
 constexpr double kUnitNorm = 1e-3;  // of a quaternion's length, which tables round
 
-/// A cubic at the part s of the way from 0 to d, with slopes of the whole way at both ends.
+/// A cubic from 0 to d at s in 0 ... 1, with the slopes given per unit of s.
 struct Cubic {
   Vector3d value, slope;
 };

@@ -1,4 +1,4 @@
-// Poses of bodies against time, from a table: how machine.kind poses moves them.
+// Poses of bodies against time, from a table: the motion of machine.kind poses.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace dipper::machine {
 
 /// A body passes its rows smoothly: each coordinate of its origin is a cubic between two rows that
 /// does not overshoot them (monotone_slope.hpp), and so is the rotation vector from one row to the
-/// next, the shorter way. It starts and ends at rest; before its first row and after its last it
-/// stands still.
+/// next, along the shorter arc. It starts and ends at rest, and does not move before its first
+/// row or after its last.
 class PoseTable {
  public:
   /// Reads time_s,body,x_m,y_m,z_m,qw,qx,qy,qz: position and orientation of the body's frame in W,

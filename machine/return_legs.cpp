@@ -26,7 +26,7 @@ std::vector<ReturnLeg> return_legs(const Motion& motion) {
   for (auto opened = std::find_if(x.begin(), x.end(), is_open); opened != x.end();) {
     const auto closed = std::find_if_not(opened, x.end(), is_open);
     if (closed == x.end()) break;
-    // The last of the widest: from there it closes.
+    // The last row with the widest opening: from there it closes.
     const auto widest = std::max_element(std::make_reverse_iterator(closed),
                                          std::make_reverse_iterator(opened), door);
     opened = std::find_if(closed, x.end(), is_open);

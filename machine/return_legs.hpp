@@ -1,4 +1,4 @@
-// When a motion brings the dipper back from the truck to the face.
+// The times in which a motion returns the dipper from the truck to the face.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct ReturnLeg {
 
 /// One leg for every time the door opens (door.hpp) and closes again, in order. The end is the last
 /// time at which the crowd is within 1 mm of its least before it is furthest out, in the next dig.
-/// None: the door stays as it is.
+/// Empty when the door does not move.
 std::vector<ReturnLeg> return_legs(const Motion& motion);
 
 }  // namespace dipper::machine

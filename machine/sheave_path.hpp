@@ -1,4 +1,4 @@
-// The shortest way of a rope from one end over a round sheave to the other, in the sheave's plane.
+// The shortest path of a rope from one end over a round sheave to the other, in the sheave's plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,7 @@ namespace dipper::machine {
 
 using Eigen::Vector2d;
 
-/// Where the rope runs. All vectors in the plane's axes (x, z), from the sheave's centre.
+/// The path of the rope. All vectors in the plane's axes (x, z), from the sheave's centre.
 struct SheavePath {
   double length;      ///< m: straight, wrapped, straight
   double free_b;      ///< m: the straight part at end b

@@ -18,12 +18,11 @@ using mesh::rod;
 using mesh::TriangleMesh;
 using mesh::turned;
 
-constexpr std::size_t kRound = 20;    // sides of what is round
+constexpr std::size_t kRound = 20;    // sides of round parts
 constexpr std::size_t kWrapped = 12;  // points of a rope where it lies on its sheave
 
-/// Lengths of what the data does not have, as shares of the winch's height above ground, u: those
-/// of general arrangement drawings of the class, as the eye takes them. None has a bearing on a
-/// run.
+/// Lengths that the data does not have, as shares of the winch's height above ground, u, estimated
+/// from general arrangement drawings of the class. None affects a run.
 class Frame {
  public:
   explicit Frame(const MachineData& machine)
@@ -137,8 +136,8 @@ std::vector<FigurePart> boom_parts(const Frame& f, const MachineData& machine) {
   return {{"boom", boom}, {"sheaves", both_sides(sheaves)}, {"shafts", shaft}};
 }
 
-/// The handle goes through the saddle at every crowd, and its mass is balanced about its middle but
-/// for a heavier dipper end.
+/// The handle passes through the saddle at every crowd, and its mass is balanced about its middle
+/// except for a heavier dipper end.
 double handle_length(const MachineData& machine, const Frame& f) {
   return std::max(2.2 * std::abs(machine.handle.mass_center),
                   machine.handle.reach_at_zero_crowd + machine.limits.crowd_max + 0.15 * f.u);

@@ -30,7 +30,7 @@ class Surface {
     }
   }
 
-  /// Takes out what lies above the straight way between two points.
+  /// Removes everything above the straight line between two points.
   void cut(const Vector2d& from, const Vector2d& to, SweptPass& pass) {
     const auto [low, high] = std::minmax(from.x(), to.x());
     const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(low / kStep_m)));
@@ -59,7 +59,7 @@ std::vector<SweptPass> swept_passes(const Motion& motion, const ShovelKinematics
   std::vector<std::pair<double, Surface>> lanes;
   std::vector<SweptPass> passes;
   for (const std::int64_t start : starts) {
-    std::int64_t still = start;  // the boom may be on its way to the dig yet
+    std::int64_t still = start;  // the boom may still be moving to the dig
     while (still < motion.end_ns() && std::abs(motion.rate(still).swing) > kStill_rad_s)
       still += kTick_ns;
     const double heading = motion.value(still).swing;

@@ -14,9 +14,9 @@ constexpr std::size_t kPoints = 4000;  // of a path
 constexpr std::size_t kLegPoints = 200;
 constexpr double kPathStep_m = 0.1;     // of a face's surface
 constexpr double kRise_m = 0.01;        // at a time, until the heel is clear
-constexpr double kPolygonSide_m = 1.6;  // coarse: the spline rounds what the rocks made uneven
+constexpr double kPolygonSide_m = 1.6;  // coarse: the spline smooths the unevenness of rocks
 
-/// As many points at equal steps along the line through the given ones.
+/// The same number of points, at equal steps along the line through the given ones.
 TeethPath evenly(const TeethPath& points, std::size_t n) {
   std::vector<double> way(1, 0);
   for (std::size_t i = 1; i < points.size(); ++i)

@@ -1,4 +1,4 @@
-// The way of the dipper's teeth in the plane of the boom.
+// The path of the dipper's teeth in the plane of the boom.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,23 +15,23 @@ using TeethPath = std::vector<Vector2d>;
 /// The clamped uniform cubic B-spline of a control polygon, as points at equal steps of its length.
 TeethPath spline(const TeethPath& polygon);
 
-/// A smooth curve through the points, which does not go beyond them in x or z where it need not:
-/// for each point but the first the way to it, as points at equal steps of its length. No point may
-/// be where the one before is.
+/// A smooth curve through the points that does not overshoot them in x or z: for each point but the
+/// first the path to it, as points at equal steps of its length. No point may repeat the one
+/// before.
 std::vector<TeethPath> legs_through(const TeethPath& points);
 
 /// Along the line through the points, m.
 double length(const TeethPath& path);
 
-/// The point at a share 0 ... 1 of the way along points at equal steps.
+/// The point at a share 0 ... 1 of the path along points at equal steps.
 Vector2d at_fraction(const TeethPath& path, double share);
 
-/// One dig: how the teeth go through a face.
+/// One dig: the path of the teeth through a face.
 struct Cut {
   Vector2d start = Vector2d::Zero();  ///< in front of the toe, m
   double depth_m = 0;                 ///< below the face's surface, square to it
   double floor_rise = 0;  ///< dz/dx of the floor that teeth and heel keep to, from the start
-  double exit_z_m = 0;    ///< where they leave the face, at the latest
+  double exit_z_m = 0;    ///< height at which they leave the face, at the latest
   double smooth_m = 0;    ///< over which the surface is averaged
 };
 
@@ -44,7 +44,7 @@ struct Cut {
 /// \param face  the surface, x rising; flat beyond its ends
 /// \param saddle  the saddle block's pivot
 /// \param reach_m  from there to the teeth with the crowd all out
-/// \param heel  where the dipper's heel is with the teeth at a point
+/// \param heel  position of the dipper's heel with the teeth at a point
 /// Throws std::invalid_argument when the face has no point within reach.
 TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle, double reach_m,
                    const std::function<Vector2d(const Vector2d&)>& heel);

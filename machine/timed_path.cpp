@@ -35,17 +35,17 @@ std::string fault_of(const std::vector<CsvRow>& rows, std::size_t i) {
   const double before = rows[i - 1].values[2];
   if (!stands(rows[i], rows[i - 1])) {
     if (wait > 0)
-      return fmt::format("wait_s is {}, but the teeth move; repeat the point to stand there", wait);
+      return fmt::format("wait_s is {}, but the teeth move; repeat the point to wait there", wait);
     if (speed + before <= 0)
       return "speed_m_s is 0 here and in the row before; the teeth would never arrive";
     return "";
   }
   if (speed + before > 0)
     return "repeats the point; speed_m_s must be 0 here and in the row before";
-  return wait > 0 ? "" : "repeats the point; write in wait_s how long to stand there";
+  return wait > 0 ? "" : "repeats the point; write the waiting time in wait_s";
 }
 
-/// The ways between the points, a curve for each stretch between two stands.
+/// The paths between the points, one curve for each stretch between two stops.
 std::vector<TeethPath> legs_of(const std::vector<PathPoint>& points) {
   std::vector<TeethPath> legs;
   TeethPath stretch(1, points.front().tip);
@@ -104,7 +104,7 @@ std::string motion_rows(const TimedPath& path, const ShovelKinematics& shovel) {
     while (leg + 1 < path.legs.size() && t >= path.points[leg + 1].t_s) ++leg;
     const PathPoint &from = path.points[leg], &to = path.points[leg + 1];
     const double share = std::min((t - from.t_s) / (to.t_s - from.t_s), 1.0);
-    // Way at a speed that changes evenly, by the whole way.
+    // Distance at constant acceleration, over the whole distance.
     const double mean = (from.speed_m_s + to.speed_m_s) / 2;
     const double gone =
         mean > 0 ? share * (from.speed_m_s + share * (to.speed_m_s - from.speed_m_s) / 2) / mean

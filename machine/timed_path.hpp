@@ -1,4 +1,4 @@
-// A way of the teeth with its speeds: points in a CSV, to the drives' curves.
+// A path of the teeth with speeds: from points in a CSV to the drives' curves.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace dipper::machine {
 
-/// Where the teeth, house and door are at a time.
+/// Position of teeth, house and door at a time.
 struct PathPoint {
   double t_s = 0;
   Vector2d tip = Vector2d::Zero();  ///< in the plane of the boom, m
@@ -20,18 +20,18 @@ struct PathPoint {
 
 struct TimedPath {
   std::vector<PathPoint> points;
-  /// The way to points[i + 1]; where the teeth stand, that one place.
+  /// The path to points[i + 1]; a single point during a stop.
   std::vector<TeethPath> legs;
 };
 
 /// Reads a table of x_m,z_m,speed_m_s,wait_s,swing_deg,door_deg. The teeth go through the points on
-/// a smooth curve, which may have a corner where they stand, and from one speed to the next at
-/// constant acceleration. A row that repeats the point of the one before is a stand of wait_s.
+/// a smooth curve, which may have a corner at a stop, and from one speed to the next at
+/// constant acceleration. A row that repeats the point of the one before is a stop of wait_s.
 /// Throws InputError with every fault and its line.
 TimedPath read_timed_path(const std::filesystem::path& file);
 
-/// The rows of motion.csv, without its head. House and door go between the points as they go
-/// between the rows of a motion. Throws std::domain_error as motion_row does.
+/// The rows of motion.csv, without its head. House and door move between the points as between the
+/// rows of a motion. Throws std::domain_error as motion_row does.
 std::string motion_rows(const TimedPath& path, const ShovelKinematics& shovel);
 
 }  // namespace dipper::machine

@@ -11,7 +11,7 @@ using mesh::TriangleMesh;
 using mesh::turned;
 
 std::vector<FigurePart> truck_figure(const Box& box) {
-  // The 793's length over all is 1.8 times its bed's, its tyres are 0.55 of the loading height.
+  // The 793's overall length is 1.8 times its bed's, its tyres are 0.55 of the loading height.
   const double front = box.max_m.x(), l = box.sides_m().x(), w = box.sides_m().y() / 2,
                h = box.max_m.z(), r = 0.275 * h, wide = 0.16 * w;
   const auto tyre = [&](double x, double y) {

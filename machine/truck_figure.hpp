@@ -1,4 +1,4 @@
-// What stands around a truck's bed: wheels, frame, cab, in the proportions of a CAT 793.
+// The parts around a truck's bed: wheels, frame, cab, in the proportions of a CAT 793.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What the drives lose on the way to the dipper: friction of the crowd's slide and of the hoist's
-// sheaves. Prescribed drives move all the same, and their forces change.
+// Friction between the drives and the dipper: of the crowd's slide and of the hoist's sheaves.
+// Prescribed drives move as before; their forces change.
 #pragma once
 
 #include "machine/machine_data.hpp"

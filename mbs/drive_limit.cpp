@@ -16,7 +16,7 @@ double LimitedDrive::wanted(double behind, double slower) const {
 }
 
 double LimitedDrive::most(double speed) const {
-  // Written so that a standing drive divides by nothing.
+  // Written so that a drive at rest does not divide by zero.
   return limit_.stall * std::abs(speed) > limit_.power ? limit_.power / std::abs(speed)
                                                        : limit_.stall;
 }

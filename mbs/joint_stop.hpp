@@ -1,4 +1,4 @@
-// The end of a joint's way: a buffer that pushes back and never pulls.
+// The end stop of a joint: a buffer that pushes back and never pulls.
 #pragma once
 
 namespace dipper::mbs {

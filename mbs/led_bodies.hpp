@@ -1,4 +1,4 @@
-// Bodies that follow a table of poses, whatever acts on them.
+// Bodies that follow a table of poses, regardless of the forces on them.
 #pragma once
 
 #include <string>
@@ -9,11 +9,10 @@
 
 namespace dipper::mbs {
 
-/// machine.kind poses: no mechanism, so no dynamics. The record has the wrench that the rock puts
-/// on each body.
+/// machine.kind poses: no mechanism, so no dynamics. The record has the rock's wrench on each body.
 class LedBodies final : public core::Machine {
  public:
-  /// Throws std::invalid_argument for a body that the table has no row of.
+  /// Throws std::invalid_argument for a body without a row in the table.
   LedBodies(machine::PoseTable poses, std::vector<std::string> bodies);
 
   core::ServerInfo info() const override;

@@ -6,7 +6,7 @@
 namespace dipper::mbs {
 namespace {
 
-// How far a drive at its limit is behind: below what the teeth's way is known to, and so stiff that
+// The lag of a drive at its limit: below the accuracy of the path of the teeth, and so stiff that
 // the ropes stay the softest part of the hoist.
 constexpr double kLag_m = 0.05;
 

@@ -1,14 +1,13 @@
-// Hoist, crowd and swing as motors that follow where they are sent as far as they can.
+// Hoist, crowd and swing as motors that follow their set points as far as their limits allow.
 #pragma once
 
 #include "machine/machine_data.hpp"
 #include "machine/motion.hpp"
 #include "mbs/drive_limit.hpp"
-#include "mbs/operator.hpp"
 
 namespace dipper::mbs {
 
-/// What one drive does: along its coordinate, N, swing N m.
+/// One drive's force: along its coordinate, N, swing N m.
 struct DriveEffort {
   double wanted;
   double most;
@@ -18,11 +17,17 @@ struct DriveEffort {
   bool saturated() const { return wanted > most || wanted < -most; }
 };
 
+/// What a drive wants over what it can do, of those that push the way they are sent.
+struct Overload {
+  double crowd = 0;
+  double others = 0;  ///< the larger of hoist's and swing's
+};
+
 struct DriveEfforts {
   DriveEffort hoist, crowd, swing;
 
-  /// A drive that brakes is ahead of where it is sent, and sending it slower would be no help: it
-  /// has none.
+  /// Zero for a drive that brakes: it is ahead of its set point, and a slower set point would not
+  /// help.
   Overload overload() const;
 };
 
@@ -31,10 +36,10 @@ class LimitedDrives {
  public:
   explicit LimitedDrives(const machine::MachineData& machine);
 
-  /// Forces that hold the machine where it stands at the start, along hoist, crowd and swing.
+  /// Forces that hold the machine at its initial position, along hoist, crowd and swing.
   void set_trims(const machine::Drives& force);
 
-  /// Of drives that are sent somewhere and are somewhere.
+  /// The state of the drives for set points and positions.
   DriveEfforts efforts(const machine::DriveState& sent, const machine::DriveState& are) const;
 
  private:

@@ -1,65 +1,50 @@
-// The operator of limited drives: follows the motion, and slows down when a drive stalls.
+// Who sends the drives where, when they have limits and so may not get there.
 #pragma once
 
 #include <functional>
-#include <memory>
+#include <optional>
+#include <vector>
 
+#include "coupler/core/server.hpp"
 #include "machine/motion.hpp"
+#include "mbs/limited_drives.hpp"
 
 namespace dipper::mbs {
 
-/// How far along the motion an operator is.
-struct PathState {
-  double time = 0;         ///< s of the motion: where on it the drives are sent to
-  double rate = 1;         ///< of that against the clock, 0 ... 1
-  double relief = 0;       ///< m by which the crowd is sent less far out than the motion says
-  double relief_rate = 0;  ///< m/s
+/// What he feels of the machine.
+struct Felt {
+  machine::DriveState drives;  ///< where they are, and how fast; no accelerations
+  DriveEfforts motors;
 };
 
-/// What a drive wants over what it can do, of those that push the way they are sent.
-struct Overload {
-  double crowd = 0;
-  double others = 0;  ///< the larger of hoist's and swing's
-};
-
-/// Slows down along the motion while a drive cannot follow, so that the dipper takes the planned
-/// way, later. Updates once a sub-step; in between, rates change linearly, so that the setpoints
-/// have no jump of speed.
-///
-/// r is the overload; e = 0 for r <= 1 and rises to 1 at r = 1.5. Rates approach their targets with
-/// the reaction time 0.2 s. The target of the rate along the motion is
-///   rate = min(1 - e_others, 1 - 0.75 e_crowd):
-/// the operator waits for a hoist or swing that cannot follow. A crowd that stalls is normal in a
-/// dig: he keeps hoisting, at a quarter of the rate, and retracts the crowd as it is pushed back,
-///   relief_rate = 0.5 m/s (r_crowd - 1.4) / 0.1, within 0 ... 0.5 m/s.
-/// Where the motion nearly stops all the same (rate < 0.2), he retracts the crowd for a shallower
-/// cut,
-///   relief_rate = 0.1 m/s (1 - rate / 0.2),
-/// and otherwise extends it again, relief_rate = -(1 - e_crowd) relief / 2 s. The motion never runs
-/// backwards, and the crowd does not retract beyond its stop.
+/// Sends limited drives somewhere. The shovel calls, in this order: `reset` at the start of a run
+/// and where it goes on; then for each sub-step `update` at its start, `setpoint` at any time up to
+/// its end, and `state` at the end, which is in the checkpoints. The same state at the same time
+/// that feels the same gives the same set points to the bit.
 class Operator {
  public:
-  /// \param crowd_min  m, the crowd's stop
-  Operator(std::shared_ptr<const machine::Motion> motion, double crowd_min);
+  virtual ~Operator() = default;
 
-  /// Sets the state at a time; rates stay constant until the next update.
-  void reset(double t_s, const PathState& state);
+  /// Goes on at a time, s, from a state that `state` gave then.
+  virtual void reset(double t_s, const std::vector<double>& state) = 0;
 
-  /// Sets new rates at a time. \param overload  of the drives at that time, after the reset
-  void update(double t_s, const std::function<Overload()>& overload);
+  /// Decides what to do from now on. \param feel  tells what he feels at that time, once it is
+  /// asked
+  virtual void update(double t_s, const std::function<Felt()>& feel) = 0;
 
-  /// The state at a time after the last update, at most a sub-step later.
-  PathState at(double t_s) const;
+  /// All that he will decide by, besides what he sees; always as many numbers.
+  virtual std::vector<double> state(double t_s) const = 0;
 
-  /// The drives' setpoints at a time: positions [m, rad], rates and accelerations per second.
-  machine::DriveState setpoint(double t_s) const;
+  /// The drives' set points at a time after the last update, at most a sub-step later: positions
+  /// [m, rad], rates and accelerations per second.
+  virtual machine::DriveState setpoint(double t_s) const = 0;
 
- private:
-  std::shared_ptr<const machine::Motion> motion_;
-  double crowd_min_;
-  double updated_s_ = 0;
-  PathState then_;
-  double rate_slope_ = 0, relief_slope_ = 0;  ///< 1/s, m/s^2, since then
+  /// Where on the case's motion he is, s; none when he follows another way.
+  virtual std::optional<double> motion_s(double t_s) const = 0;
+
+  /// What the record tells of him, and its values at a time.
+  virtual std::vector<core::Channel> channels() const = 0;
+  virtual std::vector<double> values(double t_s, const DriveEfforts& motors) const = 0;
 };
 
 }  // namespace dipper::mbs

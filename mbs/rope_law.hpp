@@ -1,4 +1,4 @@
-// What a rope that pulls and never pushes does at a length.
+// The force law of a rope, which pulls and never pushes.
 #pragma once
 
 namespace dipper::mbs {
@@ -30,7 +30,7 @@ struct RopeLaw {
   double elastic_fraction = 1;  ///< of the free length that stretches; the rest is rigid
   double damping = 0;           ///< N s/m on the rate of stretch, while taut
 
-  /// \param path, path_rate  m, m/s: of its way from end to end
+  /// \param path, path_rate  m, m/s: length from end to end, and its rate
   RopeState at(double path, double path_rate, const FreeLength& free) const;
 };
 

@@ -23,7 +23,7 @@ SegmentedRope::SegmentedRope(const SegmentedRopeSpec& spec)
     : spec_(spec), part_(kBelow / spec.elements) {
   node_mass_ = spec.mass_per_length * element_length(spec.longest);
   if (spec.elements < 2 || !(node_mass_ > 0))
-    throw std::invalid_argument("a segmented rope has two elements at least, and mass");
+    throw std::invalid_argument("a segmented rope must have at least two elements, and mass");
 }
 
 double SegmentedRope::element_stiffness(double free_length) const {
@@ -98,7 +98,7 @@ SegmentedRope::Now SegmentedRope::at(const Numbers& nodes, const Vector2d& end,
     if (i == n - 1) now.pull = force;
     tension_sum += tension;
   }
-  // Letting rope out lengthens every element by its part, and softens it.
+  // Paying out rope lengthens every element by its share, and softens it.
   now.state.winch_pull = (1 - n * part_) * now.state.tension + part_ * tension_sum +
                          now.state.elastic_energy / free.length;
   now.state.winch_power = -now.state.winch_pull * free.rate;
@@ -142,7 +142,7 @@ SegmentedRope::Numbers SegmentedRope::settled(const Vector2d& end, double free_l
     }
     nodes.head(2 * n_nodes) += K.partialPivLu().solve(force);
   }
-  throw std::runtime_error("the hoist rope finds no rest");
+  throw std::runtime_error("the hoist rope has no equilibrium");
 }
 
 }  // namespace dipper::mbs

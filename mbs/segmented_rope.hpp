@@ -1,4 +1,4 @@
-// A hoist rope as the paper has it: rigid from the drum over the sheave, elements with mass below.
+// A hoist rope as in the paper: rigid from the drum over the sheave, elements with mass below.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,12 +21,12 @@ struct SegmentedRopeSpec {
 
 /// n elements in line, free to turn, tension only, with a mass at each of the n - 1 nodes between
 /// them. Of the free length L a part lies over the sheave; nine tenths of the rest are cut into n
-/// equal elements, of which the first reaches up to the drum, so that no node comes to the sheave.
+/// equal elements, of which the first reaches up to the drum, so that no node reaches the sheave.
 /// They stretch together as the elastic rope does, k = n EA / (f L) each, and in line with its
 /// damping c on the rate at which the whole of it stretches, S; each has 5 % of critical of its
 /// own, c_e, against its node's mass:
 ///   T = max(0, k s + c_e ds/dt + c dS/dt) where s > 0, and 0 where s <= 0.
-/// The nodes feel gravity, and not that the house swings.
+/// Gravity acts on the nodes; the house's swing does not.
 class SegmentedRope {
  public:
   using Numbers = Eigen::VectorXd;  ///< n - 1 positions (x, z), then as many velocities
@@ -44,17 +44,17 @@ class SegmentedRope {
   Now at(const Numbers& nodes, const Eigen::Vector2d& end, const Eigen::Vector2d& end_rate,
          const FreeLength& free, const Eigen::Vector2d& gravity) const;
 
-  /// The nodes at rest, for a rope that is taut. Throws std::runtime_error if they find none.
+  /// The nodes at rest, for a taut rope. Throws std::runtime_error if there is no equilibrium.
   Numbers settled(const Eigen::Vector2d& end, double free_length,
                   const Eigen::Vector2d& gravity) const;
 
-  /// The longest step at which Runge-Kutta 3 is stable, with something in hand; s.
+  /// The longest step at which Runge-Kutta 3 is stable, with a margin; s.
   double longest_step() const;
   int size() const { return 4 * (spec_.elements - 1); }
   double node_mass() const { return node_mass_; }
 
  private:
-  /// An element: how far it is stretched, and its direction up and length below the sheave.
+  /// An element: its stretch, and its direction up and length below the sheave.
   struct Element {
     double stretch, reach;
     Eigen::Vector2d up;  ///< unit, from its lower node

@@ -9,7 +9,7 @@
 #include "common/seconds.hpp"
 #include "machine/kinematics.hpp"
 #include "machine/return_legs.hpp"
-#include "mbs/operator.hpp"
+#include "mbs/path_follower.hpp"
 #include "mbs/shovel_channels.hpp"
 #include "mbs/shovel_system.hpp"
 #include "mbs/snapshot.hpp"
@@ -17,7 +17,7 @@
 namespace dipper::mbs {
 namespace {
 
-/// Crowd, hoist and swing end at a row of the motion, or at a look of the operator.
+/// A step ends at a row of the motion, or when the operator updates its set points.
 std::int64_t pieces(std::int64_t length_ns, std::int64_t longest_ns) {
   return (length_ns + longest_ns - 1) / longest_ns;
 }
@@ -25,17 +25,17 @@ std::int64_t pieces(std::int64_t length_ns, std::int64_t longest_ns) {
 }  // namespace
 
 struct Shovel::Impl {
-  Impl(const machine::MachineData& machine, machine::Motion motion_in, const Pose& X_W0,
-       double rake, std::int64_t max_substep, machine::DriveMode mode, bool contact_on_return)
-      : motion(std::make_shared<const machine::Motion>(std::move(motion_in))),
-        path(mode == machine::DriveMode::limited
-                 ? std::make_unique<Operator>(motion, machine.limits.crowd_min)
-                 : nullptr),
+  Impl(const machine::MachineData& machine, std::shared_ptr<const machine::Motion> motion_in,
+       const Pose& X_W0, double rake, std::unique_ptr<Operator> from, std::int64_t max_substep,
+       bool contact_on_return)
+      : motion(std::move(motion_in)),
+        sender(std::move(from)),
         return_legs(contact_on_return ? std::vector<machine::ReturnLeg>{}
                                       : machine::return_legs(*motion)),
         max_substep_ns(max_substep),
-        system(machine, mode, X_W0, rake, seconds(max_substep),
-               [this](double t_s) { return path ? path->setpoint(t_s) : motion->at(t_s); }) {
+        system(machine, sender ? machine::DriveMode::limited : machine::DriveMode::prescribed, X_W0,
+               rake, seconds(max_substep),
+               [this](double t_s) { return sender ? sender->setpoint(t_s) : motion->at(t_s); }) {
     if (max_substep_ns <= 0) throw std::invalid_argument("shovel: the sub-step must be positive");
     if (motion->start_ns() != 0) {
       throw std::invalid_argument(fmt::format(
@@ -43,38 +43,39 @@ struct Shovel::Impl {
     }
     const machine::Drives start = motion->value(0);
     const machine::ShovelKinematics rigid(machine, X_W0, rake);
-    // The drives stand still; an acceleration in the motion's first interval must not tilt the
+    // The drives are at rest; an acceleration in the motion's first interval must not affect the
     // equilibrium.
     committed.numbers =
         system.find_equilibrium(start, rigid.saddle_angle(start.hoist, start.crowd));
-    if (path) committed.path = {0, 1, 0, 0};
+    if (sender) committed.sender = sender->state(0);
     restore();
     const ShovelInstant i = system.instant();
     energy_at_start = i.kinetic + i.potential;
   }
 
-  /// Puts the system where it is committed to be.
+  /// Sets the system to its committed state.
   void restore() {
-    if (path) {
-      path->reset(seconds(committed.t_ns),
-                  {committed.path[0], committed.path[1], committed.path[2], committed.path[3]});
-    }
+    if (sender) sender->reset(seconds(committed.t_ns), committed.sender);
     system.set(seconds(committed.t_ns), committed.numbers);
     system.hold(committed.F_Bo_W);
   }
 
-  /// From where it is committed to be, with the wrenches of `to`, to the time of `to`.
+  /// Integrates from the committed state, with the wrenches of `to`, to the time of `to`.
   void integrate(Snapshot& to) {
     const std::int64_t t0_ns = committed.t_ns, t1_ns = to.t_ns;
     const std::int64_t looks = pieces(t1_ns - t0_ns, max_substep_ns);
     std::int64_t t_ns = t0_ns;
     for (std::int64_t k = 1; t_ns < t1_ns; ++k) {
-      // Prescribed: a stretch for each piece of the motion, so that no jump of acceleration is
-      // inside a step. Limited: one for each look of the operator.
+      // Prescribed: one interval for each row of the motion, so that no jump of acceleration is
+      // inside a step. Limited: one for each update of the operator.
       const std::int64_t next_ns =
-          std::min(t1_ns, path ? t0_ns + (t1_ns - t0_ns) * k / looks : motion->next_row_ns(t_ns));
-      if (path) {
-        path->update(seconds(t_ns), [&] { return system.loads().motors->overload(); });
+          std::min(t1_ns, sender ? t0_ns + (t1_ns - t0_ns) * k / looks : motion->next_row_ns(t_ns));
+      if (sender) {
+        sender->update(seconds(t_ns), [&] {
+          const DriveEfforts motors = *system.loads().motors;
+          const ShovelNumbers n = system.numbers();
+          return Felt{system.laws().drives(n.q, n.u), motors};
+        });
         system.set_points_changed();
       }
       if (k == 1) system.hold(to.F_Bo_W);
@@ -82,14 +83,13 @@ struct Shovel::Impl {
       t_ns = next_ns;
     }
     to.numbers = system.numbers();
-    if (path) {
-      const PathState way = path->at(seconds(t1_ns));
-      to.path = {way.time, way.rate, way.relief, way.relief_rate};
-    }
+    if (sender) to.sender = sender->state(seconds(t1_ns));
   }
 
   bool contact(const Snapshot& at) const {
-    const std::int64_t t_ns = path ? std::llround(1e9 * at.path[0]) : at.t_ns;
+    if (return_legs.empty()) return true;
+    const auto motion_s = sender ? sender->motion_s(seconds(at.t_ns)) : std::nullopt;
+    const std::int64_t t_ns = motion_s ? std::llround(1e9 * *motion_s) : at.t_ns;
     return std::none_of(return_legs.begin(), return_legs.end(), [&](const machine::ReturnLeg& leg) {
       return leg.begin_ns <= t_ns && t_ns < leg.end_ns;
     });
@@ -106,19 +106,30 @@ struct Shovel::Impl {
   }
 
   std::shared_ptr<const machine::Motion> motion;
-  std::unique_ptr<Operator> path;               ///< none: the drives are prescribed
+  std::unique_ptr<Operator> sender;             ///< none: the drives are prescribed
   std::vector<machine::ReturnLeg> return_legs;  ///< on which the bodies meet no rock
-  std::int64_t max_substep_ns;                  ///< of the integrator; from look to look
+  std::int64_t max_substep_ns;  ///< of the integrator, and between the operator's updates
   ShovelSystem system;
   Snapshot committed;
   double energy_at_start = 0;
 };
 
+Shovel::Shovel(const machine::MachineData& machine, std::shared_ptr<const machine::Motion> motion,
+               const Pose& X_W0, double rake, std::unique_ptr<Operator> from,
+               std::int64_t max_substep_ns, bool contact_on_return)
+    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, std::move(from),
+                                   max_substep_ns, contact_on_return)) {}
+
 Shovel::Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0,
                double rake, std::int64_t max_substep_ns, machine::DriveMode mode,
-               bool contact_on_return)
-    : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, max_substep_ns, mode,
-                                   contact_on_return)) {}
+               bool contact_on_return) {
+  auto way = std::make_shared<const machine::Motion>(std::move(motion));
+  std::unique_ptr<Operator> follower;
+  if (mode == machine::DriveMode::limited)
+    follower = std::make_unique<PathFollower>(way, machine.limits.crowd_min);
+  impl_ = std::make_unique<Impl>(machine, std::move(way), X_W0, rake, std::move(follower),
+                                 max_substep_ns, contact_on_return);
+}
 
 Shovel::~Shovel() = default;
 
@@ -129,7 +140,7 @@ core::ServerInfo Shovel::info() const {
   info.version = fmt::format("dipper-mbs, Simbody {}.{}.{}", major, minor, build);
   info.bodies = {"dipper", "door"};
   info.timestep_s = seconds(impl_->max_substep_ns);
-  info.channels = shovel_channels(impl_->path != nullptr);
+  info.channels = shovel_channels(impl_->sender.get());
   return info;
 }
 
@@ -150,7 +161,7 @@ core::MachineState Shovel::Impl::report(const Snapshot& at, std::int64_t t_next_
   }
   out.contact = contact(at);
   out.channels = {
-      // As shovel_channels.cpp names them.
+      // In the order of shovel_channels.cpp.
       drive.position.swing,
       drive.rate.swing,
       q[kSaddle],
@@ -180,13 +191,14 @@ core::MachineState Shovel::Impl::report(const Snapshot& at, std::int64_t t_next_
       works[2],
       residual,
   };
-  if (path) {
-    const PathState way = path->at(seconds(at.t_ns));
+  if (sender) {
+    const DriveEfforts& motors = *i.loads.motors;
+    const std::vector<double> his = sender->values(seconds(at.t_ns), motors);
+    out.channels.insert(out.channels.end(), his.begin(), his.end());
     const auto yes = [](bool is) { return is ? 1.0 : 0.0; };
     out.channels.insert(out.channels.end(),
-                        {way.time, way.rate, way.relief, yes(i.loads.motors->hoist.saturated()),
-                         yes(i.loads.motors->crowd.saturated()),
-                         yes(i.loads.motors->swing.saturated()), yes(i.loads.rope.tension == 0)});
+                        {yes(motors.hoist.saturated()), yes(motors.crowd.saturated()),
+                         yes(motors.swing.saturated()), yes(i.loads.rope.tension == 0)});
   }
   return out;
 }
@@ -199,8 +211,8 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
   const std::int64_t t0_ns = impl_->committed.t_ns;
   if (step.t_end_ns <= t0_ns) {
     throw std::invalid_argument(
-        fmt::format("shovel: a window must go forward; it is at {} ns and asked for {} ns", t0_ns,
-                    step.t_end_ns));
+        fmt::format("shovel: a window must go forward; the time is {} ns, the window's end {} ns",
+                    t0_ns, step.t_end_ns));
   }
   if (step.F_Bo_W.size() != kBodies) {
     throw std::invalid_argument(fmt::format("shovel: {} wrenches; there must be {}: dipper, door",

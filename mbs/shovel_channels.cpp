@@ -2,7 +2,7 @@
 
 namespace dipper::mbs {
 
-std::vector<core::Channel> shovel_channels(bool limited) {
+std::vector<core::Channel> shovel_channels(const Operator* from) {
   std::vector<core::Channel> channels = {
       {"swing", "rad", "W"},
       {"swing_rate", "rad/s", "W"},
@@ -33,11 +33,10 @@ std::vector<core::Channel> shovel_channels(bool limited) {
       {"dissipated_energy", "J", "-"},
       {"energy_residual", "J", "-"},
   };
-  if (limited) {
-    channels.insert(channels.end(), {{"path_time", "s", "-"},
-                                     {"path_rate", "1", "-"},
-                                     {"crowd_relief", "m", "-"},
-                                     {"hoist_saturated", "1", "-"},
+  if (from != nullptr) {
+    const std::vector<core::Channel> own = from->channels();
+    channels.insert(channels.end(), own.begin(), own.end());
+    channels.insert(channels.end(), {{"hoist_saturated", "1", "-"},
                                      {"crowd_saturated", "1", "-"},
                                      {"swing_saturated", "1", "-"},
                                      {"ropes_slack", "1", "-"}});

@@ -1,13 +1,15 @@
-// What the shovel tells of itself at the end of a window.
+// The shovel's channels at the end of a window.
 #pragma once
 
 #include <vector>
 
 #include "coupler/core/server.hpp"
+#include "mbs/operator.hpp"
 
 namespace dipper::mbs {
 
-/// In the order of a MachineState's channels. `limited`: with what limited drives add.
-std::vector<core::Channel> shovel_channels(bool limited);
+/// In the order of a MachineState's channels. `from`: who drives, with what he and the limits of
+/// his drives add; none: the drives are prescribed.
+std::vector<core::Channel> shovel_channels(const Operator* from);
 
 }  // namespace dipper::mbs

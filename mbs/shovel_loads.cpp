@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// The crowd's buffers: its stall force pushes them in by this much, and they damp what is on the
-// slide by this share of critical.
+// The crowd's buffers: its stall force compresses them by this length, and their damping is this
+// share of critical for the mass on the slide.
 constexpr double kStop_m = 0.01, kStopDamping = 0.3;
 
 JointStop crowd_stop(const machine::MachineData& m) {
@@ -61,8 +61,8 @@ double ShovelLoadLaws::longest_step() const {
   return segments_ ? segments_->longest_step() : std::numeric_limits<double>::infinity();
 }
 
-// The upper rope is rigid, so the sheaves turn with the rope paid out, and drum and motors, which a
-// prescribed hoist does not feel, with them.
+// The upper rope is rigid, so sheaves, drum and motors turn with the rope paid out. A prescribed
+// hoist does not include drum and motors.
 double ShovelLoadLaws::drum_inertia() const {
   if (!limited()) return 0;
   return machine_.drives.hoist_inertia * machine_.boom.sheave_radius * machine_.boom.sheave_radius;

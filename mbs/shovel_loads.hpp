@@ -1,4 +1,4 @@
-// What acts on the shovel's joints besides gravity and rock: ropes, drives, friction, stops.
+// Forces on the shovel's joints besides gravity and rock: ropes, drives, friction, stops.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace dipper::mbs {
 
-/// Where the joints and the ropes' lower end are. Vectors in H, which turns with the house.
+/// Position of the joints and of the ropes' lower end. Vectors in H, which turns with the house.
 struct ShovelPlace {
   Joints q, u;
   Vector3d bail;       ///< m, the middle between its pins
@@ -22,7 +22,7 @@ struct ShovelPlace {
   Vector3d gravity;    ///< m/s^2
 };
 
-/// What acts there.
+/// The forces there.
 struct ShovelLoads {
   RopeState rope;  ///< each of the two; of a segmented one, at the sheave
   Vector3d pull;   ///< N, in H, of both together on the bail
@@ -33,7 +33,7 @@ struct ShovelLoads {
   Eigen::VectorXd rope_rates;  ///< of a segmented rope's nodes
 };
 
-/// What the drives do, positive where it puts energy into the machine.
+/// Forces and powers of the drives, positive when they put energy into the machine.
 struct DriveReport {
   double hoist_force, crowd_force, swing_torque, door_torque;  ///< N, N m
   double hoist_power, crowd_power, swing_power, door_power;    ///< W
@@ -44,15 +44,15 @@ struct DriveReport {
 /// The force laws of the shovel's drives and ropes. Hoist, crowd and swing are prescribed, or moved
 /// by motors with limits; the door is prescribed.
 ///
-/// Both ropes run in planes parallel to the boom's, mirrored, so that one is computed and counts
+/// Both ropes run in planes parallel to the boom's, mirrored, so one is computed and counted
 /// twice; their forces on the house have no moment about the swing axis.
 class ShovelLoadLaws {
  public:
   ShovelLoadLaws(const machine::MachineData& machine, machine::DriveMode mode);
 
-  /// \param rope  of one side: nothing, or the nodes of a segmented one
+  /// \param rope  of one side: empty, or the nodes of a segmented one
   /// \param to    the drives' set points
-  /// \param held  the joints are locked, and motors with limits give nothing
+  /// \param held  the joints are locked, and motors with limits give no force
   /// Throws std::domain_error where the ropes have no path.
   ShovelLoads at(const ShovelPlace& place, const Eigen::VectorXd& rope,
                  const machine::DriveState& to, bool held) const;
@@ -61,18 +61,18 @@ class ShovelLoadLaws {
   DriveReport report(const ShovelLoads& now, const Joints& q, const Joints& u,
                      const Joints& reaction) const;
 
-  /// Where drives and door are; no accelerations.
+  /// Position of drives and door; no accelerations.
   machine::DriveState drives(const Joints& q, const Joints& u) const;
   Joints joints(const machine::Drives& drives) const;
 
-  /// The motors hold the machine as it stands, by what its locked joints take. Nothing where the
-  /// drives are prescribed.
+  /// Makes the motors hold the machine, by the reactions of its locked joints. Does nothing when
+  /// the drives are prescribed.
   void hold(const Joints& reaction);
 
-  /// The nodes of a taut rope at rest; nothing of an elastic one.
+  /// The nodes of a taut rope at rest; empty for an elastic one.
   Eigen::VectorXd settled_rope(const ShovelPlace& place) const;
   int rope_numbers() const { return segments_ ? segments_->size() : 0; }
-  /// What the ropes can be stepped by at most, s.
+  /// The longest step for the ropes, s.
   double longest_step() const;
 
   bool limited() const { return motors_.has_value(); }
@@ -83,7 +83,7 @@ class ShovelLoadLaws {
 
   machine::MachineData machine_;
   RopeLaw law_;
-  std::optional<SegmentedRope> segments_;  ///< none: elastic ropes
+  std::optional<SegmentedRope> segments_;  ///< empty: elastic ropes
   DriveFriction friction_;
   JointStop crowd_stop_;  ///< for a crowd that is free to move
   std::optional<LimitedDrives> motors_;

@@ -52,7 +52,7 @@ class ShovelSystem::Target {
     return now_;
   }
   /// Accelerations may jump at the end of a step; this is their value before it. A picosecond is
-  /// far above a double's resolution there, and far below anything the motion notices.
+  /// far above a double's resolution there, and far below the motion's time scales.
   const machine::DriveState& before_jump(double t_s) {
     return t_s < end_s_ ? at(t_s) : at(end_s_ - 1e-12);
   }
@@ -86,8 +86,8 @@ struct ShovelSystem::DriveMotion : SimTK::Motion::Custom::Implementation {
   double scale;  ///< of the joint's coordinate against the drive's
 };
 
-/// Ropes, drives, friction and stops as a force of Simbody's. What they store, and the works, are
-/// its auxiliary variables.
+/// Ropes, drives, friction and stops as a force of Simbody. Their energies, and the works, are its
+/// auxiliary variables.
 struct ShovelSystem::Forces : SimTK::Force::Custom::Implementation {
   explicit Forces(ShovelSystem& shovel) : s(shovel) {}
 
@@ -115,7 +115,7 @@ struct ShovelSystem::Forces : SimTK::Force::Custom::Implementation {
     const Vec3 bail_W = X_WH.R() * vec(place.bail);  // from H's origin
     const Vec3 to_bail = X_WH.p() + bail_W - s.dipper_.getBodyTransform(state).p();
     on[s.dipper_.getMobilizedBodyIndex()] += SpatialVec(to_bail % pull_W, pull_W);
-    // What it pulls with on the sheaves' axis and the drum has the same line of action.
+    // Its pull on the sheaves' axis and the drum has the same line of action.
     on[s.house_.getMobilizedBodyIndex()] -= SpatialVec(bail_W % pull_W, pull_W);
   }
   double calcPotentialEnergy(const State&) const override { return now.potential; }
@@ -129,7 +129,7 @@ struct ShovelSystem::Forces : SimTK::Force::Custom::Implementation {
   }
 
   ShovelSystem& s;
-  // As at the last realization to Dynamics, which goes before one to Acceleration.
+  // As at the last realization to Dynamics, which precedes one to Acceleration.
   mutable ShovelPlace place;
   mutable ShovelLoads now;
   mutable std::string fault;  ///< Simbody's integrator does not pass on what a force throws
@@ -233,7 +233,7 @@ ShovelNumbers ShovelSystem::find_equilibrium(const machine::Drives& position, do
     system_.realize(s, SimTK::Stage::Acceleration);
     return s.getUDot()[kSaddle] > 0;
   };
-  // With the rope just slack it falls.
+  // With the rope just slack the dipper falls.
   double high = saddle, low = saddle - 1e-3;
   while (!rises(low)) {  // until the stretched rope pulls it up
     low -= 1e-3;

@@ -16,12 +16,12 @@
 
 namespace dipper::mbs {
 
-/// What is integrated: joints, works, and the nodes of segmented ropes.
+/// The integrated state: joints, works, and the nodes of segmented ropes.
 struct ShovelNumbers {
   Joints q = Joints::Zero();                        ///< joint coordinates, m and rad
   Joints u = Joints::Zero();                        ///< joint speeds, m/s and rad/s
   Eigen::Vector3d works = Eigen::Vector3d::Zero();  ///< J: by the drives, by the rock, dissipated
-  Eigen::VectorXd rope;                             ///< of one side; none: elastic ropes
+  Eigen::VectorXd rope;                             ///< of one side; empty: elastic ropes
 };
 
 /// The shovel at an instant, realized by Simbody.
@@ -42,14 +42,14 @@ struct ShovelInstant {
 ///   saddle block - crowd, slider along x - handle with dipper (frame B)
 ///   dipper - hinge about y, prescribed - door (frame D)
 ///
-/// Prescribed drives are Simbody's motions. All else are its forces: gravity, the rock's wrenches,
-/// and the laws of shovel_loads.hpp.
+/// Prescribed drives are motions in Simbody. All else are forces: gravity, the rock's wrenches, and
+/// the laws of shovel_loads.hpp.
 class ShovelSystem {
  public:
-  /// Where the drives are to be at a time, s.
+  /// The drives' set points at a time, s.
   using SetPoint = std::function<machine::DriveState(double)>;
 
-  /// \param longest_step_s  of the integrator, when the ropes do not ask for less
+  /// \param longest_step_s  of the integrator, unless the ropes need a shorter one
   ShovelSystem(const machine::MachineData& machine, machine::DriveMode mode, const Pose& X_W0,
                double rake, double longest_step_s, SetPoint set_point);
   ~ShovelSystem();
@@ -57,26 +57,26 @@ class ShovelSystem {
   ShovelSystem& operator=(const ShovelSystem&) = delete;
 
   /// Finds the saddle angle near `saddle` at which the stretched ropes carry the weight while the
-  /// drives stand still at a position; limited drives hold the machine there from then on. Throws
-  /// std::runtime_error when there is none.
+  /// drives are at rest at a position; limited drives hold the machine there from then on. Throws
+  /// std::runtime_error when there is no such angle.
   ShovelNumbers find_equilibrium(const machine::Drives& position, double saddle);
 
-  /// Puts it somewhere, with no rock on it.
+  /// Sets its state, without rock on it.
   void set(double t_s, const ShovelNumbers& numbers);
 
-  /// The rock's wrenches from now on.
+  /// Sets the rock's wrenches from now on.
   void hold(const Wrenches& rock);
 
-  /// The set points after now have changed.
+  /// Call when the set points after the present time have changed.
   void set_points_changed();
 
   /// Integrates to a time with Simbody's Runge-Kutta 3, in the fewest equal steps within the
-  /// longest step. A jump of the prescribed accelerations at the end belongs to what comes after.
+  /// longest step. A jump of the prescribed accelerations at the end belongs to the next interval.
   void step_to(double t_s);
 
   ShovelNumbers numbers() const;
 
-  /// What acts now, without accelerations.
+  /// The forces at the present state, without accelerations.
   const ShovelLoads& loads();
 
   /// Realizes accelerations. Throws std::domain_error where the ropes have no path.
@@ -85,8 +85,8 @@ class ShovelSystem {
   /// Poses and twists of dipper and door.
   std::array<BodyState, kBodies> bodies();
 
-  /// Where the bodies will be h seconds from now: prescribed joints by their set points, the others
-  /// with the accelerations they have (`instant` comes first).
+  /// The bodies' poses h seconds from now: prescribed joints by their set points, the others with
+  /// their present accelerations (call `instant` first).
   std::array<Pose, kBodies> poses_in(double h);
 
   const ShovelLoadLaws& laws() const { return laws_; }

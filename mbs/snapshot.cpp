@@ -10,14 +10,15 @@
 namespace dipper::mbs {
 namespace {
 
-// The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, path, rope and wrenches
-// as they are in memory: a checkpoint stays on the kind of machine that wrote it.
+// The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, operator, rope and
+// wrenches as they are in memory: a checkpoint can be read only on the kind of
+// machine that wrote it.
 constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
 constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
 
 const char* magic_of(const Snapshot& s) {
-  if (s.numbers.rope.size() > 0) return s.path.empty() ? kSegmented : kLimitedSegmented;
-  return s.path.empty() ? kPrescribed : kLimited;
+  if (s.numbers.rope.size() > 0) return s.sender.empty() ? kSegmented : kLimitedSegmented;
+  return s.sender.empty() ? kPrescribed : kLimited;
 }
 
 template <typename T>
@@ -36,7 +37,7 @@ void each_number(S& s, F f) {
   for (int i = 0; i < kJoints; ++i) f(n.q[i]);
   for (int i = 0; i < kJoints; ++i) f(n.u[i]);
   for (int i = 0; i < n.works.size(); ++i) f(n.works[i]);
-  for (auto& x : s.path) f(x);
+  for (auto& x : s.sender) f(x);
   for (int i = 0; i < n.rope.size(); ++i) f(n.rope[i]);
   for (auto& F_Bo_W : s.F_Bo_W) {
     for (int i = 0; i < 3; ++i) f(F_Bo_W.torque[i]);

@@ -1,4 +1,4 @@
-// What the shovel's future depends on, and its file.
+// The full state of the shovel, and its file.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace dipper::mbs {
 
-/// The shovel's state at a tick: a run that was saved and loaded does not differ by a bit.
+/// The shovel's state at a tick: a run that was saved and loaded is the same to the bit.
 struct Snapshot {
   std::int64_t t_ns = 0;
   ShovelNumbers numbers;
-  std::vector<double> path;  ///< the operator's PathState; none: the drives are prescribed
-  Wrenches F_Bo_W;           ///< held on dipper and door over the last window
+  std::vector<double> sender;  ///< the operator's state; none: the drives are prescribed
+  Wrenches F_Bo_W;             ///< held on dipper and door over the last window
 };
 
 /// Throws std::runtime_error naming the file.
 void save(const Snapshot& snapshot, const std::filesystem::path& file);
 
-/// Reads what save wrote, for a machine with as many coordinates, speeds and works as `like`,
+/// Reads the file of save, for a machine with as many coordinates, speeds and works as `like`,
 /// and drives of its kind.
-/// Throws std::runtime_error naming the file and what is wrong with it.
+/// Throws std::runtime_error naming the file and its fault.
 Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like);
 
 }  // namespace dipper::mbs

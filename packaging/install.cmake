@@ -8,7 +8,7 @@ install(TARGETS dipper-dem dipper-mbs dipper-liggghts bench-cut place-rocks
 set(data ${CMAKE_INSTALL_DATADIR}/dipper)
 install(DIRECTORY dem_in meshes cases DESTINATION ${data})
 install(DIRECTORY mbs DESTINATION ${data} FILES_MATCHING PATTERN "*.yaml")
-install(DIRECTORY analysis/effects analysis/gap analysis/logs analysis/runs analysis/study DESTINATION ${data}/analysis
+install(DIRECTORY analysis/effects analysis/gap analysis/logs analysis/runs analysis/study analysis/survey DESTINATION ${data}/analysis
         PATTERN "__pycache__" EXCLUDE)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

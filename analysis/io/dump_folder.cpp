@@ -10,12 +10,13 @@
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
 #include "common/case_lines.hpp"
+#include "common/draft_file.hpp"
 
 namespace dipper::analysis::io {
 namespace fs = std::filesystem;
 namespace {
 
-/// rocks_1670.dump is "rocks", dump.1670 is "dump": what comes before the step.
+/// The name before the step: "rocks" of rocks_1670.dump, "dump" of dump.1670.
 std::string stem_of(const fs::path& given) {
   const fs::path file = without_gz(given);
   std::string name = file.filename().string();
@@ -33,7 +34,7 @@ std::string stem_of(const fs::path& given) {
   return name.empty() ? "dump" : name;
 }
 
-/// A file that may not be read and that has no step in its name is none: a log of the run's owner.
+/// Skips a file that cannot be read and has no step in its name, such as a log of another user.
 bool is_text_dump(const fs::path& file) {
   if (access(file.c_str(), R_OK) != 0 && !step_in_name(file.filename())) return false;
   ByteReader in(file);
@@ -58,12 +59,12 @@ struct Found {
   decltype(DumpFolder::walls) walls;
 };
 
-/// Whether a VTK file without its rows read is a wall. One file of a group stands for all.
+/// Whether a VTK file is a wall, by its header. One file of a group decides for all.
 Found find_dumps(const fs::path& folder) {
   Found found;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+    if (entry.is_regular_file() && !is_draft(entry.path())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::map<std::string, bool> is_wall;
   for (const fs::path& file : files) {
@@ -95,7 +96,7 @@ std::vector<fs::path> series_files(const fs::path& folder) {
   return files;
 }
 
-/// Every file a *.series lists must be there. Returns the time step of the first that tells it.
+/// Every file in a *.series must exist. Returns the time step of the first one that defines it.
 std::optional<double> check_series(const fs::path& folder) {
   std::optional<double> timestep_s;
   for (const fs::path& file : series_files(folder)) {
@@ -106,7 +107,8 @@ std::optional<double> check_series(const fs::path& folder) {
     for (const auto& entry : json["files"]) {
       if (!entry.is_object() || !entry.value("name", nlohmann::json()).is_string() ||
           !entry.value("time", nlohmann::json(0)).is_number())
-        throw input_error(file, 0, "lists what is not {\"name\": a file, \"time\": a number}");
+        throw input_error(file, 0,
+                          "has an entry that is not {\"name\": a file, \"time\": a number}");
       const fs::path name = entry.value("name", "");
       if (!fs::exists(folder / name))
         throw input_error(file, 0, fmt::format("lists {}, which is missing", name.string()));
@@ -133,7 +135,7 @@ void check_names(const std::vector<DumpFrame>& frames) {
   }
 }
 
-/// Steps that are evenly spaced but for a gap have a frame missing.
+/// Reports a missing frame in steps that are otherwise evenly spaced.
 void check_spacing(const std::vector<DumpFrame>& frames, const fs::path& folder) {
   if (frames.size() < 3) return;
   const auto gap = [&](std::size_t i) { return frames[i].step - frames[i - 1].step; };
@@ -141,8 +143,8 @@ void check_spacing(const std::vector<DumpFrame>& frames, const fs::path& folder)
   for (std::size_t i = 2; i < frames.size(); ++i) least = std::min(least, gap(i));
   std::vector<std::int64_t> missing;
   for (std::size_t i = 1; i < frames.size(); ++i) {
-    if (gap(i) % least != 0) return;  // not evenly spaced: nothing to tell
-    // Two like it in a row are another interval, with which the run went on.
+    if (gap(i) % least != 0) return;  // not evenly spaced: no conclusion
+    // Two equal ones in a row are another interval, with which the run continued.
     const bool alone =
         (i == 1 || gap(i - 1) != gap(i)) && (i + 1 == frames.size() || gap(i + 1) != gap(i));
     if (gap(i) > least && alone) missing.push_back(frames[i - 1].step + least);
@@ -157,7 +159,7 @@ void check_spacing(const std::vector<DumpFrame>& frames, const fs::path& folder)
 
 void check_walls(const DumpFolder& d) {
   for (const auto& [name, steps] : d.walls) {
-    if (steps.size() < 2) continue;  // a wall that stands still, dumped once
+    if (steps.size() < 2) continue;  // a wall that does not move, dumped once
     for (const DumpFrame& f : d.frames)
       if (steps.count(f.step) == 0)
         throw input_error(d.folder, 0,
@@ -202,7 +204,7 @@ DumpFolder open_dump_folder(const fs::path& folder, std::optional<double> timest
   for (const DumpFrame& f : d.frames) {
     if (!timestep_s && !f.time_s)
       throw input_error(f.file, f.line,
-                        "the time step is not known: there is no case.txt and no *.series; say it "
+                        "the time step is not known: there is no case.txt and no *.series; give it "
                         "with --timestep");
     d.time_s.push_back(timestep_s ? static_cast<double>(f.step) * *timestep_s : *f.time_s);
   }

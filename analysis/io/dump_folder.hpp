@@ -8,7 +8,7 @@
 namespace dipper::analysis::io {
 
 struct DumpFolder {
-  std::filesystem::path folder;   ///< where the dumps are
+  std::filesystem::path folder;   ///< the folder of the dumps
   std::string particles;          ///< the files' common name: "rocks"
   std::vector<DumpFrame> frames;  ///< of the particles, by step
   std::vector<double> time_s;     ///< of each frame
@@ -16,7 +16,7 @@ struct DumpFolder {
   /// Wall dumps (VTK with polygons) by name, then by step.
   std::map<std::string, std::map<std::int64_t, std::filesystem::path>> walls;
 
-  /// The frame nearest to a time. There is at least one.
+  /// The frame nearest to a time. There is always one.
   std::size_t nearest(double time_s) const;
 };
 
@@ -25,11 +25,11 @@ struct DumpFolder {
 /// else an error.
 ///
 /// Times are step * timestep: `timestep_s` when given; else FOLDER/case.txt's dem.timestep_s; else
-/// what a *.series says; else the dumps' own times (ITEM: TIME).
+/// that of a *.series; else the dumps' own times (ITEM: TIME).
 ///
 /// Throws InputError naming file and line: no dumps, an unknown time step, a frame that is missing
 /// (from an even spacing of steps, from a *.series, from one kind of dump but not the others), a
-/// file whose step is not the one in its name, and what DumpReader finds.
+/// file whose step is not the one in its name, and the errors of DumpReader.
 DumpFolder open_dump_folder(const std::filesystem::path& folder,
                             std::optional<double> timestep_s = {});
 

@@ -92,7 +92,7 @@ void read_vtk_dump(const DumpFrame& frame, const std::vector<std::string>& colum
   }
 }
 
-/// How a column asked for is made from the file's own.
+/// How a requested column is made from the file's columns.
 struct Source {
   std::string name;
   double shift = 0, scale = 1;
@@ -146,7 +146,7 @@ DumpReader::DumpReader(const std::vector<std::filesystem::path>& files) {
                    [](const DumpFrame& a, const DumpFrame& b) { return a.step < b.step; });
   for (const DumpFrame& f : frames_)
     if (f.step < 0 || f.step > kLargestStep)
-      throw input_error(f.file, f.line, fmt::format("{} is no number of time steps", f.step));
+      throw input_error(f.file, f.line, fmt::format("{} is not a number of time steps", f.step));
   for (std::size_t i = 1; i < frames_.size(); ++i) {
     const DumpFrame &a = frames_[i - 1], &b = frames_[i];
     if (a.step == b.step)

@@ -13,7 +13,7 @@
 
 namespace dipper::analysis::io {
 
-/// One frame of a dump: what its header says.
+/// One frame of a dump, by its header.
 struct DumpFrame {
   std::int64_t step = 0;
   std::optional<double> time_s;  ///< when the dump itself has it (ITEM: TIME)
@@ -27,7 +27,7 @@ struct DumpFrame {
   bool has(const std::string& column) const;
 };
 
-/// Some particles of a frame: columns[k][i] is the k-th column asked for of particle i.
+/// Some particles of a frame: columns[k][i] is the k-th requested column of particle i.
 struct ParticleChunk {
   std::size_t rows = 0;
   std::vector<std::vector<double>> columns;
@@ -48,9 +48,9 @@ class DumpReader {
 
   const std::vector<DumpFrame>& frames() const { return frames_; }
 
-  /// Hands a frame's rows to `visit`, up to kChunkRows at a time, in the file's order. Positions
-  /// asked for as x, y, z are made from xu or xs when the dump has only those. Throws InputError
-  /// naming file and line: a column that is not there, a row that is too short, not a number.
+  /// Passes a frame's rows to `visit`, up to kChunkRows at a time, in the file's order. Positions
+  /// requested as x, y, z are made from xu or xs when the dump has only those. Throws InputError
+  /// naming file and line: a missing column, a row that is too short, not a number.
   static void read(const DumpFrame& frame, const std::vector<std::string>& columns,
                    const std::function<void(const ParticleChunk&)>& visit);
 

@@ -36,7 +36,7 @@ class LineReader : private ByteReader {
 /// Opens a file, gzipped or not, for reading; throws InputError.
 std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> open_file(const std::filesystem::path& file);
 
-/// Takes the next word (up to blank, tab or carriage return) off the front; empty: none left.
+/// Removes and returns the next word (up to blank, tab or carriage return); empty at the end.
 std::string_view take_word(std::string_view& text);
 
 }  // namespace dipper::analysis::io

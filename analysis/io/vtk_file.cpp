@@ -82,7 +82,7 @@ std::size_t vtk_detail::bytes(VtkArray::Type type) {
 
 void vtk_detail::check_room(const std::filesystem::path& file, const VtkArray& a,
                             std::int64_t file_size) {
-  // A value takes a digit at least, or its bytes; base64 makes them longer.
+  // A value takes at least a digit, or its bytes, which are longer in base64.
   const std::size_t least = a.form == VtkArray::Form::ascii ? 1 : bytes(a.type);
   const auto most =
       static_cast<std::size_t>(std::max<std::int64_t>(0, file_size - a.offset)) / least;

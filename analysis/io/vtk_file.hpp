@@ -1,4 +1,5 @@
-// VTK poly data on disk, XML (.vtp) and legacy (.vtk), as LIGGGHTS writes it: where each array is.
+// VTK poly data on disk, XML (.vtp) and legacy (.vtk), as LIGGGHTS writes it: the place of each
+// array.
 #pragma once
 
 #include <cstdint>
@@ -75,7 +76,7 @@ WallDump read_wall_dump(const VtkFile& file);
 namespace vtk_detail {
 std::size_t bytes(VtkArray::Type type);
 /// Throws InputError for an array that says it has more values than are left of a file of this
-/// size: nobody has to take memory for them.
+/// size, before memory is allocated for them.
 void check_room(const std::filesystem::path& file, const VtkArray& array, std::int64_t file_size);
 VtkFile index_xml(const std::filesystem::path& file);
 VtkFile index_legacy(const std::filesystem::path& file);

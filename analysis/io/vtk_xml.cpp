@@ -168,7 +168,7 @@ class XmlIndex {
     out_.connectivity = array(named("connectivity"), static_cast<std::size_t>(last));
   }
 
-  /// None for what holds no numbers: names and the like.
+  /// Empty for arrays without numbers, such as names.
   std::optional<VtkArray> array(const pugi::xml_node& node, std::size_t tuples) {
     static const std::map<std::string, Type> types = {
         {"Int8", Type::i8},     {"UInt8", Type::u8},   {"Int16", Type::i16}, {"UInt16", Type::u16},

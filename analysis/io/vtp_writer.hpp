@@ -11,7 +11,7 @@
 namespace dipper::analysis::io {
 
 /// A .vtp file of one piece, binary (base64), with the arrays in the order they are added. Memory
-/// does not grow with the arrays: their values are asked for while the file is written.
+/// does not grow with the arrays: their values are read while the file is written.
 class VtpWriter {
  public:
   struct Array {

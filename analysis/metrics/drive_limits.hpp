@@ -1,4 +1,4 @@
-// What limited drives did at their limits (docs/drives.md).
+// Figures of limited drives at their limits (docs/drives.md).
 #pragma once
 
 #include <filesystem>

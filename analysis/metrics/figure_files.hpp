@@ -1,4 +1,4 @@
-// The machine's figure as ParaView reads it.
+// The machine's figure as files for ParaView.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 namespace dipper::analysis::metrics {
 
 /// Writes FOLDER/paraview/NAME_N.vtp of the figure at each time, the N-th, in W: one name a body,
-/// and "ropes". `part` numbers a body's parts from 1. A body that stands still is written once.
+/// and "ropes". `part` numbers a body's parts from 1. A body that does not move is written once.
 /// Calls `list` for each name and time with the file, as seen from `folder`. Throws
 /// std::runtime_error for a file that cannot be written.
 void write_figure_files(const run::Figure& figure, const std::vector<double>& times_s,

@@ -1,4 +1,4 @@
-// One reading of all frames: sums of each, and where the rocks of each load end up.
+// One pass over all frames: sums of each, and the fate of each load's rocks.
 #pragma once
 
 #include <unordered_map>
@@ -7,10 +7,10 @@
 
 namespace dipper::analysis::metrics {
 
-/// What is followed of one pass.
+/// The frames of one pass between which its load is followed.
 struct LoadToFollow {
-  std::size_t lift_frame = 0;   ///< the load is what is in the dipper then
-  std::size_t end_frame = 0;    ///< and is looked for again here
+  std::size_t lift_frame = 0;   ///< the load is the rock in the dipper in this frame
+  std::size_t end_frame = 0;    ///< the frame in which it is located again
   std::size_t start_frame = 0;  ///< of the pass
 };
 

@@ -1,4 +1,4 @@
-// A load as the dumps show it.
+// A load, from the dumps.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace dipper::analysis::metrics {
 
 struct LoadInDipper {
   double mass_kg = 0;
-  double volume_m3 = 0;  ///< voids and all (analysis/rock/load.hpp)
+  double volume_m3 = 0;  ///< including voids (analysis/rock/load.hpp)
 
   double bulk_density_kg_m3() const { return mass_kg / volume_m3; }
 };
@@ -23,8 +23,8 @@ std::size_t frame_before(const io::DumpFolder& dumps, double t);
 /// The last frame before the load is swung away.
 std::size_t lift_frame(const io::DumpFolder& dumps, const signals::PassPhases& pass);
 
-/// In the last frame before the door opens. None: no frame of the dig, no region of the dipper, or
-/// no rock in it. Throws InputError as the dumps' readers do.
+/// In the last frame before the door opens. Empty when there is no frame of the dig, no region of
+/// the dipper, or no rock in it. Throws InputError as the dumps' readers do.
 std::optional<LoadInDipper> load_in_dipper(const io::DumpFolder& dumps,
                                            const rock::ClumpMasses& clumps,
                                            const rock::LoadRegions& regions,

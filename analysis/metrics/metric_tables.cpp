@@ -12,7 +12,7 @@ namespace {
 
 double tonnes(double kg) { return kg / 1e3; }
 
-/// What the weight on the walls has that the rocks inside have not.
+/// The difference between the weight on the walls and the rocks inside.
 std::string weight_note(const PassFacts& f) {
   const double difference = f.still->mass_kg - f.found.pass.payload_kg;
   std::string note =
@@ -32,7 +32,7 @@ std::string weight_note(const PassFacts& f) {
                     tonnes(*f.suspended->accelerating_kg), tonnes(rest));
 }
 
-/// Why the three payloads differ, in figures.
+/// The differences between the three payloads, in figures.
 json payload_notes(const PassFacts& f) {
   json notes = json::array();
   json out = {{"inside_kg", f.found.pass.payload_kg}};
@@ -81,6 +81,7 @@ json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Surve
   if (run.is_run) out["status"] = run.summary.is_object() ? run.summary["status"] : "unfinished";
   copy("state_hash");
   copy("warnings");
+  copy("truck");
   out["sim_s"] = run.is_run ? run.signals.pass.time_s.back() : dumps.time_s.back();
   copy("cpu_s_per_sim_s");
   if (out.contains("cpu_s_per_sim_s"))

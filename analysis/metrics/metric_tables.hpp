@@ -1,4 +1,4 @@
-// The tables of metrics.json, each from what was measured for it.
+// The tables of metrics.json, each from its measurements.
 #pragma once
 
 #include "analysis/metrics/frame_survey.hpp"
@@ -12,7 +12,7 @@ namespace dipper::analysis::metrics {
 
 using json = nlohmann::ordered_json;
 
-/// One pass as the signals and the dumps have it.
+/// One pass, from the signals and the dumps.
 struct PassFacts : PassFigures {
   LoadToFollow followed;
   std::optional<LoadFate> fate;  ///< none: no frame of the dig, or none after the dump

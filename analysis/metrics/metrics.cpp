@@ -11,7 +11,7 @@
 namespace dipper::analysis::metrics {
 namespace {
 
-/// Of the run and its case what the figures of its passes need.
+/// The data of run and case that the figures of its passes need.
 PassFigureMaker::Known known_of(const run::RunData& run, const rock::StruckVolume& struck) {
   PassFigureMaker::Known known;
   if (const auto file = run.folder / run::kMachineFile; std::filesystem::exists(file)) {
@@ -57,9 +57,14 @@ json dipper_table(const run::RunData& run, const rock::StruckVolume& struck) {
   json out = {{"struck_volume_m3", struck.volume_m3},
               {"strike_normal_B", {struck.up.x(), struck.up.y(), struck.up.z()}}};
   if (run.struck_given_m3 > 0) out["struck_volume_given_m3"] = run.struck_given_m3;
-  if (const auto file = run.folder / run::kMachineFile; std::filesystem::exists(file))
-    if (const double load_kg = machine::load_machine(file).dipper.rated_load; load_kg > 0)
-      out["rated_load_kg"] = load_kg;
+  if (const auto file = run.folder / run::kMachineFile; std::filesystem::exists(file)) {
+    const machine::MachineData machine = machine::load_machine(file);
+    out["machine"] = machine.machine;
+    if (machine.dipper.rated_load > 0) {
+      out["rated_load_kg"] = machine.dipper.rated_load;
+      out["rated_load_assumed"] = machine.dipper.rated_load_assumed;
+    }
+  }
   const Box& r = *run.regions.dipper;
   out["cavity"] = {{"min_m", {r.min_m.x(), r.min_m.y(), r.min_m.z()}},
                    {"max_m", {run.regions.lip_x_m, r.max_m.y(), r.max_m.z()}}};

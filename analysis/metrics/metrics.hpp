@@ -13,8 +13,8 @@ struct Metrics {
   std::vector<rock::WallField> walls;  ///< the maps, too long for it
 };
 
-/// Reads the dumps once for the sums and again for single frames. For a mesh without a file beside
-/// it, the region of the load is set in `run.regions`. Throws InputError.
+/// Reads the dumps once for the sums and again for single frames. For a mesh without a YAML
+/// file, sets the region of the load in `run.regions`. Throws InputError.
 Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps);
 
 }  // namespace dipper::analysis::metrics

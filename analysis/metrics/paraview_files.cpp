@@ -85,7 +85,7 @@ void write_paraview_files(const run::RunData& run, const io::DumpFolder& dumps,
     for (const auto& [step, file] : files) {
       const io::VtkFile vtk = io::index_vtk(file);
       if (vtk.polygon_count == 0) continue;
-      // A wall that stands still is one file.
+      // A wall that does not move is one file.
       if (std::string bytes = bytes_of(file); bytes != last_bytes) {
         to = fmt::format("paraview/{}_{}.vtp", name, step);
         write_wall(vtk, folder / to);

@@ -7,9 +7,9 @@
 namespace dipper::analysis::metrics {
 
 /// Writes into `folder`: run.pvd, which lists every frame of the particles, of each wall and of the
-/// figure with its time, and paraview/NAME_STEP.vtp for what it lists: the particles with what they
-/// are a part of (ParticleFiles), and the walls, which LIGGGHTS dumps in a format that ParaView's
-/// collections cannot hold. A wall without triangles in a frame is left out of it. Throws
+/// figure with its time, and paraview/NAME_STEP.vtp for what it lists: the particles with their
+/// rock (ParticleFiles), and the walls, since LIGGGHTS dumps them in a format that ParaView's
+/// collections do not support. A wall without triangles in a frame is left out of it. Throws
 /// InputError for a dump, std::runtime_error for a file that cannot be written.
 void write_paraview_files(const run::RunData& run, const io::DumpFolder& dumps,
                           const run::Figure& figure, const std::filesystem::path& folder);

@@ -7,7 +7,7 @@ namespace {
 
 using Type = io::VtkArray::Type;
 
-/// An array of a dump, read once for it: memory stays a chunk's.
+/// An array of a dump, read chunk by chunk to bound the memory.
 void add_columns(io::VtpWriter& file, const char* section, Type type, const std::string& name,
                  const io::DumpFrame& frame, const std::vector<std::string>& columns) {
   file.add(section, {name, type, columns.size(), frame.particles},

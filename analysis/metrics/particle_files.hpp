@@ -1,4 +1,4 @@
-// A frame's rock as ParaView reads it.
+// A frame's rock as a file for ParaView.
 #pragma once
 
 #include "analysis/io/dump_reader.hpp"
@@ -7,9 +7,8 @@
 
 namespace dipper::analysis::metrics {
 
-/// Writes frames of one run as .vtp: every sphere with what was dumped of it, and with what it is a
-/// part of: `rock`, `size`, `in_dipper` where the dipper's load is known, `shape` where the deck
-/// is.
+/// Writes frames of one run as .vtp: every sphere with its dumped columns, and with `rock`, `size`,
+/// `in_dipper` if the dipper's load is known, `shape` if the deck is.
 class ParticleFiles {
  public:
   /// `run` has to outlive it. Throws as rock::read_shapes does.

@@ -1,5 +1,5 @@
-// What is told of a pass and of each of its phases: the one place that puts the figures together,
-// for summary.json, metrics.json, its CSV and the page alike.
+// The figures of a pass and of each of its phases, for summary.json, metrics.json, its CSV and the
+// page.
 #pragma once
 
 #include <optional>
@@ -22,21 +22,21 @@ struct PhaseFigures {
   signals::Phase phase;
   Effort effort;
   double slack_fraction = 0;              ///< of its time, in which the hoist ropes are slack
-  std::optional<signals::Demand> demand;  ///< none: the machine's data are not known
-  std::optional<LimitsMet> limits;        ///< none: the drives have no limits
+  std::optional<signals::Demand> demand;  ///< empty: the machine's data are not known
+  std::optional<LimitsMet> limits;        ///< empty: the drives have no limits
 };
 
 /// The payload as the shovel's own monitor would show it.
 struct MonitorFigures {
   signals::MonitorReading reading;
-  double inside_kg = 0;  ///< what the dipper held meanwhile
+  double inside_kg = 0;  ///< the rock in the dipper in that time
 };
 
 struct PassFigures {
   signals::PassPhases found;
-  /// The payload by what the struck volume holds of rock as dense as the settled pile.
+  /// The payload over the mass of rock, as dense as the settled pile, in the struck volume.
   std::optional<double> fill_factor;
-  /// The same of rock as dense as the load itself. None: no dump shows the load.
+  /// The same with the density of the load itself. Empty: no dump shows the load.
   std::optional<double> fill_factor_load;
   std::optional<LoadInDipper> load;
   std::optional<signals::DigEnergy> dig_energy;
@@ -46,11 +46,11 @@ struct PassFigures {
   std::vector<PhaseFigures> phases;  ///< as found.phases
 };
 
-/// Makes the figures of a run's passes from its signals and what is known of machine and rock.
+/// Computes the figures of a run's passes from its signals and data of machine and rock.
 class PassFigureMaker {
  public:
   struct Known {
-    std::optional<machine::MachineData> machine;  ///< none: neither monitor nor demand
+    std::optional<machine::MachineData> machine;  ///< empty: neither monitor nor demand
     double rake_rad = 0;
     bool limited_drives = false;
     double struck_volume_m3 = 0;    ///< 0: not known
@@ -61,7 +61,7 @@ class PassFigureMaker {
   /// \param record  of the same run. Throws std::runtime_error naming file and dataset.
   PassFigureMaker(const run::RunSignals& signals, const std::filesystem::path& record, Known known);
 
-  /// \param load  of the pass, where a dump shows it
+  /// \param load  of the pass, if a dump shows it
   PassFigures figures(const signals::PassPhases& pass,
                       const std::optional<LoadInDipper>& load) const;
 

@@ -8,7 +8,7 @@
 
 namespace dipper::analysis::metrics {
 
-/// The columns of a pass and of a phase; what is not known is left out.
+/// The columns of a pass and of a phase; unknown ones are left out.
 nlohmann::ordered_json pass_row(const PassFigures& f);
 nlohmann::ordered_json phase_row(const PhaseFigures& f);
 

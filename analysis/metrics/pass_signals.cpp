@@ -8,9 +8,9 @@
 namespace dipper::analysis::metrics {
 namespace {
 
-constexpr double kWindow_s = 1.0;  // as passes.cpp takes the payload over
+constexpr double kWindow_s = 1.0;  // the same as for the payload in passes.cpp
 constexpr double kStill_m_s = 0.05;
-constexpr double kLatched_rad = 1e-5;  // beyond, the door gives way and the weight comes off it
+constexpr double kLatched_rad = 1e-5;  // beyond, the door opens and carries no weight
 
 }  // namespace
 

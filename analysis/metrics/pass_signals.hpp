@@ -1,4 +1,4 @@
-// What the record's signals say of a phase and of a load.
+// Figures of a phase and of a load from the record's signals.
 #pragma once
 
 #include <optional>
@@ -29,8 +29,8 @@ struct StaticWeight {
 };
 
 /// The mean over the last second before the door opens, of the rows in which the dipper's origin
-/// rises or sinks slower than 0.05 m/s and the door is latched; none when those are fewer than half
-/// of it.
+/// rises or sinks slower than 0.05 m/s and the door is latched; empty when those are fewer than
+/// half of it.
 std::optional<StaticWeight> static_weight(const run::RunSignals& s, const signals::Pass& pass);
 
 }  // namespace dipper::analysis::metrics

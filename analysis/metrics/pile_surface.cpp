@@ -18,7 +18,7 @@ void for_each_sphere(const io::DumpFrame& frame, const Visit& visit) {
   });
 }
 
-/// The highest top in each column of a coarse grid, to leave out what lies deep below.
+/// The highest top in each column of a coarse grid, to leave out rock deep below.
 class HeightGrid {
  public:
   HeightGrid(const Footprint& f, double cell)

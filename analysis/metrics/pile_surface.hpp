@@ -9,7 +9,7 @@ namespace dipper::analysis::metrics {
 
 struct PileSurface {
   rock::SurfaceProfile profile;
-  std::optional<rock::PileAngle> angle;  ///< none: there is no flank to fit a line to
+  std::optional<rock::PileAngle> angle;  ///< empty: there is no flank to fit a line to
 };
 
 /// Of the rock over the footprint that is neither in the dipper nor in the truck. Of a frame of

@@ -1,4 +1,5 @@
-// Whether the rock's force on the dipper jumps from step to step, as no rock's does.
+// Detects a force on the dipper that jumps from step to step, which is an artefact of the time
+// step.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +10,9 @@
 namespace dipper::analysis::metrics {
 
 /// A record's force on the dipper, at the end of each window beside the window's mean. A rock that
-/// is pressed between walls by many of its spheres throws itself from one to the other in turn when
-/// the time step is too long for it (deck::pressed_timestep): the force alternates, and its mean is
-/// several times what the rock would bear.
+/// is pressed between walls by many of its spheres bounces between them when the time step is too
+/// long for it (deck::pressed_timestep): the force alternates, and its mean is several times the
+/// true one.
 class Rattle {
  public:
   /// Throws std::runtime_error naming file and dataset.

@@ -73,7 +73,7 @@ std::string to_csv(const json& table) {
     }
     return out + '\n';
   }
-  std::vector<std::string> names;  // of every row: one may have what another lacks
+  std::vector<std::string> names;  // of all rows, which may have different columns
   for (const json& row : table)
     for (const auto& [name, value] : flat(row))
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);

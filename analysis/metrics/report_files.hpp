@@ -7,12 +7,12 @@
 
 namespace dipper::analysis::metrics {
 
-/// A table of metrics.json as CSV: an array of rows, or an object of columns. What is nested in a
-/// row is left out, but for lists of numbers, which become NAME_1, NAME_2, ...
+/// A table of metrics.json as CSV: an array of rows, or an object of columns. Nested values of a
+/// row are left out, except lists of numbers, which become NAME_1, NAME_2, ...
 std::string to_csv(const nlohmann::ordered_json& table);
 
-/// Fills `folder` (made anew) by way of a folder beside it that is moved into place when everything
-/// is written; what was there before is replaced then, not earlier. `more` may add files to the
+/// Fills `folder` through a new folder beside it, which is moved into place when everything is
+/// written; the old contents are replaced only then. `more` may add files to the
 /// folder it is given. Throws std::runtime_error when a file cannot be written.
 void write_report(const Metrics& metrics, const std::filesystem::path& folder,
                   const std::function<void(const std::filesystem::path&)>& more = {});

@@ -1,4 +1,4 @@
-// Why the walls do not weigh exactly the rock inside the dipper while it hangs still.
+// The differences between the weight on the walls and the rock inside the dipper at rest.
 #pragma once
 
 #include "analysis/io/dump_folder.hpp"
@@ -12,9 +12,9 @@ struct SuspendedLoad {
   std::optional<double> accelerating_kg;  ///< momentum gained upwards, by time and gravity
 };
 
-/// Over the frames from `from_s` to `to_s`; none when there is no such frame, or it has no
+/// Over the frames from `from_s` to `to_s`; empty when there is no such frame, or it has no
 /// velocities. Rock rides when it is within 1 m of the region, not in the truck, and moves with the
-/// dipper (kFlowSpeed_m_s). What the walls carry is sum m (g + a): the second part is the change of
+/// dipper (kFlowSpeed_m_s). The walls carry sum m (g + a): the second part is the change of
 /// vertical momentum, from the first frame to the last, of the rock inside or riding in the first.
 std::optional<SuspendedLoad> suspended_load(const io::DumpFolder& dumps,
                                             const rock::ClumpMasses& clumps,

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using json = nlohmann::json;
 
 constexpr double kLineStep_m = 0.4, kLineRadius_m = 0.06;
-constexpr double kWayStep_m = 0.05;  // between points of the teeth's way
+constexpr double kWayStep_m = 0.05;  // between points of the path of the teeth
 
 json read_summary(const fs::path& folder) {
   std::ifstream in(folder / "summary.json");

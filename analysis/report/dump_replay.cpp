@@ -66,7 +66,7 @@ void DumpReplay::read(std::size_t index, ReplayFrame& frame, const Keep& keep) c
   const io::DumpFrame& dump = dumps_.frames.at(index);
   std::vector<std::string> columns = {"id", "x", "y", "z", "radius"};
   const auto optional = [&](const char* name) -> std::size_t {
-    if (!dump.has(name)) return 0;  // the place of "id", which none of them is
+    if (!dump.has(name)) return 0;  // the index of "id", which no field has
     columns.emplace_back(name);
     return columns.size() - 1;
   };

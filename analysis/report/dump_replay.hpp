@@ -9,20 +9,20 @@
 
 namespace dipper::analysis::report {
 
-/// A wall and where it is when.
+/// A wall and its poses against time.
 struct MovingWall {
   ReplayWall wall;
   std::function<BodyState(double time_s)> state;
 };
 
 /// The walls of a run, or of dumps with a mesh and poses: dipper and door on their tracks, the
-/// truck where it stands. `run` has to outlive them.
+/// truck at its place. `run` must outlive them.
 std::vector<MovingWall> replay_walls(const run::RunData& run);
 
-/// Walls have the fields that their dumps have of every triangle, its number apart.
+/// Walls have the fields of their dumps for each triangle, except its number.
 ///
-/// Needs the columns id, x, y, z and radius; type, id_multisphere and vx, vy, vz when they are
-/// there.
+/// Needs the columns id, x, y, z and radius; type, id_multisphere and vx, vy, vz are
+/// optional.
 class DumpReplay : public ReplaySource {
  public:
   DumpReplay(const io::DumpFolder& dumps, std::vector<MovingWall> walls);

@@ -33,13 +33,13 @@ std::string bytes_of_data_url(const std::string& url) {
   return out;
 }
 
-/// While it is there, a program that has ended is told by the write to it and ends nothing else.
+/// During its lifetime a write to a program that has ended returns an error, not a signal.
 struct BrokenPipesAreErrors {
   void (*before)(int) = std::signal(SIGPIPE, SIG_IGN);
   ~BrokenPipesAreErrors() { std::signal(SIGPIPE, before); }
 };
 
-/// Pictures go in, a film comes out when it is closed.
+/// Takes pictures; closing it writes the film.
 class Ffmpeg {
  public:
   explicit Ffmpeg(const fs::path& film) : film_(film), draft_(film) {
@@ -78,7 +78,7 @@ class Ffmpeg {
   FILE* pipe_ = nullptr;
 };
 
-/// A page whose replay is unpacked, ready to be asked for pictures.
+/// A page whose replay is unpacked, ready to draw pictures.
 class Projector {
  public:
   Projector(const fs::path& browser, const fs::path& page) : browser_(browser, page) {
@@ -104,7 +104,7 @@ class Projector {
                           kPicture));
   }
 
-  /// When the dipper holds most before the swing, of the first pass; else the middle.
+  /// The time at which the dipper holds most before the swing of the first pass; else the middle.
   double fullest_s() {
     return browser_.evaluate(R"js((() => {
       const { model, clock } = window.dipper, load = model.channel('rock/mass_in_dipper'), { time_s } = model.curves;
@@ -140,11 +140,11 @@ std::string film_obstacle(const FilmOptions& options) {
       return folder.string() + ": cannot be written into";
   }
   if (!find_browser())
-    return "--video and --poster are drawn by a browser, and there is none: install chromium "
+    return "--video and --poster need a browser, and none was found: install chromium "
            "(apt-get "
            "install chromium)";
   if (!options.video.empty() && !program_on_path("ffmpeg"))
-    return "--video is made by ffmpeg, which is not there: apt-get install ffmpeg";
+    return "--video needs ffmpeg, which was not found: apt-get install ffmpeg";
   return "";
 }
 
@@ -169,7 +169,7 @@ void write_film(const fs::path& page, const FilmOptions& options, Reporter& repo
   ffmpeg.close();
   reporter.line(
       fmt::format("{}{}", options.video.string(),
-                  faster > 1 ? fmt::format(", {:.0f} times as fast as it was", faster) : ""));
+                  faster > 1 ? fmt::format(", {:.0f} times as fast as in reality", faster) : ""));
 }
 
 }  // namespace dipper::analysis::report

@@ -18,12 +18,11 @@ struct FilmOptions {
 /// number.
 constexpr int kFilmPictures = 900;
 
-/// What stands in the way before anything is drawn, "" when nothing does: a program that is
-/// missing, with the package that has it, a name that does not say which kind of file, a folder
-/// that is not there.
+/// The fault that prevents drawing, "" when there is none: a missing program, with its package, a
+/// file name without a known extension, a missing folder.
 std::string film_obstacle(const FilmOptions& options);
 
-/// Opens the page in a headless browser and writes what is asked for; a half one is not left. The
+/// Opens the page in a headless browser and writes film and picture; leaves no partial file. The
 /// poster is the moment at which the dipper, on its way out of the rock, holds most. Throws
 /// std::runtime_error when browser or ffmpeg fail, or take more than a minute over one picture.
 void write_film(const std::filesystem::path& page, const FilmOptions& options, Reporter& reporter);

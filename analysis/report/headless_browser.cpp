@@ -43,11 +43,11 @@ std::vector<std::string> command(const fs::path& program, const fs::path& profil
   return words;
 }
 
-/// The child's end: it reads what it is asked on 3 and answers on 4.
+/// The child's end: it reads requests on 3 and answers on 4.
 [[noreturn]] void become(std::vector<std::string> words, int in, int out) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // Above 4 first: one of the two may be where the other goes.
+  // Moved above 4 first: one of the two may be at the other's number.
   const int asked = fcntl(in, F_DUPFD, 10), answers = fcntl(out, F_DUPFD, 10);
   dup2(asked, 3);
   dup2(answers, 4);
@@ -95,7 +95,7 @@ HeadlessBrowser::HeadlessBrowser(const fs::path& program, const fs::path& page) 
     const json attached = ask("Target.attachToTarget",
                               {{"targetId", made.at("targetId")}, {"flatten", true}}, kStart);
     session_ = attached.at("sessionId");
-    // Answered when the page has taken the blank one's place: what is evaluated then stays.
+    // Answered when the page has replaced the blank one: later evaluations then persist.
     ask("Page.navigate", {{"url", "file://" + fs::absolute(page).string()}}, kStart);
   } catch (...) {
     end();

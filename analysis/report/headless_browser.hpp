@@ -1,4 +1,4 @@
-// A web browser without a window, asked over a pipe (Chrome DevTools Protocol).
+// A web browser without a window, controlled over a pipe (Chrome DevTools Protocol).
 #pragma once
 
 #include <sys/types.h>
@@ -13,10 +13,10 @@
 
 namespace dipper::analysis::report {
 
-/// Where a program is on the PATH; nothing when it is not.
+/// The path of a program on the PATH; empty when it is not there.
 std::optional<std::filesystem::path> program_on_path(const std::string& name);
 
-/// Chromium or Chrome, whichever there is.
+/// Chromium or Chrome, whichever is installed.
 std::optional<std::filesystem::path> find_browser();
 
 /// One page in a browser of its own, with an empty profile and software WebGL. The browser ends
@@ -29,7 +29,7 @@ class HeadlessBrowser {
   HeadlessBrowser(const HeadlessBrowser&) = delete;
   HeadlessBrowser& operator=(const HeadlessBrowser&) = delete;
 
-  /// The value of an expression, or of what it promises. Throws std::runtime_error with the page's
+  /// The value of an expression, or of its promise. Throws std::runtime_error with the page's
   /// error, when the browser has ended, or when there is no answer within `patience`.
   nlohmann::json evaluate(const std::string& expression, std::chrono::seconds patience);
 

@@ -68,7 +68,7 @@ std::string page(const json& data, const std::vector<std::vector<std::uint8_t>>&
   const auto add = [&out](const std::string& name, const std::vector<std::uint8_t>& bytes) {
     out += "<script type=\"text/plain\" data-" + name + ">" + base64(bytes) + "</script>\n";
   };
-  // Names may hold bytes that are no UTF-8; the page shows a mark in their place.
+  // Names may hold bytes that are not UTF-8; the page shows a replacement character.
   const std::string text = data.dump(-1, ' ', false, json::error_handler_t::replace);
   add("head", gzip(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
   for (const auto& block : frames) add("frames", block);

@@ -11,7 +11,7 @@ namespace dipper::analysis::report {
 
 /// The page's text. `data` holds "kind", which picks the sections (web/pages/KIND.js), "title",
 /// which goes into the browser's tab, and what these sections draw. `frames`: gzip blocks of a
-/// replay. Throws std::invalid_argument when the title is missing, or the kind is none there is.
+/// replay. Throws std::invalid_argument when the title is missing, or the kind is unknown.
 std::string page(const nlohmann::json& data,
                  const std::vector<std::vector<std::uint8_t>>& frames = {});
 

@@ -17,7 +17,7 @@ void read(const fs::path& record, const Columns& channels, ReportInput& input) {
     input.curves.push_back({name, unit, record::read_channel(record, name)});
 }
 
-/// Where limited drives are at their limit, and how late they are.
+/// Times at which limited drives are at their limit, and their delay.
 void read_limits(const fs::path& record, ReportInput& input) {
   read(record,
        {{"machine/crowd_relief", "m"},

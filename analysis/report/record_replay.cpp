@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kEvery_s = 0.2;
 
-/// A section (x, z in W) drawn out over the pile's width, with its two sides.
+/// A section (x, z in W) extruded over the pile's width, with its two sides.
 mesh::TriangleMesh extruded(const std::vector<CsvRow>& section, double width_m) {
   mesh::TriangleMesh mesh;
   const double y = width_m / 2;

@@ -1,4 +1,4 @@
-// The replay of a run without rock: its walls by the record alone, over the bench as it stands.
+// The replay of a run without rock: its walls from the record alone, over the bench before the dig.
 #pragma once
 
 #include "analysis/report/dump_replay.hpp"
@@ -8,7 +8,7 @@ namespace dipper::analysis::report {
 /// Five frames a second.
 class RecordReplay : public ReplaySource {
  public:
-  /// Walls as replay_walls has them, and "bench". `run` has to outlive this. Throws InputError
+  /// The walls of replay_walls, and "bench". `run` must outlive this. Throws InputError
   /// naming the bench's file when it cannot be read.
   explicit RecordReplay(const run::RunData& run);
 

@@ -19,7 +19,7 @@ std::vector<std::size_t> every(std::size_t stride, std::size_t count) {
   return kept;
 }
 
-/// Blocks and poses of the frames kept; nothing when they pass `bytes_max`.
+/// Blocks and poses of the frames kept; empty when they exceed `bytes_max`.
 struct Encoded {
   std::vector<std::vector<std::uint8_t>> blocks;
   std::vector<std::size_t> frames_in_block;
@@ -70,7 +70,7 @@ ReplayBlocks encode_replay(const ReplaySource& source, const ReplayLimits& limit
     most_spheres = std::max(most_spheres, count);
   }
   std::vector<ReplaySphere> spheres = extent.spheres;
-  // From the face inwards: what moves stands together, and zeros make long runs.
+  // From the face inwards: moving rock is contiguous, and zeros make long runs.
   std::sort(spheres.begin(), spheres.end(), [](const ReplaySphere& a, const ReplaySphere& b) {
     return std::make_pair(a.p_m.x(), a.id) < std::make_pair(b.p_m.x(), b.id);
   });

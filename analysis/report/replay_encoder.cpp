@@ -21,7 +21,7 @@ std::uint16_t zigzag(std::uint16_t change) {
   return static_cast<std::uint16_t>(change << 1) ^ static_cast<std::uint16_t>(negative ? -1 : 0);
 }
 
-/// MurmurHash3, 64 bit: neighbours in number are no neighbours in order.
+/// MurmurHash3, 64 bit: neighbours in number are not neighbours in order.
 std::uint64_t murmur3_finaliser(std::uint64_t x) {
   x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdULL;
   x = (x ^ (x >> 33)) * 0xc4ceb9fe1a85ec53ULL;

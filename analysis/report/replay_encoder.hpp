@@ -3,7 +3,8 @@
 // A frame is 7 planes of N bytes, N the number of spheres: for x, y and z the low bytes, then the
 // high bytes, of the change since the frame before (zigzag: 0, -1, 1, -2 ... as 0, 1, 2, 3 ...,
 // modulo 65536; the first frame's change is from 0), then the speeds: 254 sqrt(v / v_max), and 255
-// for a sphere that is not in this frame. Rock at rest is then zeros, and compresses to nothing.
+// for a sphere that is not in this frame. Rock at rest is then zeros, and compresses to almost
+// nothing.
 //
 // After them come the values of the walls' fields, wall by wall, field by field, a byte a triangle:
 // 1 + 254 (1 + log10(x / x_max) / 5), x_max the field's largest on any wall in any frame; 0 for
@@ -30,7 +31,7 @@ constexpr double kStill_m = 0.002;  ///< less than a pixel of the replay
 /// and of these the same ones that a larger `one_in` keeps.
 bool shown(const ReplaySphere& sphere, std::size_t one_in);
 
-/// What has to be known of all frames before the first is encoded. It remembers no more than
+/// Data of all frames that are needed before the first is encoded. It stores no more than
 /// `spheres_max` spheres: `one_in` grows, as they come, to the smallest that keeps to that.
 class ReplayExtent {
  public:

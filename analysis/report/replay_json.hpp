@@ -1,4 +1,4 @@
-// What moves in the replay, as JSON: meshes to the millimetre, poses to a tenth of it.
+// The moving bodies of the replay as JSON: meshes to the millimetre, poses to a tenth of it.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// What the report's 3-D replay is drawn from: frames of spheres, and walls that move.
+// The data of the report's 3-D replay: frames of spheres, and walls that move.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +22,11 @@ struct ReplaySphere {
   Eigen::Vector3f v_m_s = Eigen::Vector3f::Zero();
 };
 
-/// A wall. Its mesh is drawn in its own frame, its state says where that frame is.
+/// A wall. Its mesh is in its own frame, its state is the pose of that frame.
 struct ReplayWall {
   std::string name;  ///< "dipper", "door", "truck"; other names are drawn too
   mesh::TriangleMesh mesh;
-  std::vector<std::string> fields = {};  ///< what is known of each triangle: pressure, wear
+  std::vector<std::string> fields = {};  ///< values of each triangle: pressure, wear
 };
 
 using WallValues = std::vector<float>;  ///< of a field: one a triangle of the wall's mesh
@@ -38,7 +38,7 @@ struct ReplayFrame {
   std::vector<std::vector<WallValues>> values;  ///< of each wall's fields, as they are
 };
 
-/// Frames in order of time, any of which can be asked for again: the writer reads a run more than
+/// Frames in order of time; each can be read repeatedly: the writer reads a run more than
 /// once, so that no more than the spheres it keeps of one frame are in memory.
 class ReplaySource {
  public:

@@ -1,4 +1,4 @@
-// The run's report: one HTML file that needs nothing else.
+// The run's report: one self-contained HTML file.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,14 @@
 
 namespace dipper::analysis::report {
 
-/// One signal for the page, as it was recorded; the writer thins it out.
+/// One signal for the page, as recorded; the writer reduces its points.
 struct ReportCurve {
   std::string name;  ///< a channel of record.h5, such as "machine/hoist_force"
   std::string unit;
   std::vector<double> values;
 };
 
-/// What the page shows. Every part may be missing: its section is then left out.
+/// The page's data. Every part may be missing: its section is then left out.
 struct ReportInput {
   nlohmann::json metrics;      ///< as docs/metrics.md says
   std::vector<double> time_s;  ///< of every curve
@@ -30,7 +30,7 @@ struct ReportInput {
 };
 
 /// Times and curves thinned out, as pages read them: {time_s, channels: {NAME: {unit, values}}}.
-/// Throws std::invalid_argument for a curve that has not one value a time.
+/// Throws std::invalid_argument for a curve without one value per time.
 nlohmann::json curves_json(const ReportInput& input);
 
 /// The page's text. `title` goes into the browser's tab.

@@ -6,7 +6,7 @@
 namespace dipper::analysis::report {
 namespace {
 
-/// Where the plane h = 0 cuts a triangle with heights h at its corners.
+/// The segment in which the plane h = 0 cuts a triangle with heights h at its corners.
 bool cut(const std::array<Eigen::Vector3d, 3>& corners, SliceSegment& segment) {
   int n = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -22,7 +22,7 @@ struct SliceSegment {
 struct Slice {
   double time_s = 0;
   std::vector<SliceSphere> spheres;  ///< far ones first
-  std::vector<SliceSegment> walls;   ///< where the plane cuts them
+  std::vector<SliceSegment> walls;   ///< their intersections with the plane
 };
 
 struct SliceWindow {
@@ -30,7 +30,7 @@ struct SliceWindow {
   double reach_m = 6.5;      ///< out and up from the middle of the dipper, either way
 };
 
-/// Where the slice is cut in one frame; the window is about the middle of the dipper's mesh.
+/// The plane of the slice in one frame; the window is around the middle of the dipper's mesh.
 class SlicePlane {
  public:
   SlicePlane(const BodyState& dipper, const mesh::TriangleMesh& mesh,

@@ -1,4 +1,4 @@
-// Curves with as many points as a screen can show, and every peak still there.
+// Curves with as many points as a screen can show, with every peak kept.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace dipper::analysis::report {
 std::vector<double> thin_times(const std::vector<double>& time_s, std::size_t bins);
 
 /// For each bin its smallest and its largest value, in the order in which they came; as many
-/// values as `thin_times` has times. Values that are no numbers are passed over.
+/// values as `thin_times` has times. Values that are not numbers are skipped.
 std::vector<double> thin_values(const std::vector<double>& values, std::size_t bins);
 
 }  // namespace dipper::analysis::report

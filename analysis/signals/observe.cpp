@@ -50,8 +50,8 @@ std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& 
     const double to = static_cast<double>(k) * interval, from = to - interval;
     const double late = instruments.lag_s;
     log.push_back({to, hoist.mean(from, to), crowd.mean(from, to), swing.mean(from, to),
-                   1e-3 * hoist_force.mean(from - late, to - late),
-                   1e-3 * crowd_force.mean(from - late, to - late)});
+                   1e-3 * (1 + instruments.hoist_cell_gain) * hoist_force.mean(from - late, to - late),
+                   1e-3 * (1 + instruments.crowd_cell_gain) * crowd_force.mean(from - late, to - late)});
   }
   return log;
 }
@@ -64,8 +64,9 @@ std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instrument
       std::find_if(passes.rbegin(), passes.rend(), [](const Pass& p) { return p.truck_kg > 0; });
   for (const Pass& p : passes) {
     const double kept = last != passes.rend() && &p == &*last ? 1 - instruments.truck_spillage : 1;
-    out.push_back(
-        {p.pass, p.t_start_s, p.t_end_s, 1e-3 * p.truck_kg * kept * (1 + instruments.scale_gain)});
+    double mass_t = 1e-3 * p.truck_kg * kept * (1 + instruments.scale_gain);
+    if (p.truck_kg > 0) mass_t = std::max(0.0, mass_t + instruments.scale_offset_t);
+    out.push_back({p.pass, p.t_start_s, p.t_end_s, mass_t});
   }
   return out;
 }

@@ -14,6 +14,8 @@ struct Instruments {
   double lag_s = 0;  ///< the force logged at t was there at t - lag
   double scale_gain = 0;
   double truck_spillage = 0;
+  double scale_offset_t = 0;
+  double hoist_cell_gain = 0, crowd_cell_gain = 0;
 };
 
 /// One line of signals.csv. Each value is the mean over the 1/rate up to time_s, as a logger that
@@ -32,12 +34,12 @@ struct WeighedPass {
 };
 
 /// Samples at 1/rate, 2/rate, ... as far as the signals reach. Forces wanted before the first or
-/// after the last sync step are those at the ends. Throws std::invalid_argument for signals of
-/// different lengths.
+/// after the last sync step are those at the ends; a cell reads 1 + its gain times the force. Throws
+/// std::invalid_argument for signals of different lengths.
 std::vector<LoggedSample> log_signals(const DriveSignals& signals, const Instruments& instruments);
 
-/// The scale reads (1 + scale_gain) times what a pass brought; of the last pass truck_spillage is
-/// lost.
+/// The scale reads (1 + scale_gain) times what a pass brought, and scale_offset_t more of each pass
+/// that brought rock, 0 at least; of the last pass truck_spillage is lost.
 std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instruments& instruments);
 
 }  // namespace dipper::analysis::signals

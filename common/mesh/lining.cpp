@@ -25,7 +25,7 @@ Eigen::Vector3d offset(const std::vector<Eigen::Vector3d>& normals, double thick
   return n.completeOrthogonalDecomposition().solve(Eigen::VectorXd::Constant(n.rows(), thickness));
 }
 
-/// What `whole` has more than `part`, both at density 1.
+/// Mass properties of `whole` without `part`, both at density 1.
 MassProperties difference(const MassProperties& whole, const MassProperties& part) {
   const auto about_origin = [](const MassProperties& m) -> Eigen::Matrix3d {
     const Eigen::Vector3d& c = m.com_m;

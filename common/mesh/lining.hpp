@@ -16,7 +16,7 @@ struct Lining {
 
 /// Moves the inner faces of a closed dipper mesh (frame B: z from the floor to the roof) into the
 /// cavity by `thickness`. Inner faces are those inside `cavity` (grown across x by a tenth of its
-/// smallest side) that look at its middle and are not the ends along x: floor, roof and side
+/// smallest side) that face its middle and are not the ends along x: floor, roof and side
 /// plates. Throws std::invalid_argument when there are none or when the layer is thicker than a
 /// quarter of the cavity.
 Lining line_dipper(const TriangleMesh& dipper, const Box& cavity, double thickness,

@@ -5,7 +5,7 @@
 
 namespace dipper::mesh {
 
-/// Of the enclosed solid at density 1: what a density [kg/m3] multiplies.
+/// Of the enclosed solid at density 1, to be multiplied by a density [kg/m3].
 struct MassProperties {
   double volume_m3 = 0;
   double area_m2 = 0;

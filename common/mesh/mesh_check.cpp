@@ -59,7 +59,7 @@ class Checker {
     faults_.push_back({kind, facet + 1, fmt::format("facet {}: {}", facet + 1, message)});
   }
 
-  // Facets that are reported here are not looked at again where they would only cause more words.
+  // Facets that are reported here are skipped where they would only cause more findings.
   void find_facet_faults() {
     std::map<std::array<std::size_t, 3>, std::size_t> seen;
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
@@ -108,8 +108,8 @@ class Checker {
     }
   }
 
-  // Walks each shell over the edges of two facets and turns every facet as its first one. Those
-  // that were turned and those that were not disagree; fewer are wrong.
+  // Walks each shell over the edges of two facets and turns every facet as its first one. Turned
+  // and unturned facets disagree; the smaller group is wrong.
   void find_shell_faults() {
     std::vector<int> turn(mesh_.triangles.size(), 0);  // 0: not seen; 1 as it is; -1 turned
     for (std::size_t first = 0; first < turn.size(); ++first) {

@@ -1,4 +1,4 @@
-// What makes a mesh unfit as a wall or a body.
+// Faults that make a mesh unfit as a wall or a body.
 #pragma once
 
 #include <string>

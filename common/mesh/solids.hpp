@@ -1,4 +1,4 @@
-// Closed solids of few triangles, for what is drawn.
+// Closed solids of few triangles, for drawings.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ TriangleMesh block(const Eigen::Vector3d& low, const Eigen::Vector3d& high);
 /// A polygon in x and z [m], from y = `right` to y = `left`.
 TriangleMesh plate(const std::vector<Eigen::Vector2d>& outline, double right, double left);
 
-/// A rod of `sides` flat sides along points [m], square to its way at both ends.
+/// A rod of `sides` flat sides along points [m], square to its path at both ends.
 TriangleMesh rod(const std::vector<Eigen::Vector3d>& way, double radius, std::size_t sides);
 
 /// A disc or a ring about an axis along y through `centre`: a section of (distance from the axis,

@@ -93,7 +93,7 @@ class Words {
   double number() {
     const std::string_view word = next();
     double x = 0;
-    if (!parse_number(word, x)) fail(fmt::format("'{}' where a number belongs", word));
+    if (!parse_number(word, x)) fail(fmt::format("'{}' is not a number", word));
     finest_digit_ = std::min(finest_digit_, last_digit(word));
     return x;
   }
@@ -118,7 +118,7 @@ class Words {
   double finest_digit_ = std::numeric_limits<double>::infinity();
 };
 
-// Facets as they stand in a file, and how coarsely their coordinates are written [m].
+// Facets as in the file, and how coarsely their coordinates are written [m].
 struct Facets {
   std::vector<Triangle> corners;
   double rounded_to_m = 0;
@@ -190,7 +190,7 @@ Facets parse_binary(const std::string& bytes, const std::filesystem::path& file)
     for (std::size_t i = 0; i < 3; ++i) {
       triangle[i] = {x[3 * i], x[3 * i + 1], x[3 * i + 2]};
       if (!triangle[i].allFinite()) {
-        fail(at + 12 * i, fmt::format("facet {}: a coordinate is no finite number", n + 1));
+        fail(at + 12 * i, fmt::format("facet {}: a coordinate is not a finite number", n + 1));
       }
       for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, std::abs(x[3 * i + k]));
     }
@@ -200,7 +200,7 @@ Facets parse_binary(const std::string& bytes, const std::filesystem::path& file)
   return facets;
 }
 
-// What a file is that begins otherwise than an STL file; empty: it may be one.
+// The format of a file that does not begin as an STL file; empty: it may be one.
 std::string other_format(std::string_view bytes) {
   using Beginning = std::pair<std::string_view, const char*>;
   for (const auto& [begin, name] :
@@ -218,8 +218,8 @@ std::string other_format(std::string_view bytes) {
   return "";
 }
 
-// Many binary files also begin with "solid"; only their size tells. What neither fits is read as
-// ascii when it is text, so that the message has a line.
+// Many binary files also begin with "solid"; only their size decides. A file that fits neither is
+// read as ascii when it is text, so that the message has a line.
 bool is_binary(const std::string& bytes, std::string_view text) {
   if (bytes.size() >= header_bytes &&
       bytes.size() == header_bytes + facet_count(bytes) * facet_bytes) {

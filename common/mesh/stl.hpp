@@ -9,10 +9,10 @@
 namespace dipper::mesh {
 
 /// Vertices closer than weld_distance in every coordinate become one. Normals are not read: the
-/// order of a facet's vertices says where outside is. Keywords may be in capitals; a byte-order
-/// mark and blank lines may stand before them. Throws InputError: no such file, another format, a
-/// broken record (with its line or byte), a coordinate that is no finite number, no facets; a mesh
-/// far from its origin whose coordinates are rounded to more than a thousandth of its size.
+/// order of a facet's vertices defines its outside. Keywords may be in capitals; a byte-order
+/// mark and blank lines may precede them. Throws InputError: no such file, another format, a
+/// broken record (with its line or byte), a coordinate that is not a finite number, no facets; a
+/// mesh far from its origin whose coordinates are rounded to more than a thousandth of its size.
 TriangleMesh read_stl(const std::filesystem::path& file);
 
 /// The same from a file's bytes; errors name `file`.
@@ -25,7 +25,7 @@ double weld_distance(double diagonal_m);
 bool is_stl(const std::filesystem::path& file);
 
 /// Whether LIGGGHTS reads the file as it is: binary, or ascii that begins with "solid" in small
-/// letters and has its other words in such. Throws InputError: no such file.
+/// letters and has its other keywords in small letters. Throws InputError: no such file.
 bool is_plain_stl(const std::filesystem::path& file);
 
 /// An ascii file, seven digits a coordinate.

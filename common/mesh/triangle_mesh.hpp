@@ -1,4 +1,4 @@
-// A triangle mesh and what it measures.
+// A triangle mesh, its area and volume.
 #pragma once
 
 #include <Eigen/Core>

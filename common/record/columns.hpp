@@ -17,11 +17,11 @@ class Columns {
  public:
   explicit Columns(std::filesystem::path record) : record_(std::move(record)) {}
 
-  /// Throws as read_channel does, also for values that no run writes: what is not finite, and times
-  /// that do not rise, or end after a day and more.
+  /// Throws as read_channel does, also for values that no run writes: values that are not finite,
+  /// and times that do not rise, or that end after a day and more.
   void read(const std::string& channel, std::size_t column = 0);
 
-  /// One that was read.
+  /// A column that was read.
   std::vector<double> get(const std::string& channel, std::size_t column = 0) const;
 
  private:

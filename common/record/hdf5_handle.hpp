@@ -1,4 +1,4 @@
-// Something of HDF5's that has to be closed, without HDF5's header.
+// An HDF5 object that has to be closed, without HDF5's header.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ class Hdf5Handle {
   explicit operator bool() const { return id_ >= 0; }
   std::int64_t id() const { return id_; }
 
-  /// Gives it up unclosed: HDF5 crashes when a file that a full disk left half written is closed.
+  /// Releases it without closing it: HDF5 crashes when a file that a full disk left half written is
+  /// closed.
   std::int64_t leak() { return std::exchange(id_, -1); }
 
  private:

@@ -24,7 +24,7 @@ Hdf5Handle attribute_of(hid_t id) { return {id, H5Aclose}; }
 
 Hdf5Handle open_to_read(const std::filesystem::path& file) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
-  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // a live run's, or where nothing can be locked
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // a live run's file, or a file system without locks
   auto opened = file_of(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
   if (opened) return opened;
   throw InputError(
@@ -64,7 +64,7 @@ Record::Record(std::filesystem::path file, const std::map<std::string, std::stri
   // Before anything else of HDF5: its exit handler crashes on a file that a full disk left open.
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not output
-  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // so that a live run can be looked at
+  setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);  // so that a live run can be read
   errno = 0;
   handle_ = file_of(resumed_ ? H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)
                              : H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
@@ -90,7 +90,7 @@ Record::~Record() {
   }
   datasets_.clear();
   handle_ = {};
-  H5garbage_collect();  // what its exit handler would have freed
+  H5garbage_collect();  // its exit handler would have done so
 }
 
 std::size_t Record::add(const std::string& name, const std::string& unit, const std::string& frame,

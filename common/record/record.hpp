@@ -20,7 +20,7 @@ class Record {
   static Record create(const std::filesystem::path& file,
                        const std::map<std::string, std::string>& attributes);
 
-  /// Opens the file of a run that goes on and cuts every dataset back to `rows`. Channels must then
+  /// Opens the file of a resumed run and cuts every dataset back to `rows`. Channels must then
   /// be added again, in any order.
   static Record resume(const std::filesystem::path& file, std::size_t rows);
   ~Record();
@@ -60,12 +60,12 @@ class Record {
   std::size_t pending_ = 0;  // in memory
 };
 
-/// Reads one column of a dataset of a record. Throws InputError naming file and dataset for what is
-/// missing or damaged, also for a dataset that says it has more rows than the file has bytes.
+/// Reads one column of a dataset of a record. Throws InputError naming file and dataset when it
+/// is missing or damaged, also when it claims more rows than the file has bytes.
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,
                                  std::size_t column = 0);
 
-/// A text attribute of the file itself, such as "case_hash"; empty when there is none. Throws as
+/// A text attribute of the file itself, such as "case_hash"; empty when it has none. Throws as
 /// read_channel does.
 std::string read_attribute(const std::filesystem::path& file, const std::string& name);
 

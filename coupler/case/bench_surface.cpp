@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 constexpr double kEdge_m = 1e-3;  // an edge is no sharper: the floats of an STL far from the origin
 constexpr double kUpright_m = 1e-6;   // a facet narrower than this, seen from above
 constexpr double kSame_m = 0.01;      // between heights of one surface
-constexpr double kMostSteps = 2'000;  // along an axis: a mesh in millimetres is to be told, too
+constexpr double kMostSteps = 2'000;  // along an axis: a mesh in millimetres must be reported, too
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 

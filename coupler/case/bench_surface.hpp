@@ -1,4 +1,4 @@
-// The bench's surface as it was scanned: an open mesh, seen from above.
+// The scanned surface of the bench: an open mesh, seen from above.
 #pragma once
 
 #include <array>
@@ -11,30 +11,30 @@
 namespace dipper::cases {
 
 /// z(x, y) in W of a mesh that lies over the bench from its least x, the toe, to its largest, the
-/// rear wall. Which side of a facet is outside does not matter, and upright facets are steps.
+/// rear wall. The facets' orientation is ignored, and upright facets are steps.
 class BenchSurface {
  public:
   explicit BenchSurface(mesh::TriangleMesh mesh);
 
-  /// Of the facet over or under this place, else of the nearest within kReach_m. The ground's 0 in
-  /// front of the toe, far from any facet, and where a facet is lower; as at the edge behind the
-  /// rear and beside the mesh.
+  /// The height of the facet over or under this place, else of the nearest within kReach_m. 0, the
+  /// ground, in front of the toe, far from any facet, and where a facet is lower; the height of the
+  /// edge behind the rear and beside the mesh.
   double height(double x_m, double y_m) const;
 
-  /// Over x, the height that `share` of the strip |y| <= half_width is not above: 1 the highest,
+  /// At each x, the quantile `share` of the height over the strip |y| <= half_width: 1 the highest,
   /// 0.5 the median.
   BenchOutline section(double half_width_m, double share) const;
 
-  /// Why this is no surface of that strip: places no facet is over, places that two are over at
-  /// different heights (both looked for every kStep_m, and the second at facets' middles),
-  /// and places under the ground.
+  /// Faults of the mesh as a surface of that strip: places without a facet, places with two facets
+  /// at different heights (both checked every kStep_m, and the second at facets' middles), and
+  /// places below the ground.
   std::vector<std::string> faults(double half_width_m) const;
 
   const mesh::TriangleMesh& mesh() const { return mesh_; }
 
   static constexpr double kStep_m = 0.1;    ///< less than a rock
   static constexpr double kReach_m = 0.1;   ///< beyond an edge, over gaps between the steps
-  static constexpr double kFloor_m = 0.25;  ///< what a scanned floor may dip under the ground
+  static constexpr double kFloor_m = 0.25;  ///< by which a scanned floor may be below the ground
 
  private:
   struct Hit {

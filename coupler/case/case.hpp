@@ -39,13 +39,13 @@ struct MachineCase {
   /// false: the dipper meets no rock from the truck back to the next dig (machine/return_legs.hpp).
   bool contact_on_return = true;
 
-  // How this machine differs from its data sheet; by default it does not.
+  // Differences of this machine from its data sheet; none by default.
   double crowd_friction_N = 0;   ///< Coulomb friction of the crowd's slide
   double hoist_loss = 0;         ///< of the hoist rope's tension, lost in the sheaves
   double rope_compliance = 1;    ///< stretch of the ropes, as a multiple of the model's
   double liner_thickness_m = 0;  ///< steel on the dipper's floor, roof and sides
   double carry_back_m = 0;       ///< rock that sticks to the dipper's floor, this thick
-  double tooth_wear_m = 0;       ///< length the teeth have lost
+  double tooth_wear_m = 0;       ///< lost length of the teeth
 };
 
 /// rock.classes[]: one size of the distribution (paper, Table 1). One LIGGGHTS atom type each.
@@ -59,11 +59,11 @@ struct SizeClass {
 /// rock.sieve: a measured size distribution, in place of rock.classes (coupler/case/sieve.hpp).
 struct SieveCase {
   std::filesystem::path file;  ///< CSV: size_m, passing_percent; empty: none
-  int classes = 5;             ///< made of it
+  int classes = 5;             ///< number of classes made from the curve
   double min_size_m = 0;       ///< finer rock is counted in the smallest class; 0: the curve's
   double max_size_m = 0;       ///< coarser rock is counted in the largest class; 0: the curve's
   double spheres_below_m = 0;  ///< classes below are spheres
-  std::vector<std::string> shapes;  ///< of the others; none: spheres
+  std::vector<std::string> shapes;  ///< of the other classes; empty: spheres
 };
 
 /// rock: the material of a single rock.
@@ -74,15 +74,15 @@ struct RockCase {
   double poisson_ratio = 0;
   double coarse_graining = 1;          ///< every size is multiplied by this
   double fines_fraction = 0;           ///< of the voids, filled with fines that move with the rock
-  std::filesystem::path shape_folder;  ///< where the files of the shapes are (meshes/rocks)
+  std::filesystem::path shape_folder;  ///< folder of the shapes' files (meshes/rocks)
   double coarse_graining_limit_m = 0;  ///< no size is grown beyond this; 0: none
   std::string shape_resolution = "coarse";  ///< spheres a rock: coarse, medium or fine
   std::vector<SizeClass> classes;
-  SieveCase sieve;  ///< what the classes were made from, when they were
+  SieveCase sieve;  ///< the origin of the classes, if they come from a curve
 };
 
-/// contact: Eqs. 3-8 of the paper; one number a kind of pair. One that is not given follows
-/// another, by of_every_pair.
+/// contact: Eqs. 3-8 of the paper; one number for each kind of pair. A missing one takes another's
+/// value, by of_every_pair.
 struct ContactCase {
   double normal_scale = 0;                     ///< C_norm, Eq. 4
   double tangential_scale = 0;                 ///< C_tan: K_t = C_tan K_n
@@ -106,10 +106,10 @@ struct ContactCase {
   double adhesion_Pa = 0;                         ///< the same against bodies and truck
 };
 
-/// The same with every number given.
+/// The same with a value for every number.
 ContactCase of_every_pair(ContactCase contact);
 
-/// crust: rock that is frozen or compacted together until it breaks.
+/// crust: rock that is frozen or compacted until its bonds break.
 struct CrustCase {
   double tensile_strength_Pa = 0;  ///< of the bonds; 0: no crust
   double shear_ratio = 1;          ///< shear strength by tensile strength
@@ -141,25 +141,32 @@ struct PileCase {
   /// (coupler/case/bench_surface.hpp), in place of toe, height, crest depth and face angle; empty:
   /// none.
   std::filesystem::path profile;
-  std::vector<Eigen::Vector2d> outline_m;  ///< what the profile holds: x and z in W
-  /// What it holds when it is an STL; the outline then is its highest section.
+  std::vector<Eigen::Vector2d> outline_m;  ///< the profile's points: x and z in W
+  /// The surface when the profile is an STL; the outline then is its highest section.
   std::shared_ptr<const BenchSurface> surface;
   /// rock this near to ground, rear and side walls is held fixed; 0: none
   double held_layer_m = 0;
   bool clear_machine = false;  ///< rock that overlaps dipper, door or truck at the start is removed
-  /// Rock on the floor in front of this x is taken away when the dipper is back; 0: it stays.
+  /// Rock on the floor in front of this x is removed when the dipper is back; 0: it stays.
   double clean_floor_to_x_m = 0;
 };
 
-/// truck: a fixed wall. Its bed counts what lands in it.
+/// truck: a fixed wall. Rock inside its bed is counted.
 struct TruckCase {
   std::filesystem::path mesh;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< origin of the truck mesh, in W
   double heading_deg = 0;                                ///< about z
+  double rated_t = 0;  ///< payload that it is to leave with; 0: not given
 };
 
-/// Who goes through the rock's time steps: this program's faster loop (dem/fast), or LIGGGHTS's
-/// own.
+/// site: where W lies in the mine's coordinates (analysis/survey). By default they are W's.
+struct SiteCase {
+  Eigen::Vector3d origin_m =
+      Eigen::Vector3d::Zero();  ///< easting, northing, elevation of W's origin
+  double azimuth_deg = 90;      ///< of W's x, clockwise from grid north
+};
+
+/// The loop over the rock's time steps: this program's faster one (dem/fast), or LIGGGHTS's own.
 enum class RockLoop { fast, liggghts };
 
 /// dem
@@ -174,7 +181,7 @@ struct DemCase {
 struct CouplingCase {
   core::Scheme scheme = core::Scheme::corrected;
   int sync_steps = 0;    ///< DEM steps a window
-  double timeout_s = 0;  ///< a side that gives no sign for this long has failed
+  double timeout_s = 0;  ///< a side without a reply for this long has failed
 };
 
 /// output
@@ -185,13 +192,16 @@ struct OutputCase {
   double wear_m3_J = 0;           ///< Finnie's coefficient; 0: no wear
 };
 
-/// observation: how the mine's instruments see a run (analysis/signals/observe.hpp).
+/// observation: the mine's instruments (analysis/signals/observe.hpp).
 struct ObservationCase {
   double rate_Hz = 1;     ///< of the drives' logger; a sample is the mean over its interval
-  double lag_s = 0;       ///< by which the forces are logged late against the motion
+  double lag_s = 0;       ///< delay of the logged forces against the motion
   double scale_gain = 0;  ///< the truck scale reads 1 + this times the mass
   double truck_spillage =
       0;  ///< part of the last pass that falls off the truck before it is weighed
+  double scale_offset_t = 0;   ///< the truck scale reads so much too much for each pass
+  double hoist_cell_gain = 0;  ///< the hoist's force is read as 1 + this times what it is
+  double crowd_cell_gain = 0;  ///< likewise the crowd's
 };
 
 /// The whole case, as it will run (after --set).
@@ -211,13 +221,14 @@ struct Case {
   std::map<std::string, std::filesystem::path>
       bodies;  ///< body name -> wall mesh, in its own frame
   TruckCase truck;
+  SiteCase site;
   /// The DEM box, in W. Rock that leaves it is lost; a wall that leaves it is an error.
   Box domain{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   DemCase dem;
   CouplingCase coupling;
   OutputCase output;
   ObservationCase observation;
-  /// Effect -> strength (effects.hpp). They have changed the values above; `text` has these alone.
+  /// Effect -> strength (effects.hpp). The values above include them; `text` has only the values.
   std::map<std::string, double> effects;
   std::string text;  ///< canonical text of all of the above: sorted lines that --set accepts
   std::map<std::string, Origin> origins;  ///< dotted key -> where it was set; for later findings
@@ -226,7 +237,7 @@ struct Case {
 /// A finding at the line that set `key`, or the nearest section above it.
 Finding finding_at(const Case& c, const std::string& key, const std::string& message);
 
-/// What is wrong with the file that `key` names: at its own lines, or, what is none line's, where
+/// Findings about the file that `key` names: at its own lines, or, when a fault has no line, where
 /// the case names it.
 void add_file_findings(const Case& c, const std::string& key, const InputError& error,
                        std::vector<Finding>& findings);

@@ -22,7 +22,7 @@ std::set<std::string> used_shapes(const Case& c) {
   return shapes;
 }
 
-/// What stands beside the meshes and says where in them rock is weighed.
+/// The YAML files beside the meshes, which say where in them rock is weighed.
 std::set<fs::path> fact_files(const Case& c) {
   std::set<fs::path> files;
   const auto beside = [](fs::path mesh) { return mesh.replace_extension(".yaml"); };

@@ -9,8 +9,8 @@
 
 namespace dipper::cases {
 
-/// Every file a case needs besides case.yaml: model, motion, meshes, what stands beside the meshes
-/// of dipper and truck, a profile, and the files of the shapes that its classes use. Sorted, each
+/// Every file a case needs besides case.yaml: model, motion, meshes, the YAML files beside those of
+/// dipper and truck, a profile, and the files of the shapes that its classes use. Sorted, each
 /// once; a file need not exist.
 std::vector<std::filesystem::path> referenced_files(const Case& c);
 
@@ -18,8 +18,8 @@ std::vector<std::filesystem::path> referenced_files(const Case& c);
 std::vector<std::filesystem::path> shape_files(const std::filesystem::path& folder,
                                                const std::string& shape);
 
-/// One hash for all that decides what a run computes: the canonical text, with each path replaced
-/// by the hash of the file it names, what stands beside the meshes, and the files of the shapes.
+/// One hash of everything that determines a run's results: the canonical text, with each path
+/// replaced by the hash of its file, the YAML files beside the meshes, and the files of the shapes.
 /// Moving the checkout does not change it; a byte in a referenced file does. Throws
 /// std::runtime_error when a file is missing.
 std::string case_hash(const Case& c);

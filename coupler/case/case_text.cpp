@@ -46,10 +46,10 @@ std::string case_text(const Case& c, const PathText& path_text) {
     return path.lexically_relative(c.folder).generic_string();
   };
   const PathText& text_of_path = path_text ? path_text : relative;
-  Case copy = c;  // a slot is a way to write; reading through one needs a case that may change
+  Case copy = c;  // a slot gives write access, so reading through it needs a mutable case
   std::map<std::string, std::string> lines;
   for (const KeySpec& spec : schema()) {
-    // What a sieve curve gave stands in the classes: with both, the text would be no case.
+    // The classes have the curve's result: a text with both would not be a valid case.
     if (spec.key.rfind("rock.sieve.", 0) == 0) continue;
     if (spec.key == "effects.*") continue;  // the keys they change have their values already
     if (spec.key == "pile.profile" && c.pile.profile.empty()) continue;

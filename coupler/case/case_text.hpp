@@ -8,7 +8,7 @@
 
 namespace dipper::cases {
 
-/// How a path of the case is written.
+/// Formats a path of the case.
 using PathText = std::function<std::string(const std::filesystem::path&)>;
 
 /// One line `key=value` a key, in order of the keys; numbers with 17 digits. Each line is a --set

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kInclude = "include";
 
-// Adds to a section what it lacks of another: a list is had as it is or not at all.
+// Adds missing keys of another section; a list is taken as a whole or not at all.
 void fill_missing_from(YamlTree& section, const YamlTree& other) {
   for (const auto& [name, theirs] : other.children) {
     YamlTree* mine = section.find(name);
@@ -27,8 +27,8 @@ void fill_missing_from(YamlTree& section, const YamlTree& other) {
   }
 }
 
-// `include: FILE`: sections of cases that have something in common, in a file of their own. What
-// the case says itself goes before it.
+// `include: FILE`: sections that several cases share, in a file of their own. The case's own keys
+// override it.
 void merge_include(YamlTree& root, const fs::path& folder, std::vector<Finding>& findings) {
   const auto at = std::find_if(root.children.begin(), root.children.end(),
                                [](const auto& child) { return child.first == kInclude; });
@@ -41,7 +41,7 @@ void merge_include(YamlTree& root, const fs::path& folder, std::vector<Finding>&
   if (include.kind != YamlTree::Kind::scalar || include.scalar.empty())
     return fault(fmt::format("is {}; write a path", shown(include)));
   const fs::path file = resolved(folder / include.scalar);
-  if (!fs::is_regular_file(file)) return fault(file.string() + " is no file");
+  if (!fs::is_regular_file(file)) return fault(file.string() + " is not a file");
   const YamlTree other = read_yaml(file, findings);
   if (other.find(kInclude) != nullptr) return fault(file.string() + " has an include of its own");
   fill_missing_from(root, other);
@@ -63,7 +63,7 @@ void apply(YamlTree& root, const Override& set, std::vector<Finding>& findings) 
       return;
     }
     YamlTree* child = node->find(part);
-    // A list that is --set's own grows element by element, as the lines of case.txt have it.
+    // A list given by --set grows element by element, as in the lines of case.txt.
     const bool starts = node->kind == YamlTree::Kind::empty && part == "0";
     const bool goes_on = node->kind == YamlTree::Kind::list && node->origin.file == from &&
                          part == std::to_string(node->children.size());
@@ -88,7 +88,7 @@ void apply(YamlTree& root, const Override& set, std::vector<Finding>& findings) 
   node->origin = {from, 0};
 }
 
-// Classes that are set take the place of the file's sieve, from which it would have made its own.
+// Classes given by --set replace the file's sieve.
 void drop_sieve_for_set_classes(YamlTree& root) {
   YamlTree* rock = root.find("rock");
   const YamlTree* classes = rock != nullptr ? rock->find("classes") : nullptr;

@@ -9,8 +9,8 @@
 
 namespace dipper::cases {
 
-/// Puts what `include` names and the overrides into the tree of a case.yaml in `folder`. What is
-/// then wrong with it, the schema tells.
+/// Merges the included file and the overrides into the tree of a case.yaml in `folder`. The schema
+/// then reports its faults.
 void complete_tree(YamlTree& root, const std::filesystem::path& folder,
                    const std::vector<Override>& overrides, std::vector<Finding>& findings);
 

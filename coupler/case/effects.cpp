@@ -24,7 +24,8 @@ std::vector<double*> numbers_at(Case& c, const std::string& key, const KeySpec*&
   for (const KeySpec& spec : schema()) {
     for (const Place& place : places_of(c, spec)) {
       const std::string here = concrete_key(spec, place);
-      if (key != spec.key && key.rfind(here, 0) != 0) continue;  // what follows another, stays so
+      if (key != spec.key && key.rfind(here, 0) != 0)
+        continue;  // a key that takes another's value keeps doing so
       const Slot slot = spec.slot(c, place);
       if (key == spec.key || key == here) {
         if (auto* const* x = std::get_if<double*>(&slot)) {
@@ -141,7 +142,7 @@ void apply_effects(Case& c, std::vector<Finding>& findings) {
       const KeySpec* spec = nullptr;
       const std::vector<double*> values = numbers_at(c, change.key, spec);
       if (values.empty()) {
-        findings.push_back({file, change.origin.line, change.key, "is no number of a case"});
+        findings.push_back({file, change.origin.line, change.key, "is not a number of the case"});
       }
       if (is_replaced_by_profile(c, change.key)) {
         findings.push_back(finding_at(

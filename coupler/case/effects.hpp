@@ -12,7 +12,7 @@
 namespace dipper::cases {
 
 /// What one unit of strength does to one key with value x:
-/// add: x + factor s, scale: x (1 + factor s), set: factor s (x is not looked at).
+/// add: x + factor s, scale: x (1 + factor s), set: factor s (x is ignored).
 struct KeyChange {
   enum class How { add, scale, set };
   std::string key;  ///< dotted; `#` stands for every size class; NAME.0 for x of a vector
@@ -25,13 +25,13 @@ struct KeyChange {
 struct Effect {
   std::string name;
   std::string title;
-  std::string kind;       ///< "rock", "machine" or "observation": what has to be run again for it
-  std::string signature;  ///< what it would show in a mine's data, in words
+  std::string kind;  ///< "rock", "machine" or "observation": the part of a run to repeat for it
+  std::string signature;  ///< its effect on a mine's data, in words
   std::string parameter, unit;
   double low = 0, high = 0;  ///< bounds of the strength; 0, between them, is off
   double scale = 0;          ///< prior: normal about 0 with this standard deviation
   std::string source;        ///< of bounds and scale
-  bool nuisance = false;     ///< allowed within its prior, never named
+  bool nuisance = false;     ///< varied within its prior, never named
   std::vector<KeyChange> changes;
 };
 
@@ -42,12 +42,12 @@ std::filesystem::path effect_file(const std::filesystem::path& case_folder,
 /// Names of both folders' effects, sorted.
 std::vector<std::string> effect_names(const std::filesystem::path& case_folder);
 
-/// Reads one file. What is wrong with it is appended to `findings`, with its line.
+/// Reads one file. Its faults are appended to `findings`, with their lines.
 Effect read_effect(const std::filesystem::path& file, std::vector<Finding>& findings);
 
-/// Changes the case's values as its effects say, in the order of their names; one value is changed
-/// by no two effects. Appends a finding for an effect that does not exist, a strength out of
-/// bounds, and a value that leaves its range.
+/// Applies the case's effects to its values, in the order of their names; no value is changed by
+/// two effects. Appends a finding for an effect that does not exist, a strength out of bounds, and
+/// a value that leaves its range.
 void apply_effects(Case& c, std::vector<Finding>& findings);
 
 }  // namespace dipper::cases

@@ -43,7 +43,8 @@ class Loader {
     }
     const std::vector<std::string> known = children_of(pattern);
     const bool free_names = known.size() == 1 && known[0] == "*";
-    std::set<std::string> meant;  // a key written wrong is one mistake: not a missing one as well
+    std::set<std::string>
+        meant;  // a misspelt key is one fault: its correct form is not reported as missing
     for (const auto& [name, child] : node.children) {
       if (free_names) {
         read(child, join_key(pattern, "*"), join_key(key, name), {place.index, name});
@@ -165,7 +166,7 @@ class Loader {
     if (const auto word = word_at(node, key, spec)) out.set(*word);
   }
 
-  /// Which of the allowed words it is; another one is a finding.
+  /// The index among the allowed words; another word is a finding.
   std::optional<std::size_t> word_at(const YamlTree& node, const std::string& key,
                                      const KeySpec& spec) {
     const auto word = std::find(spec.allowed.begin(), spec.allowed.end(), node.scalar);
@@ -182,7 +183,7 @@ class Loader {
     if (node.kind != YamlTree::Kind::scalar || node.scalar.empty()) {
       return wrong_type(node, key, spec);
     }
-    // Relative to the file that says it; what --set says, to the case.
+    // Relative to the file that has it; for --set, to the case.
     const bool by_hand = node.origin.line == 0;
     const fs::path from = by_hand ? case_.folder : fs::absolute(node.origin.file).parent_path();
     *out = resolved(from / node.scalar);
@@ -233,7 +234,7 @@ bool is_identifier(const std::string& name) {
   });
 }
 
-// What no single key tells. Looks only at values that loaded without a finding.
+// Checks of several keys together. Uses only values that loaded without a finding.
 void check_between_keys(const Case& c, std::vector<Finding>& findings) {
   const auto sound = [&, known = findings](const std::string& key) {
     return c.origins.count(key) && std::none_of(known.begin(), known.end(), [&](const Finding& f) {
@@ -244,7 +245,7 @@ void check_between_keys(const Case& c, std::vector<Finding>& findings) {
 
   std::set<std::string> names;
   double percent = 0;
-  bool all_percents = true;  // otherwise their sum says nothing new
+  bool all_percents = true;  // otherwise their sum adds no information
   for (std::size_t i = 0; i < c.rock.classes.size(); ++i) {
     const SizeClass& size = c.rock.classes[i];
     const std::string key = fmt::format("rock.classes.{}", i);
@@ -277,13 +278,13 @@ void check_between_keys(const Case& c, std::vector<Finding>& findings) {
   if (c.dem.hold_below_m_s > 0 && c.crust.tensile_strength_Pa > 0) {
     findings.push_back(
         finding_at(c, "dem.hold_below_m_s",
-                   "cannot be used with a crust, whose bonds are not followed in rock "
+                   "cannot be used with a crust, because bonds are not computed in rock "
                    "that is held; leave one of the two out"));
   }
   if (c.pile.held_layer_m > 0 && c.crust.tensile_strength_Pa > 0) {
     findings.push_back(
         finding_at(c, "pile.held_layer_m",
-                   "cannot be used with a crust, whose bonds are not followed in rock "
+                   "cannot be used with a crust, because bonds are not computed in rock "
                    "that is held; leave one of the two out"));
   }
   if (sound("domain.min_m") && sound("domain.max_m")) {

@@ -14,7 +14,7 @@ bool begins_with(const std::string& key, const std::string& section) {
   return key.compare(0, section.size(), section) == 0;
 }
 
-/// What only a shovel's motion makes sense of: it swings to a truck, opens a door, comes back.
+/// Keys that make sense only with a shovel's motion: swing to a truck, open door, return.
 bool is_shovels(const std::string& key) {
   return (begins_with(key, "machine.") && key != "machine.kind" && key != "machine.poses") ||
          begins_with(key, "collapse.") || key == "pile.clean_floor_to_x_m";

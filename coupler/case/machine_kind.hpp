@@ -1,4 +1,4 @@
-// What machine.kind decides: which keys a case has, and how long its motion lasts.
+// The consequences of machine.kind: the keys of a case, and the duration of its motion.
 #pragma once
 
 #include <string>
@@ -9,11 +9,10 @@
 namespace dipper::cases {
 
 /// True for a key that the case cannot use: a shovel's with machine.kind poses, machine.poses with
-/// a shovel, the truck's where poses are without a truck.
+/// a shovel, the truck's for poses without a truck.
 bool is_of_other_kind(const Case& c, const std::string& key);
 
-/// Every key that is given and of another kind, and machine.poses where it is missing, becomes a
-/// finding.
+/// A finding for every given key that the case cannot use, and for a missing machine.poses.
 void check_machine_kind(const Case& c, std::vector<Finding>& findings);
 
 inline bool has_truck(const Case& c) { return !c.truck.mesh.empty(); }

@@ -1,5 +1,4 @@
-// What the YAML files beside the dipper's and the truck's mesh say: where load is, and how much
-// fits.
+// The YAML files beside the meshes of dipper and truck: the regions of the load, and the volume.
 #pragma once
 
 #include <string>
@@ -18,13 +17,13 @@ struct DipperFacts {
 };
 
 /// Reads struck_volume_m3, cavity {min_m, max_m} and heap_height_m from the YAML file of the
-/// dipper's mesh's name; other keys are the user's notes. Each that is missing or cannot be is
+/// dipper's mesh's name; other keys are the user's notes. Missing and impossible ones are
 /// appended to `findings`; the facts are usable only when none was. Expects the body `name`.
 DipperFacts read_dipper_facts(const Case& c, std::vector<Finding>& findings,
                               const std::string& name = "dipper");
 
-/// The bodies of which such a file is read: a shovel's dipper, which must have one; of bodies that
-/// follow poses those that have one.
+/// The bodies whose file is read: a shovel's dipper, which must have one; of bodies that follow
+/// poses those that have one.
 std::vector<std::string> weighed_bodies(const Case& c);
 
 /// Reads bed {min_m, max_m}, in the truck's frame [m], from the YAML file of the truck's mesh's

@@ -23,7 +23,7 @@ void read_pile_profile(Case& c, std::vector<Finding>& findings) {
     if (c.origins.count(key) != 0)
       findings.push_back(finding_at(
           c, key,
-          fmt::format("pile.profile is there as well and replaces {}; leave out the one or the "
+          fmt::format("pile.profile is given as well and replaces {}; leave out the one or the "
                       "others",
                       fmt::join(kReplacedByProfile, ", "))));
   try {

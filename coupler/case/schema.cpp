@@ -135,7 +135,7 @@ std::string concrete_key(const KeySpec& spec, const Place& place) {
 
 std::string word_of(const Case& c, const std::string& key) {
   const KeySpec* spec = find_spec(key);
-  Case copy = c;  // a slot is a way to write
+  Case copy = c;  // a slot gives write access
   return spec->allowed.at(std::get<Choice>(spec->slot(copy, {})).get());
 }
 

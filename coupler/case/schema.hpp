@@ -1,5 +1,4 @@
-// Every key of case.yaml, as data: what the loader accepts, the canonical text writes and
-// docs/case.md lists.
+// Every key of case.yaml, as data, for the loader, the canonical text and docs/case.md.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +21,7 @@ struct Place {
 /// A member of a Case that is one of a few words in a case file: a bool or an enum.
 class Choice {
  public:
-  /// \param values  what the words of KeySpec::allowed stand for, in their order
+  /// \param values  the values of the words of KeySpec::allowed, in their order
   template <class T>
   Choice(T& member, std::vector<T> values)
       : get_([&member, values] {
@@ -31,7 +30,7 @@ class Choice {
         }),
         set_([&member, values](std::size_t word) { member = values.at(word); }) {}
 
-  std::size_t get() const { return get_(); }  ///< which of the words it is
+  std::size_t get() const { return get_(); }  ///< index of the word
   void set(std::size_t word) const { set_(word); }
 
  private:
@@ -39,17 +38,17 @@ class Choice {
   std::function<void(std::size_t)> set_;
 };
 
-/// Where a key's value lives in a Case. Its type is the key's type.
+/// Access to a key's value in a Case. Its type is the key's type.
 using Slot = std::variant<double*, int*, std::int64_t*, std::string*, std::filesystem::path*,
                           Eigen::Vector3d*, std::vector<std::string>*, Choice>;
 
-/// What has to be made again when a key changes: the first of these, and what stands below it.
+/// What has to be made again when a key changes: this stage and those below it.
 enum class Affects {
   settling,     ///< the pile, which is kept in the cache
   dig,          ///< the run
   machine,      ///< forces of its drives; its motion too where they have limits, and then the dig
-  instruments,  ///< what a mine's instruments show of the run
-  output        ///< nothing that is computed: what is written, how long is waited, where it ends
+  instruments,  ///< the run as a mine's instruments would show it
+  output        ///< no result: what is written, time limits, the end
 };
 
 /// One key.
@@ -57,7 +56,8 @@ struct KeySpec {
   std::string key;   ///< dotted; `#` stands for a list index, `*` for a name
   std::string unit;  ///< "kg/m3", "%"; "" for a pure number or no number
   Range range;
-  /// Of a text or a choice; empty: any. Of a number: words in its place, for which it is kept as 0.
+  /// The words of a text or a choice; empty: any. Of a number: words that it may have instead, for
+  /// which it is kept as 0.
   std::vector<std::string> allowed;
   bool required = true;
   Affects affects;
@@ -75,11 +75,11 @@ const std::vector<KeySpec>& schema();
 /// The key `key` of the schema (a pattern with # and *), or nullptr.
 const KeySpec* find_spec(const std::string& key);
 
-/// The key of the schema that one of a case's text stands at: "rock.classes.#.name" for
+/// The schema's key for a key of a case's text: "rock.classes.#.name" for
 /// "rock.classes.0.name"; an element of a vector, "domain.min_m.0", is its key's. Or nullptr.
 const KeySpec* spec_of(const std::string& key);
 
-/// True when a key's value is a path: what counts is the file there, not its name.
+/// True when a key's value is a path: the file's contents matter, not its name.
 bool is_path(const KeySpec& spec);
 
 /// "settling", "dig", "machine", "instruments" or "output".
@@ -97,7 +97,7 @@ std::vector<Place> places_of(const Case& c, const KeySpec& spec);
 /// The dotted key at a place: "rock.classes.0.size_m".
 std::string concrete_key(const KeySpec& spec, const Place& place);
 
-/// The word that a case has for a key which is a choice: "corrected" of "coupling.scheme".
+/// The word of a case for a key with a choice of words: "corrected" of "coupling.scheme".
 std::string word_of(const Case& c, const std::string& key);
 
 /// "_kg_m3" for "kg/m3", "_percent" for "%", "" for "".

@@ -1,6 +1,6 @@
 // The table of keys. A new key is a member in case.hpp, a line here, and a line of docs/case.md
-// (the schema test prints the table to paste). What it affects decides whether the cache's pile is
-// still the case's, whether a run may go on, and what `dipper replay`, `observe` and `gap` compute.
+// (the schema test prints the table to paste). `affects` decides whether a cached pile can be
+// used, whether a run may be resumed, and what `dipper replay`, `observe` and `gap` compute.
 #include "coupler/case/schema.hpp"
 
 namespace dipper::cases {
@@ -9,11 +9,12 @@ namespace {
 using core::Scheme;
 using machine::DriveMode;
 
-// Ends of ranges are there to catch slips (a density in t/m3, an angle in rad), so they are
-// generous: whatever a study may sensibly try is inside.
+// The ranges catch slips (a density in t/m3, an angle in rad), so they are wide: they contain every
+// value that a study may sensibly try.
 constexpr Range any{};
 constexpr Range place{-1e4, 1e4, false, false};   // m: a coordinate in W
 constexpr Range simulated{0, 1e5, false, false};  // s: more than a day
+constexpr Range mine{-1e8, 1e8, false, false};    // m: a coordinate of a mine's grid
 constexpr Range turn{-360, 360, false, false};
 constexpr Range friction{0, 5, false, false};
 constexpr Range damping{0, 10, false, false};
@@ -29,13 +30,13 @@ SizeClass& class_at(Case& c, const Place& p) {
 
 // The member `expr` of the case `c`, at the place `p` where the key has a # or *.
 #define SLOT(expr) [](Case& c, [[maybe_unused]] const Place& p) -> Slot { return &(expr); }
-// The same of a contact number that follows another one until it has a value of its own.
+// The same for a contact number that takes another one's value unless it is given.
 #define FOLLOWING(member)                               \
   [](Case& c, const Place&) -> Slot {                   \
     c.contact.member = of_every_pair(c.contact).member; \
     return &*c.contact.member;                          \
   }
-// The same of a member that is a bool or an enum, with what the allowed words stand for, in order.
+// The same for a bool or an enum, with the values of the allowed words, in order.
 #define CHOICE(expr, ...) \
   [](Case& c, const Place&) -> Slot { return Choice(expr, std::vector{__VA_ARGS__}); }
 
@@ -262,6 +263,17 @@ std::vector<KeySpec> make_schema() {
        "origin of the truck mesh, in W", SLOT(c.truck.position_m)},
       {"truck.heading_deg", "deg", turn, {}, optional, dig,
        "rotation of the truck about z; default 0", SLOT(c.truck.heading_deg)},
+      {"truck.rated_t", "t", between(0, 1000), {}, optional, output,
+       "rated payload of the truck: passes to fill it, under- and overload; default 0: not given",
+       SLOT(c.truck.rated_t)},
+
+      {"site.origin_m", "m", mine, {}, optional, output,
+       "easting, northing and elevation of W's origin in the mine's grid, for dipper survey; "
+       "default [0, 0, 0]",
+       SLOT(c.site.origin_m)},
+      {"site.azimuth_deg", "deg", turn, {}, optional, output,
+       "direction of W's x, clockwise from grid north, for dipper survey; default 90: east",
+       SLOT(c.site.azimuth_deg)},
 
       {"domain.min_m", "m", place, {}, required, settling,
        "lower corner of the DEM box, in W", SLOT(c.domain.min_m)},
@@ -315,6 +327,15 @@ std::vector<KeySpec> make_schema() {
       {"observation.truck_spillage", "", between(0, 1), {}, optional, instruments,
        "fraction of the last pass that falls off the truck before it is weighed; default 0",
        SLOT(c.observation.truck_spillage)},
+      {"observation.scale_offset_t", "t", between(-50, 50), {}, optional, instruments,
+       "the truck scale reads so much too much for each pass; default 0",
+       SLOT(c.observation.scale_offset_t)},
+      {"observation.hoist_cell_gain", "", between(-0.5, 0.5), {}, optional, instruments,
+       "the hoist's force is read as 1 + this times what it is; default 0",
+       SLOT(c.observation.hoist_cell_gain)},
+      {"observation.crowd_cell_gain", "", between(-0.5, 0.5), {}, optional, instruments,
+       "the crowd's force is read as 1 + this times what it is; default 0",
+       SLOT(c.observation.crowd_cell_gain)},
 
       {"effects.*", "", any, {}, optional, settling,
        "strength of an effect in analysis/effects or in the case's own effects folder",

@@ -21,8 +21,8 @@ struct Row {
 
 constexpr double kLargestSize = 10;  // [m]; of rock.sieve.max_size_m, too
 
-/// Faults of a curve as a whole: another unit, shares of 1, shares retained. Told once, in place of
-/// a line for each row.
+/// Faults of a curve as a whole: another unit, shares of 1, shares retained. Reported once, not for
+/// each row.
 std::string fault_of_all(const std::vector<Row>& rows) {
   if (rows.size() < 2) return "";
   double smallest = rows[0].point.size_m, largest = 0, least = rows[0].point.passing_percent;

@@ -1,4 +1,4 @@
-// A sieve curve, and the size classes that stand for it.
+// A sieve curve, and size classes that represent it.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ class SieveCurve {
 
   double smallest_m() const { return points_.front().size_m; }
   double largest_m() const { return points_.back().size_m; }
-  /// Straight between points over the logarithm of the size; held beyond its ends.
+  /// Linear between points over the logarithm of the size; constant beyond its ends.
   double passing_percent(double size_m) const;
   /// The size within [low_m, high_m] that a share of the mass passes: the inverse of the above.
   double size_m(double passing_percent, double low_m, double high_m) const;
@@ -29,15 +29,15 @@ class SieveCurve {
 };
 
 /// Reads a CSV with the columns size_m, passing_percent (a header line, `#` comments, sizes rising
-/// or falling). Throws InputError naming file and line: a word that is no number, a size that is
-/// not above zero or given twice, a share outside 0 ... 100 or one that falls while the size rises,
-/// fewer than two points; sizes that go beyond 10 m, shares that go up to 1 only.
+/// or falling). Throws InputError naming file and line: a field that is not a number, a size that
+/// is not above zero or given twice, a share outside 0 ... 100 or one that falls while the size
+/// rises, fewer than two points; sizes that go beyond 10 m, shares that go up to 1 only.
 SieveCurve read_sieve(const std::filesystem::path& file);
 
 /// Classes whose bounds are evenly spaced over log size between the truncation's ends (0: the
-/// curve's). The mass of a class is what the curve has between its bounds, its size the one that
-/// halves that mass. What the truncation cuts keeps its mass: finer rock is counted in the smallest
-/// class, coarser in the largest, so that the curve is unchanged at every bound. A class without
+/// curve's). The mass of a class is that of the curve between its bounds; its size halves
+/// that mass. Truncation keeps the mass: finer rock is counted in the smallest class, coarser rock
+/// in the largest, so that the curve is unchanged at every bound. A class without
 /// mass is left out. Names are sK_MM: the K-th, of MM mm. Throws std::invalid_argument: nothing
 /// between the truncation's ends.
 std::vector<SizeClass> size_classes(const SieveCurve& curve, const SieveCase& how);

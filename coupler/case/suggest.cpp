@@ -34,7 +34,7 @@ bool is_unit(const std::string& words) {
   return any;
 }
 
-std::string plain(const std::string& key) {  // "rock.classes.#" as people say it
+std::string plain(const std::string& key) {  // "rock.classes.#" as users write it
   const auto hash = key.find(".#");
   return hash == std::string::npos ? key : key.substr(0, hash);
 }

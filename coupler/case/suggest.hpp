@@ -1,12 +1,11 @@
-// What someone may have meant by a key that a section does not have.
+// Suggestions for an unknown key of a section.
 #pragma once
 
 #include <string>
 
 namespace dipper::cases {
 
-/// What to say of a key that a section does not have, and which of the section's keys it seems to
-/// stand for ("" when none does).
+/// The message for an unknown key, and the section's key that was probably meant ("" if none).
 struct UnknownKey {
   std::string message;
   std::string meant;

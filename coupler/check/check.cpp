@@ -1,4 +1,4 @@
-// check_case: what only the parts together tell.
+// check_case: checks that need several parts of a case.
 #include "coupler/check/check.hpp"
 
 #include <map>

@@ -1,4 +1,4 @@
-// dipper check: what only the parts of a case together tell.
+// dipper check: checks that need several parts of a case.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace dipper::check {
 
-/// What only the parts together tell: files that exist, meshes that are closed and sound, and
-/// what is written beside them, motion within limits, a stable DEM step, walls that stay in the
+/// Checks that need several parts: files that exist, meshes that are closed and sound, and
+/// the YAML files beside them, motion within limits, a stable DEM step, walls that stay in the
 /// box, classes with at least one rock. Expects a case that loaded without findings.
 std::vector<Finding> check_case(const cases::Case& c);
 

@@ -36,7 +36,7 @@ void check_slab(const cases::Case& c, const deck::CollapseSlab& slab, Findings& 
   }
 }
 
-/// Rock that appears where a body is would be shot away.
+/// Rock that appears inside a body would be thrown out at high speed.
 void check_clear(const cases::Case& c, const deck::CollapseSlab& slab, double at_s,
                  const machine::ShovelKinematics& shovel, const machine::Motion& motion,
                  const std::map<std::string, mesh::TriangleMesh>& bodies, Findings& findings) {
@@ -52,7 +52,7 @@ void check_clear(const cases::Case& c, const deck::CollapseSlab& slab, double at
   machine::ShovelPose pose;
   try {
     pose = shovel.pose(motion.value(std::llround(at_s * 1e9)));
-  } catch (const std::domain_error&) {  // beyond the ropes: ShovelKinematics::check tells
+  } catch (const std::domain_error&) {  // beyond the ropes: ShovelKinematics::check reports it
     return;
   }
   for (const auto& [name, body] : bodies) {
@@ -78,7 +78,7 @@ void check_collapse(const cases::Case& c, const machine::ShovelKinematics& shove
   deck::CollapseSlab slab;
   try {
     slab = deck::collapse_slab(c);
-  } catch (const std::invalid_argument&) {  // a class of mixed shapes: check_rock tells
+  } catch (const std::invalid_argument&) {  // a class of mixed shapes: check_rock reports it
     return;
   }
   check_slab(c, slab, findings);
@@ -88,7 +88,7 @@ void check_collapse(const cases::Case& c, const machine::ShovelKinematics& shove
         c, kTime, "the motion never opens the door; write the time at which the slab comes down"));
     return;
   }
-  // A shorter end_s is meant as such.
+  // A shorter end_s is taken as intended.
   if (const double end_s = seconds(motion.end_ns()); *at_s >= end_s) {
     findings.push_back(cases::finding_at(
         c, kTime,

@@ -27,7 +27,7 @@ namespace {
 // LIGGGHTS's own limit of a facet's angles (surface_mesh_I.h, minAngle_hardLimit_), and a little.
 const double kThinnestFacet = 1.01 * std::acos(0.9999995);
 
-constexpr std::size_t faults_shown = 10;  // a file: the first few tell what is wrong with it
+constexpr std::size_t faults_shown = 10;  // per file: the first few show what is wrong with it
 
 // "reaches y = 28.3 m, 0.3 m beyond the domain's 28", once a side of the box that is passed.
 void check_box(const cases::Case& c, const std::string& key, const std::string& what,
@@ -91,7 +91,7 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
   }
 }
 
-// A mesh that is not there is told by itself: its name is wrong, not the other's.
+// A missing mesh is reported by itself: its name is wrong, not the other's.
 void check_mesh_facts(const cases::Case& c, Findings& findings) {
   for (const std::string& name : cases::weighed_bodies(c))
     if (fs::is_regular_file(c.bodies.at(name))) cases::read_dipper_facts(c, findings, name);
@@ -145,7 +145,7 @@ void check_pile_in_domain(const cases::Case& c, Findings& findings) {
       findings.push_back({c.pile.profile, 0, "pile.profile", fault});
   } else if (!c.pile.profile.empty()) {
     check_profile_points(c, findings);
-    for (const int i : {0, 2}) {  // told by those
+    for (const int i : {0, 2}) {  // those checks report it
       box.min_m[i] = std::max(box.min_m[i], c.domain.min_m[i]);
       box.max_m[i] = std::min(box.max_m[i], c.domain.max_m[i]);
     }

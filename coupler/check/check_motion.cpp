@@ -30,7 +30,7 @@ auto load_reported(const cases::Case& c, const std::string& key, const fs::path&
   return std::nullopt;
 }
 
-// What happens at the motion's times has none where limited drives come later.
+// Limited drives reach each point later than the motion says, so its times fix no event.
 void check_times_of_motion(const cases::Case& c, Findings& findings) {
   if (c.machine.drives != machine::DriveMode::limited) return;
   if (c.collapse.height_m > 0 && c.collapse.at_s == 0) {
@@ -39,7 +39,7 @@ void check_times_of_motion(const cases::Case& c, Findings& findings) {
   }
 }
 
-// The floor is cleaned as a way back without rock ends, and at no other time.
+// The floor is cleaned only when a return without rock ends.
 void check_clean_floor(const cases::Case& c, Findings& findings) {
   if (c.pile.clean_floor_to_x_m == 0 || !c.machine.contact_on_return) return;
   findings.push_back(

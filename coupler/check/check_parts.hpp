@@ -26,8 +26,8 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
                                                   const std::filesystem::path& file,
                                                   Findings& findings);
 
-/// False, and a finding, when a mesh is longer than the domain: it is in another unit. What else
-/// would be told of it says nothing more.
+/// False, and a finding, when a mesh is longer than the domain: it is in another unit. Further
+/// findings about it would add nothing.
 bool check_unit(const cases::Case& c, const std::string& key, const mesh::TriangleMesh& mesh,
                 Findings& findings);
 
@@ -52,7 +52,7 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
                                             Findings& findings);
 
 /// The slab of collapse.height_m: a rock of it at least, inside the domain, during the motion, and
-/// not where the bodies are just then.
+/// not where the bodies are at that time.
 void check_collapse(const cases::Case& c, const machine::ShovelKinematics& shovel,
                     const machine::Motion& motion,
                     const std::map<std::string, mesh::TriangleMesh>& bodies, Findings& findings);
@@ -77,8 +77,8 @@ void check_windows(const cases::Case& c, std::int64_t start_ns, std::int64_t end
 /// Shapes that exist, a rock at least in every class, a stable DEM step.
 void check_rock(const cases::Case& c, Findings& findings);
 
-/// With one shape in classes that mix spheres and others, which check_rock reports: what is asked
-/// of the rest of the rock can be answered.
+/// The case with one shape in classes that mix spheres and others, which check_rock reports: the
+/// other checks of the rock can then run.
 cases::Case without_mixed_classes(cases::Case c);
 
 }  // namespace dipper::check

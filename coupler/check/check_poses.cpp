@@ -8,7 +8,7 @@ namespace dipper::check {
 
 namespace {
 
-// What the scripts of dem_in give these names to.
+// Names that the scripts of dem_in use for something else.
 const std::set<std::string> kTaken = {"box",          "gravity",    "ground", "pour",
                                       "rocks",        "rocks_move", "sides",  "slab",
                                       "spheres_move", "truck",      "walls"};

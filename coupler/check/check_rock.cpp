@@ -23,7 +23,7 @@ bool is_mixed(const cases::SizeClass& size) {
   return spheres > 0 && spheres < static_cast<std::ptrdiff_t>(size.shapes.size());
 }
 
-// A scan may have thousands of faults; the first few tell what is wrong with it.
+// A scan may have thousands of faults; the first few show what is wrong with it.
 void check_shape(const cases::Case& c, const std::string& shape, Findings& findings) {
   constexpr std::size_t shown = 10;
   const fs::path stl = deck::shape_mesh(c.rock.shape_folder, shape);
@@ -88,7 +88,7 @@ void check_rock(const cases::Case& c, Findings& findings) {
   const std::vector<deck::ClassCount> counts = deck::rock_counts(unmixed);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i].rocks >= 1) continue;
-    // The number goes with the share and with one over the cube of the size.
+    // The number is proportional to the share and to one over the cube of the size.
     const double percent = c.rock.classes[i].mass_percent / counts[i].rocks;
     findings.push_back(cases::finding_at(
         c, fmt::format("rock.classes.{}.mass_percent", i),

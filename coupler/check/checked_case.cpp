@@ -59,8 +59,8 @@ std::string summary(const cases::Case& c) {
       s.settle_steps, 100 * c.dem.timestep_s / deck::stable_timestep(c), deck::stable_timestep(c));
 }
 
-/// What the teeth sweep under the bench as it is made, pass by pass, and whether that fills the
-/// dipper.
+/// The volume that the teeth sweep under the bench's nominal surface in each pass, and whether it
+/// fills the dipper.
 void tell_digs(const cases::Case& c, Reporter& reporter) {
   const machine::MachineData data = machine::load_machine(c.machine.model);
   const machine::ShovelKinematics shovel(data, Pose{}, radians(c.machine.rake_angle_deg));
@@ -143,6 +143,7 @@ bool check_as_json(const std::filesystem::path& folder,
                {"findings", json::array()},
                {"source_hash", source_hash}};
   for (const Finding& f : findings) said["findings"].push_back(as_json(f));
+  if (!c.text.empty()) said["values"] = values_of(c);  // as far as they could be read
   if (findings.empty()) {
     said["warnings"] = json::array();
     for (const Finding& warning : warnings(c)) said["warnings"].push_back(as_json(warning));
@@ -159,7 +160,6 @@ bool check_as_json(const std::filesystem::path& folder,
                     {"dig_cpu_s", cost.dig_s},   {"wall_s", cost.wall_s},
                     {"memory_B", cost.memory_B}, {"disk_B", cost.disk_B},
                     {"record_B", cost.record_B}, {"dumps_B", cost.dumps_B}};
-    said["values"] = values_of(c);
     said["effects"] = c.effects;
     said["files"] = json::array();
     for (const auto& file : cases::referenced_files(c)) said["files"].push_back(file.string());

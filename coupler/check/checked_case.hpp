@@ -1,4 +1,4 @@
-// A case that may be run, or what is wrong with it.
+// A case that may be run, or its faults.
 #pragma once
 
 #include <filesystem>
@@ -17,9 +17,9 @@ cases::Case read_case(const std::filesystem::path& folder,
                       const std::vector<cases::Override>& overrides,
                       std::vector<Finding>& findings);
 
-/// Reads a case and tells the reporter a line a finding, `file:line: key: message`, and
-/// "N errors"; or "CASE is sound: ..." with what a run of it will take, and "warning: " and a line
-/// for every warning (warnings.hpp). The case when it is sound.
+/// Reads a case and reports a line per finding, `file:line: key: message`, and "N errors"; or
+/// "CASE is sound: ..." with the cost of a run, and "warning: " and a line for every warning
+/// (warnings.hpp). Returns the case when it is sound.
 std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
                                         const std::vector<cases::Override>& overrides,
                                         Reporter& reporter);

@@ -86,7 +86,7 @@ std::string to_string(const CostEstimate& e) {
 
 void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, Reporter& reporter) {
   std::filesystem::path there = std::filesystem::absolute(folder);
-  std::error_code unknown;  // a folder that may not be looked into is refused elsewhere
+  std::error_code unknown;  // a folder without read permission is refused elsewhere
   while (!std::filesystem::exists(there, unknown) && there.has_relative_path())
     there = there.parent_path();
   const std::filesystem::space_info space = std::filesystem::space(there, unknown);

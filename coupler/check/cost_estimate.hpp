@@ -20,14 +20,14 @@ struct CostEstimate {
   double dumps_B = 0;  ///< of that, what output.dump_every_s asks for beside the dumps of the start
 };
 
-/// By what runs have taken (docs/benchmarks.md, "What a run takes"): right to a factor of about 1.5
-/// on such a machine, as it is not known beforehand how much of the rock will move.
+/// From measured runs (docs/benchmarks.md, "What a run takes"): accurate within a factor of 1.5 on
+/// such a machine, because it is not known beforehand how much of the rock will move.
 CostEstimate cost_estimate(const cases::Case& c);
 
 /// In a line: "about 1 h 40 min of processor time, ...".
 std::string to_string(const CostEstimate& cost);
 
-/// Warns where a run in `folder`, there or not yet, would fill the disk.
+/// Warns when a run in `folder`, which need not exist yet, would fill the disk.
 void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, Reporter& reporter);
 
 }  // namespace dipper::check

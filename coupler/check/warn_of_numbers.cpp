@@ -74,7 +74,7 @@ void warn_of_angles(const CaseParts& parts, std::vector<Finding>& warnings) {
            fmt::format("never exceeds {:.2f} degrees: is it in rad?", degrees(most))});
 }
 
-/// A body's radius of gyration is of its own size.
+/// Compares a body's radius of gyration with its size.
 void warn_of_masses(const CaseParts& parts, std::vector<Finding>& warnings) {
   struct Part {
     std::string name;

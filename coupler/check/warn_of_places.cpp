@@ -17,10 +17,10 @@
 namespace dipper::check {
 namespace {
 
-constexpr double kDeep_m = 0.1;                   ///< overlap that is no matter of a facet
-constexpr double kClosed_m = 0.05;                ///< heel under the teeth's way, at most
-constexpr double kNearGround_m = 1.0;             ///< higher there is rock to give way
-constexpr double kTurning_rad_s = 0.02;           ///< a swing that is not over
+constexpr double kDeep_m = 0.1;                   ///< more overlap than facets can cause
+constexpr double kClosed_m = 0.05;                ///< heel below the path of the teeth, at most
+constexpr double kNearGround_m = 1.0;             ///< above that, rock can give way
+constexpr double kTurning_rad_s = 0.02;           ///< a swing that has not ended
 constexpr std::int64_t kSample_ns = 100'000'000;  ///< the dipper goes some 0.3 m meanwhile
 
 /// Height of the bench's surface; the ground's 0 elsewhere.
@@ -48,10 +48,10 @@ double deepest_in(const Bench& bench, const mesh::TriangleMesh& mesh, const Pose
   return deepest;
 }
 
-/// A body goes down into rock that is there already, and shoots it out.
+/// A body that starts inside the rock throws it out.
 void warn_of_the_start(const CaseParts& parts, std::vector<Finding>& warnings) {
   const cases::Case& c = parts.c;
-  if (c.pile.clear_machine) return;  // the rock there is removed, and told
+  if (c.pile.clear_machine) return;  // the rock there is removed, and the run reports it
   const Bench bench(c);
   const machine::ShovelPose at_start = parts.shovel.pose(parts.motion.value(0));
   const double dipper = std::max(deepest_in(bench, parts.dipper, at_start.X_WB),
@@ -93,7 +93,7 @@ void warn_of_the_way(const CaseParts& parts, std::vector<Finding>& warnings) {
             deepest, at_s)));
 }
 
-/// Where the door is when it opens.
+/// Checks that the truck is under the door when it opens.
 void warn_of_the_dump(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Box bed = mesh::bounding_box(parts.truck);
   bool open = machine::door_is_open(parts.motion.value(0).door);
@@ -117,7 +117,7 @@ void warn_of_the_dump(const CaseParts& parts, std::vector<Finding>& warnings) {
   }
 }
 
-/// Where rock is felt again on the way back.
+/// Checks the place where contact with rock is on again during the return.
 void warn_of_the_return(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (parts.c.machine.contact_on_return) return;
   for (const machine::ReturnLeg& leg : machine::return_legs(parts.motion)) {
@@ -134,10 +134,10 @@ void warn_of_the_return(const CaseParts& parts, std::vector<Finding>& warnings) 
   }
 }
 
-/// The heel against the way that the teeth have gone.
+/// The heel against the path of the teeth.
 void warn_of_the_heel(const CaseParts& parts, std::vector<Finding>& warnings) {
   double most = kClosed_m, at_s = 0, above_m = 0;
-  machine::TeethPath way;  // out, of this dig
+  machine::TeethPath way;  // of this dig, outwards
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
     const machine::Vector2d tip = parts.shovel.teeth(parts.motion.value(t));
     if (!way.empty() && tip.x() < way.back().x()) way.clear();

@@ -14,7 +14,7 @@ constexpr double kMuch = 0.15;      // of a volume: a fill factor that is off by
 constexpr double kOutside_m = 0.2;  // of a cavity beyond the mesh that holds it
 constexpr double kCell = 1.0 / 40;  // of the mesh's longest side: half the error of kMuch
 
-/// The dipper with its door where the motion begins: shut.
+/// The dipper with its door as at the start of the motion: shut.
 mesh::TriangleMesh vessel_of(const CaseParts& parts) {
   mesh::TriangleMesh vessel = parts.dipper;
   const machine::ShovelPose pose = parts.shovel.pose(parts.motion.value(parts.motion.start_ns()));

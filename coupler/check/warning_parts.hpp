@@ -1,4 +1,4 @@
-// The parts of warnings(), and what they look at. Internal to it.
+// The parts of warnings(), and their input. Internal to it.
 #pragma once
 
 #include <vector>
@@ -23,16 +23,15 @@ struct CaseParts {
   mesh::TriangleMesh truck;         ///< in W
 };
 
-/// Where things are: machine and truck against the bench at the start, the dipper's way against the
-/// truck, the truck against the dump, the way back against the next dig, the heel against the
-/// teeth's way.
+/// Positions: machine and truck against the bench at the start, the dipper's path against the
+/// truck, the truck against the dump, the return against the next dig, the heel against the path of
+/// the teeth.
 void warn_of_places(const CaseParts& parts, std::vector<Finding>& warnings);
 
-/// What the mesh holds against what its YAML and the machine say; of a mesh that has no other
-/// fault.
+/// The volume of the mesh against its YAML and the machine; only for a mesh without other faults.
 void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings);
 
-/// Numbers that look as if in another unit, or of no such machine, mesh or pile.
+/// Numbers that look as if in another unit, or that do not fit the machine, mesh or pile.
 void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings);
 
 }  // namespace dipper::check

@@ -1,4 +1,4 @@
-// What is legal in a case and yet makes no sense: a user has to see it, and may know better.
+// Input that is valid but probably a mistake: the user must see it, and decides.
 #pragma once
 
 #include <vector>

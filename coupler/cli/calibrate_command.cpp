@@ -43,7 +43,7 @@ calibrate::SearchRange range_of(const std::string& text) {
       "write KEY=LOW:HIGH, as in --search contact.rolling_friction_sphere=0.05:0.3");
 }
 
-/// runs/calibrate-WHAT-CASE, or that with -2, -3, ...: a result is never written over.
+/// runs/calibrate-WHAT-CASE, or that with -2, -3, ...: results are never overwritten.
 fs::path free_folder(const CalibrateOptions& o) {
   const fs::path name = resolved(o.folder).filename();
   const fs::path first = fs::path("runs") / fmt::format("calibrate-{}-{}", o.what, name.string());

@@ -21,7 +21,7 @@ struct CleanOptions {
   bool yes = false;
 };
 
-/// What goes together, and what is lost with it.
+/// Files that are removed together, and what is lost with them.
 struct Load {
   std::string name, lost;
   std::vector<fs::path> paths;

@@ -1,4 +1,4 @@
-// dipper clean: what a run or the cache holds on disk, and room again.
+// dipper clean: lists what a run or the cache takes on disk, and frees it.
 #pragma once
 
 #include "common/reporter.hpp"

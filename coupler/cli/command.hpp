@@ -8,8 +8,8 @@ namespace dipper::cli {
 
 struct Command {
   CLI::App* subcommand;  ///< its part of the command line
-  /// What it does once the line is parsed. Returns the exit status; throws CLI::ValidationError for
-  /// words that parse but say nothing sensible.
+  /// Runs the command after the command line is parsed. Returns the exit status; throws
+  /// CLI::ValidationError for options that parse but make no sense together.
   std::function<int()> run;
 };
 

@@ -9,7 +9,7 @@
 namespace dipper::cli {
 namespace {
 
-/// Words of roff: a hyphen stays one, and no line begins with what roff takes for itself.
+/// Escapes text for roff: hyphens, and characters that are commands at the start of a line.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -35,7 +35,7 @@ std::string names_of(const CLI::App& app) {
   return names;
 }
 
-/// A command's lines in the script, after those of its own commands: the first that matches holds.
+/// A command's lines in the script, after those of its subcommands: the first that matches is used.
 std::string completion_case(const CLI::App& command, const std::string& before) {
   const std::string words = before + command.get_name() + " ";
   std::string lines, options;

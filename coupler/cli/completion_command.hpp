@@ -1,4 +1,4 @@
-// What a shell and `man` know of the command line, made from the options themselves.
+// Completion for the shell and a page for `man`, made from the options themselves.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace dipper::cli {
 /// The commands that help lists, in its order: without those that other programs call.
 std::vector<const CLI::App*> listed_commands(const CLI::App& app);
 
-/// A script for bash that completes commands, options, and files elsewhere.
+/// A script for bash that completes commands and options, and file names in all other places.
 std::string bash_completion(const CLI::App& app);
 
 /// The manual page, in roff's man macros.

@@ -8,17 +8,17 @@
 namespace dipper::cli {
 namespace {
 
-// Not fmt::print, which throws when the reader has gone.
+// Not fmt::print, which throws when the reading end is closed.
 void put(std::FILE* to, const std::string& text) {
   std::fputs(text.c_str(), to);
   std::fflush(to);
 }
 
-/// In bytes, which a progress line has one a column of; as much as wanted where no width is known.
+/// Cuts a progress line (one byte per column) to the terminal's width, if that is known.
 std::string cut_to_terminal(const std::string& text) {
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return text;
-  return text.substr(0, size.ws_col - 1U);  // the last column would begin a new line
+  return text.substr(0, size.ws_col - 1U);  // text in the last column would begin a new line
 }
 
 }  // namespace

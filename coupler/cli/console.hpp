@@ -9,8 +9,8 @@
 namespace dipper::cli {
 
 /// Lines on stdout, errors on stderr after "dipper: ". Progress is rewritten in place on a
-/// terminal, and is a new line every ten seconds elsewhere. A reader that has gone is no fault of
-/// the work: what cannot be written is dropped.
+/// terminal, and is a new line every ten seconds elsewhere. A closed
+/// reading end is not an error: what cannot be written is dropped.
 class Console final : public Reporter {
  public:
   Console();
@@ -24,8 +24,8 @@ class Console final : public Reporter {
   void end_progress();
 
   bool terminal_;
-  bool begun_ = false;   ///< a line of progress stands on the terminal
-  std::string pending_;  ///< the newest progress, not shown yet
+  bool begun_ = false;   ///< a line of progress is on the terminal
+  std::string pending_;  ///< the latest progress, not shown yet
   std::chrono::steady_clock::time_point shown_;
 };
 

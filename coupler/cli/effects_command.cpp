@@ -24,7 +24,7 @@ const char* word(cases::KeyChange::How how) {
   }
 }
 
-/// Of all its keys what has to be made again first.
+/// The earliest stage that has to be made again, over all its keys.
 std::string affects(const cases::Effect& e) {
   cases::Affects first = cases::Affects::output;
   for (const cases::KeyChange& change : e.changes)

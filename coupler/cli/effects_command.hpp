@@ -9,7 +9,7 @@
 namespace dipper::cli {
 
 /// Writes the effects a case can take, the catalogue's and its own, as JSON; docs/case.md has the
-/// format. Returns the exit status: 0, or 2 with every fault of their files told as an error and
+/// format. Returns the exit status: 0, or 2 after reporting every fault of their files, with
 /// nothing written.
 int effects_command(const std::filesystem::path& case_folder, Reporter& reporter);
 

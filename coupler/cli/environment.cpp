@@ -21,7 +21,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// What an MPI's launcher tells its ranks begins so. A user's own settings, OMPI_MCA_..., stay.
+/// Variables that an MPI launcher sets for its ranks begin so. A user's own, OMPI_MCA_..., stay.
 constexpr std::array kLauncherWords = {"OMPI_UNIVERSE_SIZE",
                                        "OMPI_COMM_WORLD_",
                                        "OMPI_APP_CTX_",
@@ -37,8 +37,8 @@ constexpr std::array kLauncherWords = {"OMPI_UNIVERSE_SIZE",
                                        "PMI_",
                                        "MPI_LOCAL"};
 
-/// The runs start their own ranks: what another mpirun has told this process would keep theirs from
-/// doing so. Several ranks of it would all be the same run, in one folder.
+/// Runs start their own ranks; the variables of an mpirun that started this process would prevent
+/// that. Several ranks of it would all be the same run, in one folder.
 void leave_mpirun() {
   for (const char* size : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
     if (const std::string ranks = variable(size); !ranks.empty() && ranks != "1")

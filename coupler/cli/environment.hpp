@@ -4,8 +4,8 @@
 namespace dipper::cli {
 
 /// Sets the cache's folder, $XDG_CACHE_HOME/dipper, else $HOME/.cache/dipper, else none; and that
-/// of Dipper's own files, where $DIPPER_DATA names it. Forgets what an mpirun has said that started
-/// this program; throws InputError when it has started several.
+/// of Dipper's own files, where $DIPPER_DATA names it. Removes the variables of an mpirun that
+/// started this program; throws InputError when it has started several.
 void read_environment();
 
 }  // namespace dipper::cli

@@ -28,8 +28,8 @@ struct FaceOptions {
   double at_s = 1e300, heading_deg = 0;
 };
 
-/// In steps of 0.1 m, of the rock as wide as the dipper along the boom: x out from the swing axis,
-/// z over the ground. Throws std::invalid_argument when there is no rock there.
+/// In steps of 0.1 m, of the rock along the boom in a strip as wide as the dipper: x out from
+/// the swing axis, z over the ground. Throws std::invalid_argument when there is no rock there.
 rock::SurfaceProfile face_along(const io::DumpFrame& frame, const Pose& X_WBoom) {
   constexpr double kFar_m = 1e6, kHalfWidth_m = 2;
   const Box near{{0, -kHalfWidth_m, -kFar_m}, {kFar_m, kHalfWidth_m, kFar_m}};

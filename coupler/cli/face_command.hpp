@@ -1,4 +1,4 @@
-// dipper face: the surface a run's dipper stands before, for the plan of the next pass.
+// dipper face: the surface of the rock in front of a run's dipper, to plan the next pass.
 #pragma once
 
 #include "common/reporter.hpp"

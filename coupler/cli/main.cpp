@@ -35,7 +35,7 @@ Command add_help_command(CLI::App& app) {
           [] { return 0; }};
 }
 
-/// What the user may have meant by the first word that the program does not know; empty: no guess.
+/// The known word nearest to the first unknown one; empty: none is near.
 std::string guess(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* command = nullptr;
   std::vector<std::string> known;
@@ -60,6 +60,7 @@ std::string guess(const CLI::App& app, const std::vector<std::string>& words) {
 std::vector<Command> add_commands(CLI::App& app, const std::vector<std::string>& words,
                                   Reporter& reporter) {
   return {add_import_command(app, words),
+          add_survey_command(app, words),
           add_motion_command(app, reporter),
           add_check_command(app, reporter),
           add_preview_command(app, reporter),
@@ -90,7 +91,7 @@ int command_line(std::vector<std::string> words, Reporter& reporter) {
   }
   const std::vector<Command> commands = add_commands(app, words, reporter);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants them reversed
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11's order
     for (const Command& command : commands)
       if (*command.subcommand) return command.run();
     return 2;

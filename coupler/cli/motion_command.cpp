@@ -53,7 +53,7 @@ std::string rows_along(const machine::TimedPath& path, const fs::path& file,
                      machine::kMotionHead, machine::motion_rows(path, shovel));
 }
 
-/// Tells what a motion asks that the machine cannot do; whether there is any of it.
+/// Reports where a motion exceeds the machine's limits; returns whether it does.
 bool beyond_limits(const machine::Motion& motion, const machine::ShovelKinematics& shovel,
                    const std::string& from, Reporter& reporter) {
   const std::vector<std::string> beyond = shovel.check(motion);

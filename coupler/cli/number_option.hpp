@@ -7,7 +7,7 @@
 
 namespace dipper::cli {
 
-/// Refuses with the range whatever is no number in it: nan, inf, text.
+/// Refuses all but numbers in the range (also nan, inf and text); the message gives the range.
 CLI::Validator number_in(const Range& range);
 
 /// The same for whole numbers.

@@ -13,7 +13,7 @@ bool enter_own_network(Reporter& reporter) {
   if (launch::enter_private_network()) return true;
   reporter.error(
       "the kernel refuses this run a network of its own; it shares the host's. Its messages are "
-      "sealed, so nobody can speak in them, but all users can read them");
+      "sealed, so nobody can forge them, but all users can read them");
   return false;
 }
 

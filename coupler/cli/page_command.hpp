@@ -6,7 +6,7 @@
 
 namespace dipper::cli {
 
-/// Writes the page that parts of the tool written in other languages ask for; not for users.
+/// Writes a page for the parts of the tool in other languages; not for users.
 Command add_page_command(CLI::App& app, Reporter& reporter);
 
 }  // namespace dipper::cli

@@ -23,7 +23,7 @@ struct PreviewOptions {
   std::vector<std::string> set;
 };
 
-constexpr double kDryWindow_s = 5e-3;  // the machine alone is as exact as in shorter ones
+constexpr double kDryWindow_s = 5e-3;  // without rock, shorter ones are no more accurate
 
 int preview(const PreviewOptions& o, Reporter& reporter) {
   launch::catch_interrupts();

@@ -9,8 +9,8 @@
 
 namespace dipper::cli {
 
-/// A dry run of a sound case, in windows as long as the machine alone can take, of which the page
-/// alone is left; tells what the run tells, and the page's name. The exit status.
+/// A dry run of a sound case, in windows as long as the machine alone allows; keeps only the page.
+/// Reports as the run does, and the page's name. Returns the exit status.
 int write_dry_page(cases::Case c, dry::RockModel rock, const std::filesystem::path& page,
                    Reporter& reporter);
 

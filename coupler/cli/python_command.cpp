@@ -14,11 +14,11 @@
 namespace dipper::cli {
 namespace {
 
-// Debian's, which scripts/setup gives the packages; another python3 on the path may not have them.
+// Debian's, for which scripts/setup installs the packages; another python3 may not have them.
 constexpr const char* kPython = "/usr/bin/python3";
 // Each holds one package.
-constexpr std::array kFolders = {"analysis/gap", "analysis/logs", "analysis/runs",
-                                 "analysis/study"};
+constexpr std::array kFolders = {"analysis/gap", "analysis/logs", "analysis/runs", "analysis/study",
+                                 "analysis/survey"};
 
 /// Becomes `python3 -m package words...`. Returns only when that cannot be started; throws
 /// std::runtime_error.
@@ -27,14 +27,13 @@ int run_python(const std::string& package, const std::vector<std::string>& words
   for (const char* folder : kFolders)
     path += (path.empty() ? "" : ":") + (data_folder() / folder).string();
   setenv("PYTHONPATH", path.c_str(), 1);
-  // Neither the current folder's modules nor a user's own packages: a csv.py there would be run. By
-  // the environment, so that the programs this one starts do the same.
+  // Excludes the current folder's modules and the user's packages: a csv.py there would be run. Set
+  // in the environment, so that programs started by this one do the same.
   setenv("PYTHONSAFEPATH", "1", 1);
   setenv("PYTHONNOUSERSITE", "1", 1);
   unsetenv("PYTHONHOME");
   setenv("DIPPER", installed_program("dipper").c_str(), 1);
-  // The runs fill the cores by themselves; threads in the linear algebra would only be in their
-  // way.
+  // The runs use all cores; threads in the linear algebra would only slow them down.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   std::vector<std::string> all = {kPython, "-B", "-m", package};
   all.insert(all.end(), words.begin(), words.end());
@@ -72,6 +71,27 @@ Command add_import_command(CLI::App& app, const std::vector<std::string>& words)
   return python_command(sub, "dipper_import", words);
 }
 
+Command add_survey_command(CLI::App& app, const std::vector<std::string>& words) {
+  auto* sub = app.add_subcommand("survey", "a surveyed point cloud as the face of a case's pile");
+  sub->footer(
+      "Reads x y z text, CSV, PLY or LAS in the mine's coordinates and writes the surface that "
+      "pile.profile takes, with a picture and what was left out and filled (docs/survey.md). "
+      "Example:\n  dipper survey scan.las --case cases/mine --origin 512345.2,7443210.9,182.4 "
+      "--azimuth 37");
+  add_word(sub, "CLOUD", "FILE", "the points")->required();
+  add_word(sub, "--case", "DIR", "the case: width of the bench, domain, and site where it has one")
+      ->required();
+  add_word(sub, "--origin", "E,N,Z",
+           "easting, northing and elevation of the case's origin in m (default: site.origin_m)");
+  add_word(sub, "--azimuth", "DEG",
+           "direction of the dig, clockwise from grid north (default: site.azimuth_deg)");
+  add_word(sub, "--rear", "X",
+           "x of the bench's rear wall in m (default: the case's, or as far as the cloud shows)");
+  add_word(sub, "--out", "FILE",
+           "a surface, .stl, or a section, .csv (default: face.stl in the case's folder)");
+  return python_command(sub, "dipper_survey", words);
+}
+
 Command add_study_command(CLI::App& app, const std::vector<std::string>& words) {
   auto* sub = app.add_subcommand("study", "many runs of a case, over parameters and seeds");
   sub->footer(
@@ -90,8 +110,12 @@ Command add_gap_command(CLI::App& app, const std::vector<std::string>& words) {
       "Compares a case with measured passes, names the missing effect, and confirms it with fresh "
       "runs (docs/gap.md). Example:\n  dipper gap cases/screening --measured mine/shift/measured");
   add_word(sub, "CASE", "DIR", "a folder with a case.yaml")->required();
-  add_word(sub, "--measured", "DIR", "channels.yaml, passes.csv and signals.csv of the mine")
-      ->required();
+  add_word(sub, "--measured", "DIR", "channels.yaml, passes.csv and signals.csv of the mine");
+  add_word(sub, "--reference", "DIR",
+           "the same of earlier trucks, when all was well: what has changed since?");
+  sub->add_flag("--plan",
+                "before data are taken: the smallest effect that 2, 4 and 8 trucks would show");
+  add_word(sub, "--jobs", "N", "runs at a time (default: 2)")->check(CLI::Range(1, 256));
   sub->add_flag("--masses-only",
                 "compare masses where the folder has no forces, which seldom names an effect");
   add_word(sub, "--out", "DIR", "folder of the results (default: runs/gap-CASE)");

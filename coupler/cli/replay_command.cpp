@@ -23,8 +23,8 @@ struct ReplayOptions {
   std::vector<std::string> set;
 };
 
-/// A change that the recorded rock has no answer to is a finding; of one that it would have met
-/// otherwise the answer is of first order, which is said.
+/// A change that needs other rock is a finding; for a change of the dipper's path the answer is of
+/// first order, and the command says so.
 std::vector<Finding> weigh_changes(const std::string& folder, const cases::Case& changed,
                                    Reporter& reporter) {
   std::vector<Finding> findings;

@@ -29,22 +29,21 @@ analysis::run::RunData open_folder(const ReportOptions& options) {
     return analysis::run::read_run_folder(options.folder);
   }
   if (options.mesh.empty() != options.poses.empty())
-    throw InputError(
-        {{{}, 0, "--mesh and --poses", "one tells nothing without the other; give both"}});
+    throw InputError({{{}, 0, "--mesh and --poses", "each needs the other; give both"}});
   std::optional<analysis::run::ForeignDipper> dipper;
   if (!options.mesh.empty()) dipper = analysis::run::ForeignDipper{options.mesh, options.poses};
   return analysis::run::read_foreign_folder(options.folder, dipper);
 }
 
-/// Told before the work is done, and to somebody who reads another one's run.
+/// Checked before the work is done: the run may belong to another user.
 void refuse_unwritable(const fs::path& folder) {
   const fs::path parent = fs::absolute(folder).parent_path();
   if (fs::is_directory(parent) && access(parent.c_str(), W_OK | X_OK) == 0) return;
   throw InputError(
-      {{parent, 0, "", "cannot be written into; say with --out where the report goes"}});
+      {{parent, 0, "", "cannot be written into; name the report's folder with --out"}});
 }
 
-/// A report takes the place of the folder: it may be that of an earlier one, and nothing else.
+/// A report replaces its folder, which may only be that of an earlier report.
 void refuse_what_would_be_lost(const fs::path& folder, const fs::path& source) {
   if (!fs::exists(folder)) return;
   const auto away = fs::relative(fs::canonical(source), fs::canonical(folder));
@@ -53,8 +52,8 @@ void refuse_what_would_be_lost(const fs::path& folder, const fs::path& source) {
       (fs::is_empty(folder) || fs::exists(folder / "metrics.json")))
     return;
   throw InputError({{folder, 0, "",
-                     "is there and no report, and a report would take its place; say with --out "
-                     "where it goes"}});
+                     "exists and is not a report, and a report would replace it; choose another "
+                     "folder with --out"}});
 }
 
 void tell_passes(const nlohmann::ordered_json& metrics, Reporter& reporter) {

@@ -18,8 +18,8 @@ struct ReportOptions {
   std::string mesh, poses;  ///< of a dipper whose run is not Dipper's; both or none
 };
 
-/// Reads the run, computes its metrics and writes the report. Returns the exit status: 0, or 2 with
-/// the reason told as an error and nothing written.
+/// Reads the run, computes its metrics and writes the report. Returns the exit status: 0, or 2
+/// after reporting the reason, with nothing written.
 int report_command(const ReportOptions& options, Reporter& reporter);
 
 Command add_report_command(CLI::App& app, Reporter& reporter);

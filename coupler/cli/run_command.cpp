@@ -43,7 +43,7 @@ struct RunOptions {
   std::string no_rock;  ///< "none" or "estimate"; empty: there is rock
 };
 
-/// The folder asked for, or runs/NAME, runs/NAME-2, ...: a result is never written over.
+/// The folder given, or runs/NAME, runs/NAME-2, ...: results are never overwritten.
 fs::path run_folder(const RunOptions& o) {
   if (!o.out.empty()) return o.out;
   const std::string name = resolved(o.folder).filename().string();
@@ -59,9 +59,9 @@ double resumed_from_s(const result::RunFolder& folder, const cases::Case& c) {
   return last ? static_cast<double>(last->coupling.dem_step) * c.dem.timestep_s : 0;
 }
 
-constexpr const char* kMpirun = "mpirun";  // among a run's settings, the one that is no key
+constexpr const char* kMpirun = "mpirun";  // a run's only setting that is no key of the case
 
-/// mpirun's options: those asked for, else those kept, which are taken out of the settings.
+/// mpirun's options: those given, else those kept, which are removed from the settings.
 std::string take_mpirun(const std::optional<std::string>& asked,
                         std::vector<cases::Override>& kept) {
   std::string text = asked.value_or("");
@@ -75,8 +75,8 @@ std::string take_mpirun(const std::optional<std::string>& asked,
   return text;
 }
 
-/// Where the ranks will be; over several hosts, says what that means for the run's own messages.
-/// Nothing is started or written that stays.
+/// Where the ranks will be; over several hosts, reports what that means for the run's messages.
+/// Starts and writes nothing that stays.
 launch::MpiPlaces place(int ranks, const std::string& mpirun, Reporter& reporter) {
   const launch::PlacedRanks placed =
       launch::place_ranks(ranks, launch::mpirun_options(mpirun), installed_program("dipper-dem"));
@@ -92,9 +92,9 @@ launch::MpiPlaces place(int ranks, const std::string& mpirun, Reporter& reporter
 int run(const RunOptions& o, Reporter& reporter) {
   if (o.resume && !o.no_rock.empty())
     throw InputError({{{}, 0, "--resume", "a run without rock takes seconds; start it again"}});
-  launch::catch_interrupts();  // from the first word on: who reads them may be gone
+  launch::catch_interrupts();  // before the first output, whose reading end may be closed
   const fs::path out = run_folder(o);
-  // A run that goes on keeps what it was asked for, but for what is asked now.
+  // A resumed run keeps the options it was started with, except those given now.
   std::vector<cases::Override> set;
   if (o.resume) set = run::read_settings(out);
   const std::string mpirun = take_mpirun(o.mpirun, set);
@@ -111,7 +111,7 @@ int run(const RunOptions& o, Reporter& reporter) {
         fmt::format("warning: dem.ranks: {} ranks share {} cores and wait for each other; "
                     "--ranks {} is faster",
                     c->dem.ranks, cores, cores));
-  data_folder();  // throws where our own files are not there, before anything is written
+  data_folder();  // throws where Dipper's own files are missing, before anything is written
   for (const auto& [folder, remedy] :
        {std::pair{out, "choose another --out"},
         std::pair{cache_folder(), "set XDG_CACHE_HOME to another folder"}}) {

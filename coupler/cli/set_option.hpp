@@ -8,7 +8,7 @@
 
 namespace dipper::cli {
 
-/// \param example  of a --set that makes sense to the command, for the message
+/// \param example  of a --set that suits the command, for the message
 /// Throws CLI::ValidationError for a text without "=".
 std::vector<cases::Override> overrides_of(const std::vector<std::string>& set,
                                           const std::string& example);

@@ -59,11 +59,6 @@ class Coupling {
   /// Ends it. \param n_next  DEM steps of the window that follows; 0: none does
   Window finish(std::int64_t n_next);
 
-  Window advance(std::int64_t n_steps) {
-    begin(n_steps);
-    return finish(n_steps);
-  }
-
   const CouplingState& state() const { return state_; }
   const MachineState& machine_state() const { return machine_state_; }
   std::int64_t t_ns() const { return state_.dem_step * dt_ns_; }

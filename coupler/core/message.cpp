@@ -23,9 +23,7 @@ struct MessageCheck {
   }
   void check(const Pose& X, std::size_t body) const {
     require(is_finite(X), "pose", body);
-    const double norm = X.R.norm();
-    require(std::abs(norm - 1) < 1e-6, "pose", body,
-            fmt::format("has a quaternion of length {:.9g} in place of 1", norm).c_str());
+    require(std::abs(X.R.norm() - 1) < 1e-6, "pose", body, "has a quaternion not of length 1");
   }
   void check(const Wrench& F, std::size_t body) const { require(is_finite(F), "wrench", body); }
   void check(const BodyState& b, std::size_t body) const {

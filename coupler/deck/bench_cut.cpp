@@ -30,7 +30,7 @@ std::vector<long> over_surface(const std::vector<PileSphere>& spheres,
 }
 
 std::string waste_group(const std::vector<long>& ids) {
-  // All less all: a group that exists even when nothing is to go.
+  // All less all: a group that exists even when nothing is cut away.
   std::string out = "group waste subtract all all\n";
   constexpr std::size_t kLine = 100;  // LIGGGHTS reads 2048 characters a command
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -1,4 +1,4 @@
-// Which rocks lie over the bench's surface: what is cut away of the pile that was poured.
+// The rocks above the bench's surface, which are cut away from the poured pile.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,10 @@
 
 namespace dipper::deck {
 
-/// Part of what a settled bench is cached under: counts up when the same pile is cut differently.
+/// Part of the cache key of a settled bench: increase it when the same pile is cut differently.
 constexpr int kBenchCutVersion = 1;
 
-/// A sphere of the pile. Those of one rock share its number; a sphere by itself has none (-1).
+/// A sphere of the pile. Those of one rock share its number; a single sphere has -1.
 struct PileSphere {
   long id = 0, rock = -1;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
@@ -19,9 +19,8 @@ struct PileSphere {
 };
 
 /// Ids of the spheres of all rocks whose centre lies over `height` at its x and y, in the order
-/// given. A rock goes or stays as a whole, by its own centre (the mean of its spheres by volume):
-/// were it to go with its highest sphere, a surface cut through the pile would take more of the
-/// large rocks.
+/// given. A rock is cut or kept as a whole, by its centre (the mean of its spheres by volume): by
+/// its highest sphere, the cut would remove more of the large rocks.
 std::vector<long> over_surface(const std::vector<PileSphere>& spheres,
                                const std::function<double(double x_m, double y_m)>& height);
 

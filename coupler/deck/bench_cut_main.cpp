@@ -5,7 +5,7 @@
 //
 // or as dem_in/settle.in calls it, without arguments: $BENCH_FOLDER/bench.dump and $BENCH_OUTLINE
 // give $BENCH_FOLDER/waste.in. A deck can run a program only through a shell, which would read a
-// path in its command; it does not read what is in the environment.
+// path in its command, but not the environment.
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

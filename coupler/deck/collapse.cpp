@@ -13,13 +13,12 @@
 namespace dipper::deck {
 namespace {
 
-// Solid by volume as it comes loose: below kPouredFraction, as a thin slab is harder to fill.
+// Solid fraction when it comes loose: below kPouredFraction, because a thin slab is harder to fill.
 constexpr double kLooseFraction = 0.25;
 constexpr std::int64_t kSample_ns = 10'000'000;
-constexpr double kSteepest =
-    0.1;  // run by rise: a slab has a side to lie on before an upright face
+constexpr double kSteepest = 0.1;  // run by rise: a slab on an upright face needs a slope to lie on
 
-/// Where the outline first reaches a height it has.
+/// The x at which the outline first reaches a height.
 double first_at(const cases::BenchOutline& outline, double height_m) {
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const Eigen::Vector2d& b = outline[k];
@@ -37,7 +36,7 @@ CollapseSlab collapse_slab(const cases::Case& c) {
   const PileShape pile = pile_shape(c);
   const cases::BenchOutline outline = bench_outline(c);
   const double height = c.collapse.height_m, half = pile.height_m / 2;
-  double largest = 0;  // a rock lies in it as a whole
+  double largest = 0;  // a whole rock fits in it
   for (const RockClass& rock : rock_classes(c)) largest = std::max(largest, 2 * rock.radius_m);
   const double loose = height * kSettledFraction / kLooseFraction + largest;
 
@@ -46,7 +45,7 @@ CollapseSlab collapse_slab(const cases::Case& c) {
   s.crest_x_m = first_at(outline, pile.height_m);
   s.face_x_m = std::min(first_at(outline, half), s.crest_x_m - kSteepest * half);
   const double slope = (s.crest_x_m - s.face_x_m) / half;
-  double lift = 0;  // over what a profile has above the straight face
+  double lift = 0;  // above the parts of a profile in front of the straight face
   for (const Eigen::Vector2d& p : outline) {
     const double straight = half + (p.x() - s.face_x_m) / slope;
     if (p.x() > s.face_x_m) lift = std::max(lift, p.y() - std::min(straight, pile.height_m));

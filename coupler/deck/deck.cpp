@@ -48,7 +48,7 @@ std::string wall_arrays(const cases::OutputCase& o) {
          "\"";
 }
 
-/// A rock keeps its lists until something has moved by half of this: the dipper does at every few
+/// Lists are kept until something has moved by half of this; the dipper does so every few
 /// steps. Two fifths of the smallest rock cost least (docs/benchmarks.md).
 double skin_m(const cases::RockCase& rock) {
   double smallest = rock.classes.front().size_m;
@@ -62,7 +62,7 @@ std::vector<std::pair<std::string, fs::path>> wall_meshes(const cases::Case& c) 
   return walls;
 }
 
-/// A script cannot name every file (LIGGGHTS ends a word at a blank): a mesh with an absolute path
+/// Scripts cannot name every file (LIGGGHTS splits words at blanks): a mesh with an absolute path
 /// is copied into the deck.
 std::string mesh_in_deck(const std::string& name, const fs::path& mesh) {
   return mesh.is_absolute() ? "${deck}/walls/" + name + ".stl" : mesh.generic_string();
@@ -290,7 +290,7 @@ cases::BenchOutline bench_outline(const cases::Case& c) {
 }
 
 cases::BenchOutline bench_along_boom(const cases::Case& c, double heading_rad) {
-  constexpr double kAhead = 0.1;  // cosine: a boom that points less to the bench does not meet it
+  constexpr double kAhead = 0.1;  // cosine: a boom that points further away does not meet the bench
   cases::BenchOutline section = {{0, 0}};
   if (std::cos(heading_rad) < kAhead) {
     section.emplace_back(c.domain.max_m.x() - c.machine.base_position_m.x(), 0);

@@ -11,13 +11,13 @@
 
 namespace dipper::deck {
 
-/// dipper-liggghts with the case's dem.loop, in a word that what it settled is kept by: it changes
-/// with the order of its sums.
+/// The version of dipper-liggghts and the case's dem.loop, part of the cache key of piles: it
+/// changes with the order of its sums.
 constexpr const char* settler(cases::RockLoop loop) {
   return loop == cases::RockLoop::fast ? "LIGGGHTS 3.8.0, loop 1" : "LIGGGHTS 3.8.0";
 }
 
-/// How many rocks of one class the pour holds.
+/// The number of rocks of one class in the pour.
 struct ClassCount {
   std::string name;
   double rocks = 0;  ///< expected, before rounding
@@ -41,9 +41,9 @@ void write_rock(const cases::Case& c, const std::map<std::string, RockShape>& sh
 ///   left.stl, right.stl, rear.stl   in its place for a bench of bricks: walls that close in on it
 ///   sides.stl    the same sides and rear cut down along the bench, for the dig
 ///   walls/       copies of the body and truck meshes that the case names by absolute paths;
-///                relative ones are seen from where LIGGGHTS starts
+///                relative ones start at LIGGGHTS's working folder
 /// `shapes` is the folder with NAME.yaml or NAME.stl of every shape (shape_library.hpp). The folder
-/// can be moved. Throws std::invalid_argument naming the key for a case that gives no deck
+/// can be moved. Throws std::invalid_argument naming the key for a case without a deck
 /// (a body other than dipper and door, a class with less than one rock), std::runtime_error for
 /// files.
 void write_deck(const cases::Case& c, const std::filesystem::path& shapes,

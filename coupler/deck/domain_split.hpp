@@ -1,4 +1,4 @@
-// How the DEM box is shared between ranks.
+// The split of the DEM box between ranks.
 #pragma once
 
 #include <array>
@@ -13,9 +13,10 @@ struct DomainSplit {
   double largest_share = 1;  ///< of the bench's rock, on one rank; 1/ranks is even
 };
 
-/// LIGGGHTS cuts its box into equal parts, wherever the rock is, and never moves a cut. So: of all
-/// grids of `ranks` parts, the one whose fullest part holds the least of the bench, and of those
-/// within kSameShare of it the one that cuts through the least rock (what neighbours exchange).
+/// LIGGGHTS cuts its box into equal parts, regardless of the rock, and never moves a cut. Chosen
+/// is, of all grids of `ranks` parts, the one whose fullest part holds the least of the bench, and
+/// of those within kSameShare of it the one that cuts through the least rock (which neighbours
+/// exchange).
 DomainSplit best_split(const cases::Case& c, int ranks);
 
 inline constexpr double kSameShare = 1.02;

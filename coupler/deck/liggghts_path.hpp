@@ -1,4 +1,4 @@
-// What LIGGGHTS's input scripts can name.
+// Paths that LIGGGHTS's input scripts can name.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace dipper::deck {
 
-/// Whether a path may go near a script of LIGGGHTS: letters, digits and the signs of the list, all
-/// of which its parser, the shell and mpirun take as they are. $, #, &, * and quotes have meanings
-/// there that nothing escapes. Blanks are no matter: scripts are given links (dem/work_folder.hpp).
+/// Whether a path is safe in a LIGGGHTS script: letters, digits and the signs of the list, which
+/// its parser, the shell and mpirun take literally. $, #, &, * and quotes have meanings there that
+/// cannot be escaped. Blanks are allowed: scripts are given links (dem/work_folder.hpp).
 inline bool liggghts_takes(const std::filesystem::path& path) {
   const std::string text = std::filesystem::absolute(path).string();
   return std::all_of(text.begin(), text.end(), [](char c) {

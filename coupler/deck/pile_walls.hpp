@@ -17,8 +17,8 @@ mesh::TriangleMesh funnel_walls(const cases::Case& c);
 /// reach of a rock further out, and each is as much longer, so that no gap opens between them.
 std::map<std::string, mesh::TriangleMesh> closing_walls(const cases::Case& c, double reach_m);
 
-/// For the dig: sides and rear only a little higher than the bench, so that the dipper's load
-/// swings out over them.
+/// For the dig: sides and rear only a little higher than the bench, so that the loaded dipper
+/// swings over them.
 mesh::TriangleMesh bench_walls(const cases::Case& c);
 
 }  // namespace dipper::deck

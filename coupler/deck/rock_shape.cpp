@@ -63,7 +63,7 @@ RockShape make_rock_shape(const std::string& name, mesh::TriangleMesh mesh,
                           const std::vector<ShapeResolution>& resolutions) {
   if (const auto faults = rock_faults(mesh); !faults.empty())
     throw std::invalid_argument(faults[0]);
-  // A scan may be in a mine's coordinates, where products of them lose its own digits.
+  // A scan may be in a mine's coordinates, whose products lose digits.
   const Box around = mesh::bounding_box(mesh);
   for (Vector3d& v : mesh.vertices) v -= (around.min_m + around.max_m) / 2;
   const mesh::MassProperties raw = mesh::mass_properties(mesh);
@@ -122,7 +122,7 @@ RockShape read_rock_shape(const std::filesystem::path& file) {
   std::vector<Finding> faults;
   const YamlTree tree = read_yaml(file, faults);
   if (!faults.empty()) throw InputError(std::move(faults));
-  YamlSection y(tree, "", faults, "what rock-shape writes");
+  YamlSection y(tree, "", faults, "the output of rock-shape");
   RockShape s;
   s.name = y.text("name", "the shape's name");
   s.mesh_sha256 = y.text("mesh_sha256", "the SHA-256 of the mesh it was made from");

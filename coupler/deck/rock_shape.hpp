@@ -12,7 +12,7 @@
 
 namespace dipper::deck {
 
-/// How finely spheres stand for a mesh: rock.shape_resolution.
+/// Number of spheres for a mesh: rock.shape_resolution.
 struct ShapeResolution {
   const char* name;
   int spheres;
@@ -20,10 +20,10 @@ struct ShapeResolution {
 inline constexpr std::array<ShapeResolution, 3> kShapeResolutions = {
     {{"coarse", 6}, {"medium", 12}, {"fine", 24}}};
 
-/// Spheres of a rock of that resolution. Throws std::invalid_argument when there is none.
+/// Spheres of a rock of that resolution. Throws std::invalid_argument for an unknown one.
 int spheres_a_rock(const std::string& resolution);
 
-/// What contacts see, and how far it is from the mesh.
+/// The spheres for contacts, and their deviation from the mesh.
 struct SphereFit {
   std::vector<Sphere> spheres;
   double union_volume_error = 0;    ///< (union - mesh) / mesh
@@ -41,7 +41,7 @@ struct RockShape {
   double sphericity = 1;      ///< area of the sphere of the same volume by area (Wadell)
   std::map<std::string, SphereFit> fits;  ///< by the resolution's name
 
-  /// Throws std::invalid_argument when there is none of that name.
+  /// Throws std::invalid_argument for an unknown name.
   const SphereFit& fit(const std::string& resolution) const;
 };
 
@@ -51,10 +51,10 @@ RockShape make_rock_shape(const std::string& name, mesh::TriangleMesh mesh,
                           const std::vector<ShapeResolution>& resolutions = {
                               kShapeResolutions.begin(), kShapeResolutions.end()});
 
-/// What makes a mesh unfit as a rock: the faults of check_mesh, or more than one shell.
+/// Faults that make a mesh unfit as a rock: those of check_mesh, or more than one shell.
 std::vector<std::string> rock_faults(const mesh::TriangleMesh& mesh);
 
-/// What meshes/rocks/NAME.yaml holds; the comment lines name the units.
+/// The text of meshes/rocks/NAME.yaml; the comment lines name the units.
 std::string to_yaml(const RockShape& shape);
 
 /// Reads such a file. Throws std::runtime_error naming file and key.

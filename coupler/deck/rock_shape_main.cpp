@@ -1,6 +1,6 @@
 // rock-shape FILE.stl [COARSE MEDIUM FINE]: mass properties of a closed mesh and three sphere fits,
-// as YAML. A case finds it as NAME.yaml beside NAME.stl in its shape folder; without it, `dipper
-// run` does the same itself.
+// as YAML. A case uses it as NAME.yaml beside NAME.stl in its shape folder; without it, `dipper
+// run` makes it.
 #include <cstdint>
 #include <exception>
 #include <filesystem>

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Part of the cache's key: counts up when the same mesh gives other spheres.
+/// Part of the cache key: increase it when the same mesh gives other spheres.
 constexpr int kFitVersion = 2;
 
 constexpr const char* kShapeFile = "shape.yaml";
@@ -58,7 +58,7 @@ RockShape find_rock_shape(const fs::path& folder, const std::string& name) {
     write_text(part / kShapeFile, to_yaml(fit_rock_shape(stl)));
   };
   make_once(entry, fit, [] {});
-  // Also when it was just made: the digits of the file, so that the first run is as the second.
+  // Read back also when it was just made: with the file's digits, the first run equals the second.
   RockShape shape = read_rock_shape(entry / kShapeFile);
   shape.name = name;
   return shape;

@@ -13,16 +13,16 @@ namespace dipper::deck {
 /// Every NAME with a NAME.yaml or a NAME.stl (or .STL) in the folder.
 std::set<std::string> shape_names(const std::filesystem::path& folder);
 
-/// The mesh says what a shape is. NAME.yaml is used when it was made from the NAME.stl beside it,
-/// or there is no NAME.stl; else the mesh is fitted, a matter of seconds, and the result kept in
-/// the cache (cache_folder()/shapes) under the hash of the mesh. Safe against two at once. Throws
+/// The mesh defines a shape. NAME.yaml is used when it was made from the NAME.stl beside it, or
+/// when there is no NAME.stl; else the mesh is fitted, in seconds, and the result is kept in the
+/// cache (cache_folder()/shapes) under the hash of the mesh. Safe for concurrent processes. Throws
 /// std::runtime_error naming the file, and its first fault.
 RockShape find_rock_shape(const std::filesystem::path& folder, const std::string& name);
 
-/// NAME.stl of the folder, whatever the case of its extension; as written here where there is none.
+/// NAME.stl of the folder, in any case of its extension; this spelling when there is none.
 std::filesystem::path shape_mesh(const std::filesystem::path& folder, const std::string& name);
 
-/// True when find_rock_shape looks at NAME.stl rather than at NAME.yaml.
+/// True when find_rock_shape uses NAME.stl rather than NAME.yaml.
 bool is_made_from_mesh(const std::filesystem::path& folder, const std::string& name);
 
 /// make_rock_shape of an STL file, named after it. Throws std::runtime_error naming the file.

@@ -9,8 +9,8 @@ namespace {
 using Eigen::Vector3d;
 
 /// Twice the area of (a, b, p) in the plane, positive to the left of a -> b. The two facets of an
-/// edge get values that are exactly opposite, and one of -0 and +0 where p is on the edge: no line
-/// slips between them or counts both.
+/// edge get values that are exactly opposite, and -0 and +0 where p is on the edge: no line passes
+/// between them or counts both.
 double side(const Vector3d& a, std::size_t ia, const Vector3d& b, std::size_t ib, double x,
             double y) {
   if (ia > ib) return -side(b, ib, a, ia, x, y);
@@ -77,7 +77,7 @@ SolidColumns::SolidColumns(const mesh::TriangleMesh& mesh, int cells, double mar
         const bool right = std::signbit(wa) && std::signbit(wb) && std::signbit(wc);
         if ((!left && !right) || wa + wb + wc == 0) continue;
         const double z = (wa * a.z() + wb * b.z() + wc * c.z()) / (wa + wb + wc);
-        crossings[i * ny_ + j].push_back({z, left ? -1 : 1});  // a facet that looks up is a way out
+        crossings[i * ny_ + j].push_back({z, left ? -1 : 1});  // a facet that faces up is an exit
       }
     }
   }

@@ -8,17 +8,17 @@
 
 namespace dipper::deck {
 
-/// Where a line is inside something: disjoint intervals [m], in order.
+/// The parts of a line inside a solid: disjoint intervals [m], in order.
 using Spans = std::vector<std::pair<double, double>>;
 
 /// Sorts intervals and joins those that overlap.
 void join(Spans& spans);
 
-/// Length [m] of what lies in exactly one of two joined sets of intervals.
+/// Length [m] covered by exactly one of two joined sets of intervals.
 double difference(const Spans& a, const Spans& b);
 
 /// Lines along z on a square grid in (x, y). On each, the solid is a set of intervals whose ends
-/// are exact; a volume is in error only by the grid, about 1/cells^2 of itself.
+/// are exact; the relative error of a volume is that of the grid, about 1/cells^2.
 class SolidColumns {
  public:
   /// `cells` lines across the longest side of the mesh's box, which is `margin` [m] wider all round

@@ -22,7 +22,7 @@ constexpr int kSteps = 400;
 constexpr int kSurfacePoints = 240;  // on each sphere
 constexpr double kFirstStep = 0.03;  // of the diameter
 
-/// Where the union covers the line (x, y).
+/// The parts of the line (x, y) inside the union.
 void union_spans(const Spheres& spheres, double x, double y, Spans& out) {
   out.clear();
   for (const Sphere& s : spheres) {
@@ -35,7 +35,7 @@ void union_spans(const Spheres& spheres, double x, double y, Spans& out) {
   join(out);
 }
 
-/// What the fit makes small [m3].
+/// The quantity that the fit minimises [m3].
 double mismatch(const SolidColumns& solid, const Spheres& spheres) {
   double length = 0;
   Spans spans;
@@ -108,7 +108,7 @@ Spheres clusters(const std::vector<Vector3d>& points, double cell_volume, int co
   return out;
 }
 
-/// Adam with a step that falls to nothing.
+/// Adam with a step that falls to zero.
 void descend(const SolidColumns& solid, double diameter, double r_min,
              const std::vector<Vector3d>& normals, Spheres& spheres) {
   constexpr double kKeep = 0.9, kKeepSquare = 0.99;

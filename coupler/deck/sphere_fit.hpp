@@ -1,4 +1,4 @@
-// A solid as a union of a few spheres: what LIGGGHTS calls a multisphere.
+// A solid as a union of a few spheres: a multisphere of LIGGGHTS.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace dipper::deck {
 
-/// `count` spheres whose union covers the solid best: least symmetric difference in volume, and
-/// then the solid's own volume. The volume in just one of union U and solid S changes with the
+/// `count` spheres whose union fits the solid best: least symmetric difference in volume, then
+/// scaled to the solid's own volume. The volume in just one of union U and solid S changes with the
 /// union's surface alone (Hadamard): dE/dr = sum of dA over the exposed part of a sphere's surface,
 /// counted + outside S and - inside it; dE/dc the same with the normal. Descent along it (Adam;
 /// Kingma and Ba 2015) from many starts (k-means of the inside), the best one kept. No radius is
-/// below a share of the volume-equivalent diameter (least_radius): small spheres cost neighbours
-/// and add corners that are not there. Deterministic. Throws std::invalid_argument when the mesh is
-/// not sound (check_mesh).
+/// below a share of the volume-equivalent diameter (least_radius): small spheres add neighbours
+/// to compute, and corners that the solid does not have. Deterministic. Throws
+/// std::invalid_argument when the mesh is not sound (check_mesh).
 std::vector<Sphere> fit_spheres(const mesh::TriangleMesh& mesh, int count);
 
 /// Of the volume-equivalent diameter: 0.2 for six spheres and fewer, falling with the cube root of

@@ -171,7 +171,7 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
   for (const fs::path& unused : {folder.dumps(), folder.checkpoints()}) fs::remove(unused);
   if (!complete) {
     fs::remove(folder.record());  // which makes it a run's folder
-    reporter.error("interrupted; the same command begins it anew");
+    reporter.error("interrupted; the same command starts it again");
     return run::RunStatus::interrupted;
   }
   const std::vector<LimitUse> limits =

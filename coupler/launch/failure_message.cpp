@@ -12,7 +12,7 @@ std::vector<std::string> lines(const std::filesystem::path& file) {
   std::vector<std::string> all;
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
-    // Open MPI's own trouble with passing a message on is not what went wrong.
+    // Open MPI's own errors in passing a message on are not the cause.
     const bool mpis = line.find("ORTE_ERROR_LOG") != std::string::npos;
     if (!line.empty() && !mpis) all.push_back(line);
   }
@@ -44,7 +44,7 @@ std::string error_line(const std::filesystem::path& log, const std::filesystem::
     const std::string line = last_with(all, word);
     if (!line.empty()) return line;
   }
-  // What mpirun says stands between rules, and after what its program has said.
+  // mpirun's message is between rules, after the output of its program.
   const auto rule = [](const std::string& line) { return line.rfind("---", 0) == 0; };
   const auto boxed = std::find_if(all.begin(), all.end(), rule);
   const auto end = boxed == all.begin() ? all.end() : boxed;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSilence_s = 3600;
 constexpr double kSilenceInGaps = 30;
-constexpr double kRan_s = 1e-3;  // a process that only wakes to look at the clock runs less
+constexpr double kRan_s = 1e-3;  // a process that only wakes to read the clock runs less
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::string HangWatch::look(double now_s, double active_s, std::uintmax_t writte
     written_ = written;
     wrote_s_ = now_s;
   }
-  // Less is progress, too: another program of those it has started is the slowest.
+  // A smaller value is progress, too: another of its child processes is now the slowest.
   if (!began_ || std::abs(active_s - active_s_) > kRan_s) {
     active_s_ = active_s;
     ran_s_ = now_s;

@@ -1,4 +1,4 @@
-// Whether a program that has no one to answer to still gets on.
+// Whether a program that answers no requests still makes progress.
 #pragma once
 
 #include <cstdint>
@@ -6,19 +6,19 @@
 
 namespace dipper::launch {
 
-/// Looks at what a long computation shows of itself: its output, and the time in which it ran or
-/// waited for a core. Pure: the times are given. A program hangs
-///  - when it neither writes nor runs for `idle_s`: it is stopped, or waits for what never comes;
-///  - when it runs but writes nothing for an hour, or for 30 times as long as ever before,
-///  whichever
-///    is longer: ranks that wait for each other do so at full speed.
-/// One that is slow, or on a loaded machine, writes late but runs, or would if it had a core.
+/// Watches the output of a long computation, and the time in which it ran or waited for a core.
+/// Does no I/O: the caller gives the times. A program hangs
+///  - when it neither writes nor runs for `idle_s`: it is stopped, or waits for something that
+///  never comes;
+///  - when it runs but writes nothing for an hour, or for 30 times the longest gap so far,
+///    whichever is longer: ranks that wait for each other run at full speed.
+/// A slow program, or one on a loaded machine, writes late, but runs or waits for a core.
 class HangWatch {
  public:
   explicit HangWatch(double idle_s) : idle_s_(idle_s) {}
 
-  /// At `now_s`, in order of time: `active_s` of Process, and how much the program has written.
-  /// Returns what shows that it hangs; "" when nothing does.
+  /// Call in order of time, with `active_s` of Process and the bytes written so far. Returns why it
+  /// hangs; "" when it does not.
   std::string look(double now_s, double active_s, std::uintmax_t written);
 
  private:

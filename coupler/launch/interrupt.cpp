@@ -20,7 +20,7 @@ void catch_interrupts() {
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
   if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup has ignored it
-  // A run whose reader has gone (`dipper run CASE | head`) goes on.
+  // A run whose output nobody reads (`dipper run CASE | head`) continues.
   signal(SIGPIPE, SIG_IGN);
 }
 

@@ -4,16 +4,16 @@
 
 namespace dipper::launch {
 
-/// The user wants out now, without another checkpoint.
+/// Thrown when the user asks for an immediate end, without another checkpoint.
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// From here on SIGINT, SIGTERM and SIGHUP (a closed terminal) are counted instead of ending the
-/// program, and SIGPIPE is ignored.
+/// After this call SIGINT, SIGTERM and SIGHUP (a closed terminal) are counted and do not end the
+/// program; SIGPIPE is ignored.
 void catch_interrupts();
 
-/// How many have come: one asks for an orderly end, two for an immediate one.
+/// Signals received: one asks for an orderly end, two for an immediate one.
 int interrupts();
 
 }  // namespace dipper::launch

@@ -15,7 +15,7 @@ namespace dipper::launch {
 namespace fs = std::filesystem;
 namespace {
 
-// Each rank takes 4 MB of it. Where it is full, MPI waits for ever; containers have 64 MB of it.
+// Each rank takes 4 MB. When it is full, MPI waits forever; containers have 64 MB.
 constexpr std::uintmax_t kLeastShared_B = 48'000'000;
 
 bool is_own_folder(const fs::path& folder) {
@@ -23,7 +23,7 @@ bool is_own_folder(const fs::path& folder) {
   return lstat(folder.c_str(), &s) == 0 && S_ISDIR(s.st_mode) && s.st_uid == geteuid();
 }
 
-/// "PREFIXpid-letters" of a process that is no more; our own number is that of a dead one as well.
+/// "PREFIXpid-letters" of a process that has ended; our own pid counts too, as a dead one had it.
 bool is_left_behind(const std::string& name, const std::string& prefix) {
   if (name.rfind(prefix, 0) != 0) return false;
   const long pid = std::strtol(name.c_str() + prefix.size(), nullptr, 10);
@@ -35,7 +35,7 @@ class Scratch {
  public:
   Scratch() {
     std::error_code ignored;
-    const fs::path memory = "/dev/shm";  // where Open MPI puts shared memory by itself
+    const fs::path memory = "/dev/shm";  // Open MPI's default for shared memory
     const auto room = fs::space(memory, ignored);
     const bool fits = !ignored && room.available >= kLeastShared_B;
     const fs::path root =

@@ -4,9 +4,9 @@
 
 namespace dipper::launch {
 
-/// Where mpirun and its ranks keep their session files and shared memory, some 20 MB that stay
-/// behind when they are killed: a folder of this process alone, made at the first call and removed
-/// when the process ends. What launchers that were killed have left is removed at that call too.
+/// The folder for the session files and shared memory of mpirun and its ranks, some 20 MB that
+/// remain when they are killed. It belongs to this process alone, is made at the first call and
+/// removed when the process ends. The first call also removes folders of killed launchers.
 /// Throws std::runtime_error when it cannot be made.
 const std::filesystem::path& mpi_scratch();
 

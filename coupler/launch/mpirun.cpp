@@ -1,5 +1,6 @@
 #include "coupler/launch/mpirun.hpp"
 
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,12 +11,12 @@
 namespace dipper::launch {
 namespace {
 
-/// mpirun's command before the program; it takes no parameter twice.
+/// mpirun's command before the program, with each parameter once.
 class Command {
  public:
   explicit Command(const std::vector<std::string>& options) : options_(options) {}
 
-  /// "--word value", unless the user has said that word, with one dash or two.
+  /// Adds "--word value", unless the user gave that option, with one dash or two.
   void add(const std::string& word, const std::string& value) {
     if (!says(word)) words.insert(words.end(), {"--" + word, value});
   }
@@ -36,17 +37,26 @@ class Command {
   const std::vector<std::string>& options_;
 };
 
+/// Whether one process may read another's memory, as ranks do to pass messages on. Containers may
+/// refuse it, and Open MPI then says so for every message.
+bool may_read_memory() {
+  char from = 1, to = 0;
+  const iovec there{&from, 1}, here{&to, 1};
+  return process_vm_readv(getpid(), &here, 1, &there, 1, 0) == 1;
+}
+
 void keep_here(Command& command, int ranks) {
   if (!command.says("nooversubscribe")) command.words.push_back("--oversubscribe");
   // Two ranks unbound tend to stay on one core. A single rank is left to the scheduler, so that two
   // runs of one rank share a machine.
   command.add("bind-to", ranks > 1 ? "core:overload-allowed" : "none");
-  // A rank that yields while it waits gives a whole slice of the scheduler (3 ms) to any other work
-  // on its core, thousands of times a second of the run: it yields only where ranks share cores.
+  // A rank that yields while it waits gives a whole time slice (3 ms) to any other work on its
+  // core, thousands of times per second: ranks yield only where they share cores.
   command.add_parameter(
       "mpi_yield_when_idle",
       static_cast<unsigned>(ranks) > std::thread::hardware_concurrency() ? "1" : "0");
   command.add_parameter("btl", "self,vader");
+  if (!may_read_memory()) command.add_parameter("btl_vader_single_copy_mechanism", "none");
   command.add_parameter("plm", "isolated");
   command.add_parameter("ras", "^slurm,gridengine");
   for (const char* where : {"orte_tmpdir_base", "btl_vader_backing_directory"})
@@ -54,7 +64,7 @@ void keep_here(Command& command, int ranks) {
 }
 
 void go_abroad(Command& command) {
-  // Where the network alone is gone mpirun hears of it by these, in s; its own are 300, 20, 9.
+  // With these, in s, mpirun notices a network failure; its defaults are 300, 20, 9.
   command.add_parameter("oob_tcp_keepalive_time", "10");
   command.add_parameter("oob_tcp_keepalive_intvl", "5");
   command.add_parameter("oob_tcp_keepalive_probes", "3");

@@ -6,17 +6,17 @@
 
 namespace dipper::launch {
 
-/// What mpirun is told besides how many ranks of which program (rank_places.hpp finds it out).
+/// mpirun's input besides program and number of ranks (found by rank_places.hpp).
 struct MpiPlaces {
   std::vector<std::string> options;  ///< the user's own
-  bool several_hosts = false;        ///< not all ranks are on this one
-  double part_here = 1;              ///< of the ranks
+  bool several_hosts = false;        ///< some ranks are on other hosts
+  double part_here = 1;              ///< share of the ranks on this host
 };
 
 /// "mpirun -np N ..." for a program. On this host alone: more ranks than cores are allowed, idle
-/// ranks then yield, and nothing is asked of other hosts or of a batch system, since the run may be
-/// in a network of its own. Over several hosts Open MPI's own defaults hold, but a host that is
-/// gone is noticed within half a minute. What the user's options set goes before all of that.
+/// ranks then yield, and no other host or batch system is contacted, since the run may be in a
+/// network of its own. Over several hosts Open MPI's defaults hold, but a host that fails is
+/// noticed within half a minute. The user's options override all of that.
 std::vector<std::string> mpirun(int ranks, std::vector<std::string> program,
                                 const MpiPlaces& places = {});
 

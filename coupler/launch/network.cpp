@@ -27,7 +27,7 @@ bool unshare_network() {
   const uid_t uid = getuid();
   const gid_t gid = getgid();
   if (unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) return false;
-  // The user stays who he is inside, so that files keep their owner.
+  // The user id stays the same inside, so that files keep their owner.
   return write_file("/proc/self/setgroups", "deny") &&
          write_file("/proc/self/uid_map", fmt::format("{} {} 1", uid, uid)) &&
          write_file("/proc/self/gid_map", fmt::format("{} {} 1", gid, gid));

@@ -30,14 +30,14 @@ Process::Process(const std::vector<std::string>& command, const std::filesystem:
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
-    // Its own group, so that Ctrl-C reaches the launcher only, which then ends things in order.
+    // Its own group, so that Ctrl-C reaches only the launcher, which then ends all in order.
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(127);
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
-    signal(SIGPIPE, SIG_DFL);  // what is ignored would stay so
+    signal(SIGPIPE, SIG_DFL);  // an ignored signal would stay ignored
     const int in = open("/dev/null", O_RDONLY);
     dup2(in, 0);
     dup2(out, 1);
@@ -75,12 +75,12 @@ std::optional<std::string> Process::ended() {
 
 namespace {
 
-/// On a core and waiting for one.
+/// Time on a core, and waiting for one.
 struct SchedTime {
   double run_s = 0, wait_s = 0;
 };
 
-/// The least `of` a process, or else of the last ones that it has started.
+/// The least value over the leaf processes under a process, or its own when it has no children.
 double least(pid_t pid, double (*of)(const SchedTime&)) {
   const std::string at = fmt::format("/proc/{}/", pid);
   std::ifstream children(at + fmt::format("task/{}/children", pid));
@@ -128,7 +128,7 @@ void Process::end() {
   if (ended()) return;
   kill(pid_, SIGTERM);  // mpirun passes it on to its ranks
   wait(std::chrono::milliseconds(1500));
-  kill(-pid_, SIGKILL);  // and whatever of its group is left
+  kill(-pid_, SIGKILL);  // and the rest of its group
   wait(std::chrono::milliseconds(1500));
 }
 

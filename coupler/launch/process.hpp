@@ -10,11 +10,11 @@
 
 namespace dipper::launch {
 
-/// A program this run has started. It cannot outlive the launcher: not when the launcher ends, not
-/// when it is killed. stdout and stderr go to `log`.
+/// A child process. It cannot outlive the launcher, also when that is killed. stdout and stderr go
+/// to `log`.
 class Process {
  public:
-  /// \param folder  in which it works, and drops what it drops; empty: where the launcher does
+  /// \param folder  its working folder; empty: the launcher's
   /// Throws std::runtime_error when the program cannot be started.
   Process(const std::vector<std::string>& command, const std::filesystem::path& log,
           const std::filesystem::path& folder = {});
@@ -22,26 +22,26 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Nothing while it runs; then how it ended: "exit status 3", "killed by signal 9 (Killed)".
+  /// Empty while it runs; then how it ended: "exit status 3", "killed by signal 9 (Killed)".
   std::optional<std::string> ended();
   bool succeeded();
-  /// Ended by a signal that others send: not a crash, nor an exit of its own.
+  /// Ended by a signal from outside: no crash, and no exit of its own.
   bool was_killed();
-  /// Of the program, without its folder.
+  /// The program's name, without its folder.
   const std::string& name() const { return name_; }
 
   /// Waits for the end; false after `patience`.
   bool wait(std::chrono::milliseconds patience);
 
-  /// Asks, then forces.
+  /// SIGTERM first, then SIGKILL.
   void end();
 
-  /// How long it has waited for a core [s], or the last of the programs it started: the one that
-  /// did least of them, since one that is hung does not wait.
+  /// Time [s] that it has waited for a core. If it has children: of the leaf process that waited
+  /// least, since a hung one does not wait.
   double starved_s() const;
 
-  /// How long it has run or waited for a core [s], or of the programs it started the one that did
-  /// least: it stands still while one of them is stopped or waits for what never comes.
+  /// Time [s] that it has run or waited for a core. If it has children: the least of the leaf
+  /// processes; constant while one of them is stopped or waits for something that never comes.
   double active_s() const;
 
   /// CPU time [s] of the program and what it has started, so far.

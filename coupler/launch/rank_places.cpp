@@ -22,7 +22,7 @@ namespace dipper::launch {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::chrono::seconds kPatience{120};  // ssh alone may take a while to give a host up
+constexpr std::chrono::seconds kPatience{120};  // ssh may take long to give up a host
 
 [[noreturn]] void refuse(const std::string& why) { throw InputError({{{}, 0, "--mpirun", why}}); }
 
@@ -36,12 +36,12 @@ bool names_hostfile(const std::string& option) {
   return is_one_of(option, {"hostfile", "machinefile", "default-hostfile"});
 }
 
-/// Of mpirun's words for hosts, each of which takes one more.
+/// mpirun's options for hosts; each takes one argument.
 bool names_hosts(const std::string& option) {
   return names_hostfile(option) || is_one_of(option, {"host", "H"});
 }
 
-/// A batch system has given this job more than one host.
+/// Whether a batch system gave this job more than one host.
 bool hosts_are_allocated() {
   const auto more_than_one = [](const char* variable) {
     const char* value = std::getenv(variable);
@@ -55,7 +55,7 @@ std::string read_all(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// What mpirun says is wrong stands between rules, its first paragraph tells it; or it is a line.
+/// mpirun's error: the first paragraph between its rules, or a line.
 std::string complaint(const std::string& said) {
   std::istringstream in(said);
   std::string found;
@@ -74,7 +74,7 @@ std::string complaint(const std::string& said) {
     }
     if (boxed || found.empty()) found += (found.empty() ? "" : " ") + line.substr(begin);
   }
-  return found.empty() ? "mpirun ended without a word" : found;
+  return found.empty() ? "mpirun ended without a message" : found;
 }
 
 /// "h1 (2 ranks), h2 (1 rank)", in the order of ranks.
@@ -92,7 +92,7 @@ std::string list_hosts(const std::vector<RankPlace>& ranks) {
   return text;
 }
 
-/// What all ranks say of themselves.
+/// The places that all ranks report.
 std::vector<RankPlace> ask_ranks(int ranks, const MpiPlaces& places, const std::string& program) {
   const fs::path log = mpi_scratch() / "hosts.log";
   fs::remove(log);

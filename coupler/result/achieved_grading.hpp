@@ -1,4 +1,4 @@
-// The size distribution a pile really has, against the one the case asks for.
+// The size distribution of a settled pile, and the case's.
 #pragma once
 
 #include <filesystem>

@@ -38,7 +38,7 @@ std::optional<AchievedProfile> achieved_profile(const cases::Case& c,
   } catch (const std::invalid_argument&) {
     // too low a bench to have a flank
   }
-  // Bins of rock that pokes out beyond the ends compare with nothing.
+  // Bins beyond the ends of the profile have nothing to compare with.
   std::vector<double> x, below;
   for (std::size_t i = 0; i < surface.x_m.size(); ++i) {
     if (surface.x_m[i] < outline.front().x() || surface.x_m[i] > outline.back().x()) continue;

@@ -17,7 +17,7 @@ void tell_drives(const cases::Case& c, const std::filesystem::path& record,
   drives.update(analysis::metrics::json_of(met));
   reporter.line(fmt::format(
       "drives: {:.1f} s late; at their limit for {:.1f} s (hoist), {:.1f} s (crowd), {:.1f} s "
-      "(swing); the crowd let back by {:.2f} m at most",
+      "(swing); the operator let the crowd back by up to {:.2f} m",
       met.late_s, met.hoist_saturated_s, met.crowd_saturated_s, met.swing_saturated_s,
       met.crowd_relief_most_m));
 }

@@ -9,8 +9,8 @@
 
 namespace dipper::result {
 
-/// Puts that, over the whole run, under "drives" into the summary of a case with limited drives
-/// (docs/drives.md), and tells the reporter. Throws std::runtime_error naming file and dataset.
+/// Adds these figures of the whole run to the summary of a case with limited drives, as "drives"
+/// (docs/drives.md), and reports them. Throws std::runtime_error naming file and dataset.
 void tell_drives(const cases::Case& c, const std::filesystem::path& record,
                  nlohmann::ordered_json& summary, Reporter& reporter);
 

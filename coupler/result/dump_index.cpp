@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/io/dump_reader.hpp"
+#include "common/draft_file.hpp"
 #include "common/text_file.hpp"
 
 namespace dipper::result {
@@ -37,7 +38,9 @@ void drop_frames_after(const fs::path& dumps, std::int64_t step) {
   std::vector<fs::path> later;
   for (const auto& entry : fs::directory_iterator(dumps)) {
     const fs::path& file = entry.path();
-    if (file.extension() != ".dump" && file.extension() != ".vtk") continue;
+    if (is_draft(file)) later.push_back(file);
+    const fs::path kind = analysis::io::without_gz(file).extension();
+    if (kind != ".dump" && kind != ".vtk") continue;
     if (const auto frame = analysis::io::step_in_name(file); frame && *frame > step)
       later.push_back(file);
   }

@@ -35,8 +35,9 @@ void write_observed(const fs::path& record, const cases::ObservationCase& o, con
 void write_observed(const analysis::signals::DriveSignals& drives,
                     const analysis::signals::PassSignals& pass_signals,
                     const cases::ObservationCase& o, const fs::path& out) {
-  const analysis::signals::Instruments instruments{o.rate_Hz, o.lag_s, o.scale_gain,
-                                                   o.truck_spillage};
+  const analysis::signals::Instruments instruments{
+      o.rate_Hz,        o.lag_s,           o.scale_gain,     o.truck_spillage,
+      o.scale_offset_t, o.hoist_cell_gain, o.crowd_cell_gain};
   std::string signals = "time_s,hoist_m,crowd_m,swing_rad,hoist_force_kN,crowd_force_kN\n";
   for (const analysis::signals::LoggedSample& l :
        analysis::signals::log_signals(drives, instruments)) {

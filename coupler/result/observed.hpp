@@ -13,7 +13,7 @@ namespace dipper::result {
 void write_observed(const std::filesystem::path& record, const cases::ObservationCase& observation,
                     const std::filesystem::path& out);
 
-/// The same from signals at hand.
+/// The same from signals in memory.
 void write_observed(const analysis::signals::DriveSignals& drives,
                     const analysis::signals::PassSignals& passes,
                     const cases::ObservationCase& observation, const std::filesystem::path& out);

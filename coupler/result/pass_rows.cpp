@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace metrics = analysis::metrics;
 
-/// The dumps; none: there are none, or they are damaged, of which the report tells.
+/// The dumps; empty when there are none, or when they are damaged, which the report says.
 std::optional<analysis::io::DumpFolder> dumps_of(const RunFolder& folder, double timestep_s) {
   try {
     return analysis::io::open_dump_folder(folder.root(), timestep_s);
@@ -57,7 +57,7 @@ json pass_rows(const cases::Case& c, const RunFolder& folder) {
     if (!dumps) return found;
     try {
       found = metrics::load_in_dipper(*dumps, clumps, regions, signals.walls.at("dipper"), pass);
-    } catch (const InputError&) {  // a damaged dump, of which the report tells
+    } catch (const InputError&) {  // a damaged dump; the report says so
     }
     return found;
   };

@@ -9,11 +9,11 @@
 
 namespace dipper::result {
 
-/// One row a pass that is found in the record of a run's folder, the load's density from its
-/// dumps. Throws std::runtime_error naming file and dataset.
+/// One row for each pass in the record of a run's folder; the load's density is from its dumps.
+/// Throws std::runtime_error naming file and dataset.
 nlohmann::ordered_json pass_rows(const cases::Case& c, const RunFolder& folder);
 
-/// A line a pass.
+/// One line for each pass.
 void tell_passes(const nlohmann::ordered_json& passes, Reporter& reporter);
 
 }  // namespace dipper::result

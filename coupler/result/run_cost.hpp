@@ -1,13 +1,13 @@
-// What a run has cost.
+// The cost of a run.
 #pragma once
 
 namespace dipper::result {
 
-/// Up to now, over all starts of a run that was resumed.
+/// So far, over all segments of a resumed run.
 struct RunCost {
   double dem_cpu_s = 0, mbs_cpu_s = 0;
   double wall_s = 0;       ///< wall time of the stepping
-  double rock_busy_s = 0;  ///< of it, in which the rock side steps
+  double rock_busy_s = 0;  ///< the part of it in which the rock side steps
 };
 
 inline RunCost operator+(const RunCost& a, const RunCost& b) {

@@ -1,4 +1,4 @@
-// What is where in a run's folder, and the right to write it.
+// The files of a run's folder, and the lock on it.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ class RunFolder {
   /// writing one there.
   static RunFolder create(const std::filesystem::path& folder) { return {folder, false}; }
 
-  /// Opens the folder of a run that goes on. Throws InputError when it holds none, or the run is
-  /// still going on.
+  /// Opens the folder of a run to resume. Throws InputError when it holds none, or the run is still
+  /// in progress.
   static RunFolder resume(const std::filesystem::path& folder) { return {folder, true}; }
 
   const std::filesystem::path& root() const { return root_; }
@@ -26,11 +26,11 @@ class RunFolder {
   std::filesystem::path record() const { return root_ / "record.h5"; }
   std::filesystem::path summary() const { return root_ / "summary.json"; }
   std::filesystem::path observed() const { return root_ / "observed"; }
-  /// The regions the rock side weighs in: what a report needs of what it was told.
+  /// The regions in which the rock side weighs, which reports need.
   std::filesystem::path scales() const { return root_ / "scales.json"; }
 
-  /// From the end of a run to where it goes on: a manifest of what its readers go by, in which a
-  /// bit that flips later is found (common/manifest.hpp). Dumps are not in it.
+  /// Exists from the end of a run until it is resumed: a manifest of the files that commands rely
+  /// on, so that a bit that flips later is found (common/manifest.hpp). Dumps are not in it.
   void seal() const;
   void unseal() const;
 

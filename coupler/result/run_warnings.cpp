@@ -9,6 +9,7 @@
 #include "coupler/case/machine_kind.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/deck/stable_timestep.hpp"
+#include "coupler/result/truck_load.hpp"
 #include "machine/motion.hpp"
 
 namespace dipper::result {
@@ -23,7 +24,7 @@ constexpr double kMuchRattle = 0.05;  // of a dig's windows; at true size up to 
 constexpr double kHighPeak = 6;       // times the mean; whole digs have 3 to 5
 constexpr double kMuchBeyond = 0.33;  // of a dig; at true size up to 0.29
 
-/// `whole`: the run came to its end; one that was cut short goes on by --resume.
+/// `whole`: the run reached its end; one that was interrupted can be resumed.
 void warn_of_pass(const cases::Case& c, const json& p, bool whole,
                   std::vector<std::string>& warnings) {
   const int pass = p.at("pass").get<int>();
@@ -76,6 +77,10 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
   }
   const bool whole = summary.value("status", "complete") == "complete";
   for (const json& p : summary.at("passes")) warn_of_pass(c, p, whole, warnings);
+  if (const auto truck = truck_load(c.truck.rated_t, summary.at("passes"))) {
+    const std::string overload = overload_warning(*truck);
+    if (!overload.empty()) warnings.push_back(overload);
+  }
   if (const auto drives = summary.find("drives");
       whole && drives != summary.end() && c.end_s == 0) {
     const double path_s = drives->at("path_time_s").get<double>(),

@@ -1,4 +1,4 @@
-// What a user has to see of a run before believing its figures.
+// Warnings about a run's figures.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,8 +9,8 @@
 
 namespace dipper::result {
 
-/// The warnings about the case (coupler/check/warnings.hpp) and about its figures: a residual of
-/// the energy, masses below nothing, peaks, slack ropes and forces that jump, as no dig's do.
+/// The warnings about the case (coupler/check/warnings.hpp) and about its figures: residual energy,
+/// negative masses, and peaks, slack ropes and jumping forces beyond those of a sound dig.
 /// \param summary  passes and coupling of summary.json
 std::vector<std::string> run_warnings(const cases::Case& c, const nlohmann::ordered_json& summary);
 

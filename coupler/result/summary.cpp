@@ -14,6 +14,7 @@
 #include "coupler/result/drive_limits_met.hpp"
 #include "coupler/result/pass_rows.hpp"
 #include "coupler/result/run_warnings.hpp"
+#include "coupler/result/truck_load.hpp"
 
 namespace dipper::result {
 namespace {
@@ -26,7 +27,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const RunFolder& folder)
   const double sim_s = time_s.empty() ? 0.0 : time_s.back();
   const double cpu_s = f.cost.dem_cpu_s + f.cost.mbs_cpu_s;
   const auto ratio = [](double a, double b) { return b > 0 ? a / b : 0.0; };
-  // As at the end, also where this start of the program took no window.
+  // As at the end, also when this segment took no window.
   const auto last = [&](const char* channel) {
     const auto rows = record::read_channel(record, channel);
     return static_cast<std::int64_t>(rows.empty() ? 0 : std::llround(rows.back()));
@@ -103,11 +104,15 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
   if (profile) {
     summary["pile"] = describe(*profile);
     reporter.line(fmt::format(
-        "pile: stood {:.2f} m below its profile in the mean, {:.2f} m at x = {:.1f} m; its face at "
+        "pile: {:.2f} m below its profile in the mean, {:.2f} m at x = {:.1f} m; its face at "
         "{:.0f} deg",
         profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
   }
   tell_drives(c, folder.record(), summary, reporter);
+  if (const auto truck = truck_load(c.truck.rated_t, summary.at("passes"))) {
+    summary["truck"] = as_json(*truck);
+    reporter.line("truck: " + to_text(*truck));
+  }
   const std::vector<std::string> warnings = run_warnings(c, summary);
   summary["warnings"] = warnings;
   write_text(folder.summary(), summary.dump(2) + '\n');

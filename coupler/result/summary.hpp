@@ -11,7 +11,7 @@
 
 namespace dipper::result {
 
-/// What summary.json says beyond what is in the case and in record.h5.
+/// The contents of summary.json that are neither in the case nor in record.h5.
 struct RunFacts {
   std::string status;   ///< "complete", "interrupted" or "failed"
   std::string failure;  ///< with "failed": side, time, message
@@ -22,9 +22,9 @@ struct RunFacts {
   std::string state_hash;
 };
 
-/// The keys of docs/results.md, of a run whose record is closed. Passes are found in the record,
-/// the rock as it was dug in the dumps; deck/achieved.csv is written with it. Tells the reporter of
-/// both. Throws std::runtime_error naming the file that cannot be read or written.
+/// Writes the keys of docs/results.md for a run whose record is closed, and deck/achieved.csv.
+/// Passes come from the record, the rock from the dumps; both are reported. Throws
+/// std::runtime_error naming the file that cannot be read or written.
 void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts& facts,
                    Reporter& reporter);
 

@@ -41,13 +41,13 @@ void require_none_lost(const fs::path& checkpoints,
     const std::string damage = damage_of(aside);
     findings.push_back({aside, 0, "",
                         damage.empty() ? "set aside, but sound: rename it to " +
-                                             aside.stem().string() + " to go on from it"
+                                             aside.stem().string() + " to continue from it"
                                        : "set aside as damaged: " + damage});
   }
   if (findings.empty()) return;
   findings.push_back({checkpoints, 0, "",
-                      "no sound checkpoint is left to go on from; put whole ones back from a "
-                      "copy, or run the case anew into another --out"});
+                      "no sound checkpoint is left to continue from; restore one from a "
+                      "copy, or run the case again into another --out"});
   throw InputError(std::move(findings));
 }
 

@@ -68,8 +68,8 @@ RunStatus paired_run(const cases::Case& c, const result::RunFolder& folder, bool
   if (resume && result::summary_status(folder.summary()) == "complete") {
     if (!from)
       throw InputError({{folder.checkpoints(), 0, "",
-                         "holds no checkpoint of this complete run to go on from; run the case "
-                         "anew into another --out"}});
+                         "holds no checkpoint of this complete run to continue from; run the case "
+                         "again into another --out"}});
     if (is_done(run_end(c), from->coupling.dem_step, folder.record())) {
       reporter.line("complete already: " + folder.summary().string());
       return RunStatus::complete;

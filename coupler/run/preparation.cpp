@@ -33,7 +33,7 @@ void write_decks(const cases::Case& c, const sides::DipperLayers& layers, const 
 
 fs::path find_pile(const cases::Case& c, const result::RunFolder& folder,
                    const launch::MpiPlaces& places, Reporter& reporter) {
-  reporter.line("pile: looking in the cache, else settling");
+  reporter.line("pile: from the cache, or settled first");
   const Pile pile = settled_pile(c, folder.deck(), folder.logs(), places);
   reporter.line(pile.cached ? "pile: cached"
                             : fmt::format("pile: settled in {:.0f} s", pile.wall_s));
@@ -108,7 +108,7 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                             (steps + c.coupling.sync_steps - 1) / c.coupling.sync_steps,
                             c.coupling.sync_steps, c.dem.ranks, c.dem.ranks == 1 ? "" : "s"));
   if (from) {
-    reporter.line(fmt::format("going on from t = {:.3f} s",
+    reporter.line(fmt::format("continuing from t = {:.3f} s",
                               static_cast<double>(from->coupling.dem_step) * c.dem.timestep_s));
     result::drop_frames_after(folder.dumps(), from->coupling.dem_step);
     result::index_dumps(folder.dumps(), c.dem.timestep_s);

@@ -10,8 +10,7 @@
 namespace dipper::run {
 namespace {
 
-// The first windows say little of how long the others take: after so much wall time, and this part
-// of the way, they do.
+// Time left is shown only after this wall time and this part of the run, when it can be estimated.
 constexpr double kWorthTelling_s = 10, kWorthTelling = 0.02;
 
 std::string duration(double s) {

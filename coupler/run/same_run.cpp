@@ -99,7 +99,7 @@ std::vector<std::string> changed_since(const fs::path& folder, const cases::Case
                                 std::back_inserter(changed));
   const auto recorded = recorded_hashes(folder / "inputs.sha256");
   if (recorded.empty()) {
-    changed.push_back("no inputs.sha256, which tells whether the case's files are still the same");
+    changed.push_back("no inputs.sha256, which shows whether the case's files are unchanged");
     return changed;
   }
   const auto path = [&](const std::string& relative) {
@@ -109,19 +109,19 @@ std::vector<std::string> changed_since(const fs::path& folder, const cases::Case
   for (const auto& [name, hash] : hashes) {
     const auto was = recorded.find(name);
     if (was == recorded.end()) {
-      changed.push_back(path(name) + " was no part of it");
+      changed.push_back(path(name) + " was not part of it");
     } else if (was->second == hash) {
       continue;
     } else if (path(name) == c.machine.motion.string()) {
       if (!same_until(folder / kMotion, c.machine.motion, from_s))
-        changed.push_back(fmt::format(
-            "{} is another motion before t = {:.3f} s, where the run goes on", path(name), from_s));
+        changed.push_back(fmt::format("{} differs before t = {:.3f} s, where the run continues",
+                                      path(name), from_s));
     } else {
       changed.push_back(path(name) + " has other contents");
     }
   }
   for (const auto& [name, hash] : recorded)
-    if (hashes.count(name) == 0) changed.push_back(path(name) + " is no part of the case any more");
+    if (hashes.count(name) == 0) changed.push_back(path(name) + " is no longer part of the case");
   return changed;
 }
 

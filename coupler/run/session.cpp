@@ -74,7 +74,7 @@ bool Session::run() {
 
 void Session::tell_removed_rocks(const core::Window& first) {
   reporter_.line(
-      fmt::format("start: {:.0f} rocks, {:.2f} t, stood where the machine is and were removed",
+      fmt::format("start: {:.0f} rocks, {:.2f} t, overlapped the machine and were removed",
                   channel(first, rock_.info(), "rocks_removed"),
                   channel(first, rock_.info(), "mass_removed") * 1e-3));
 }

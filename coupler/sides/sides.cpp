@@ -68,6 +68,7 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   transport::LinkOptions options;
   options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * setup.timeout_s));
   options.watch = [this] { watch(); };
+  options.wants_end = [] { return launch::interrupts() > 0; };
   options.record = [log = open_log(setup.message_log)](const transport::Packet& packet) {
     write(*log, packet);
   };

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "dipper_msg/command_t.hpp"
@@ -35,18 +36,15 @@ class Fields {
   bool at_end() const { return rest_.empty(); }
 
  private:
-  void visit(bool& b) { number(b); }
-  void visit(std::int32_t& n) { number(n); }
-  void visit(std::int64_t& n) { number(n); }
   void visit(double& x) {
     std::int64_t bits = 0;
     std::memcpy(&bits, &x, sizeof x);
-    number(bits);
+    visit(bits);
     std::memcpy(&x, &bits, sizeof x);
   }
   void visit(std::string& s) {
     auto length = static_cast<std::uint32_t>(s.size() + 1);
-    number(length);
+    visit(length);
     if (!reading_) {
       written_.append(s.c_str(), length);
     } else if (length == 0) {
@@ -58,7 +56,7 @@ class Fields {
   template <class Item>
   void visit(std::vector<Item>& list) {
     auto length = static_cast<std::uint32_t>(list.size());
-    number(length);
+    visit(length);
     for (std::uint32_t k = 0; k < length; ++k) visit(reading_ ? list.emplace_back() : list[k]);
   }
 
@@ -102,8 +100,8 @@ class Fields {
     m.action = static_cast<core::Action>(action);
   }
 
-  template <class Integer>
-  void number(Integer& n) {
+  template <class Integer, std::enable_if_t<std::is_integral_v<Integer>, int> = 0>
+  void visit(Integer& n) {
     std::uint64_t bits = 0;
     if (reading_) {
       for (const char c : next(sizeof n)) bits = (bits << 8) | static_cast<unsigned char>(c);

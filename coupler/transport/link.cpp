@@ -45,10 +45,21 @@ core::Body Link::receive() {
   std::chrono::milliseconds interval = 10ms;
   auto reply = wait(start + interval);
   const auto starved = reply ? 0s : options_.starved();
+  std::optional<Clock::time_point> wanted;  // since when an end is
+  auto starved_then = starved;
   while (!reply) {
+    if (!wanted && options_.wants_end()) {
+      wanted = Clock::now();
+      starved_then = options_.starved();
+    }
+    if (wanted &&
+        Clock::now() - *wanted - (options_.starved() - starved_then) >= options_.patience) {
+      const std::chrono::duration<double> said = options_.patience;
+      throw PeerError(
+          side_, fmt::format("no answer for {} s after the run was told to end", said.count()));
+    }
     if (Clock::now() - start - (options_.starved() - starved) >= limit) {
-      const std::chrono::duration<double> said = limit;
-      throw PeerError(side_, fmt::format("no answer for {} s", said.count()));
+      throw PeerError(side_, fmt::format("no answer for {} s", limit / 1.0s));
     }
     publish();
     if (established_) requester_.sent_again();

@@ -28,6 +28,10 @@ struct LinkOptions {
   /// Called at least every 50 ms while waiting; throws when waiting has become pointless
   /// (a process ended, the user wants to stop).
   std::function<void()> watch = [] {};
+  /// Whether the user wants an orderly end. The other side then has `patience` for each answer: one
+  /// that hangs is not waited for until the timeout.
+  std::function<bool()> wants_end = [] { return false; };
+  std::chrono::milliseconds patience{10000};
   /// Is given every message, both ways.
   std::function<void(const Packet&)> record = [](const Packet&) {};
 };

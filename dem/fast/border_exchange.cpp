@@ -15,8 +15,8 @@
 namespace dipper::dem {
 namespace {
 
-/// What LIGGGHTS keeps from all but derived classes. Of each swap of borders: whom it goes to and
-/// comes from, which spheres are sent, and where the first of those received lies.
+/// Protected members of LIGGGHTS. For each swap of borders: the ranks it goes to and comes from,
+/// the spheres sent, and the index of the first one received.
 struct OpenComm : LAMMPS_NS::Comm {
   static constexpr auto swaps = &OpenComm::nswap;
   static constexpr auto to = &OpenComm::sendproc;

@@ -1,4 +1,4 @@
-// What ranks tell each other in a step of the rock near the boundary between them.
+// The exchange between ranks, in each step, of rock near their boundary.
 #pragma once
 
 #include <initializer_list>
@@ -13,15 +13,15 @@ namespace dipper::dem {
 
 /// LIGGGHTS passes every sphere near a boundary three times a step: back to its rank and on to the
 /// others once it has moved, and its force to the rank of its body; one neighbour after the other,
-/// each waiting for the one before. Here a sphere goes where somebody needs it, to all neighbours
+/// each waiting for the one before. Here a sphere goes only where it is needed, to all neighbours
 /// at once: home if its body is on another rank, on if it moves, its force if its body is
-/// elsewhere. What arrives is the same to the bit.
+/// elsewhere. The result is the same to the bit.
 class BorderExchange {
  public:
   explicit BorderExchange(LAMMPS_NS::LAMMPS& lmp) : lmp_(lmp) {}
 
-  /// Once lists are built, and when rock has come to rest or wakes. Collective. False, and nothing
-  /// else here is to be called, where a sphere may have to pass through a rank to reach another
+  /// Once lists are built, and when rock has come to rest or wakes. Collective. Returns false, and
+  /// no other method may be called, if a sphere may have to pass through a rank to reach another
   /// (ranks in more than one row, or ones thinner than a rock reaches).
   bool renew(LAMMPS_NS::FixMultisphere& bodies);
 

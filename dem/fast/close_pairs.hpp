@@ -18,7 +18,7 @@ struct ClosePair {
 /// of a list are apart by a part of its skin, and stay so for many steps.
 class ClosePairs {
  public:
-  /// In the list's order. `reach`: a gap [m] within which pairs are kept; they are looked for anew
+  /// In the list's order. `reach`: a gap [m] within which pairs are kept; they are searched again
   /// once a sphere has moved half of it, and when `renewed`, as the list is. Pairs of two spheres
   /// with the mask bit `resting` are left out.
   const std::vector<ClosePair>& now(const LAMMPS_NS::Atom& atom, const LAMMPS_NS::NeighList& list,
@@ -28,7 +28,7 @@ class ClosePairs {
  private:
   bool moved(const LAMMPS_NS::Atom& atom, double most) const;
 
-  std::vector<double> x_;  ///< of all spheres, ghosts too, when the pairs were looked for
+  std::vector<double> x_;  ///< of all spheres, ghosts too, when the pairs were searched
   std::vector<ClosePair> pairs_;
 };
 

@@ -28,7 +28,7 @@ void NearLists::build(int topology) {
 }
 
 int NearLists::check_distance() {
-  // LIGGGHTS looks at every sphere in every step. No sphere can have gone half the skin before the
+  // LIGGGHTS checks every sphere in every step. No sphere can have moved half the skin before the
   // fastest could have.
   if (boxcheck != 0) return Neighbor::check_distance();
   int far = 0;
@@ -87,7 +87,7 @@ void NearLists::fill_levels() {
     }
     if (of[l].empty()) continue;
     double wide = 2 * to.largest_m * contactDistanceFactor + skin;
-    const double most = 4.0 * all + 1000;  // bins: a rock far off must not ask for many
+    const double most = 4.0 * all + 1000;  // bins: a rock far away must not need many
     for (double count = kFar; count > most; wide *= 1.25) {
       count = 1;
       to.per_m = 1 / wide;
@@ -145,7 +145,7 @@ void NearLists::find_pairs() {
           hi[k] = level.bin(k, x[k] + reach);
         }
         const auto row_of = [&](int y, int z) { return (z * level.n[1] + y) * level.n[0]; };
-        // Of its own level it looks at what lies behind it, as the others look at it.
+        // In its own level it takes only bins behind it; the others find it from theirs.
         const int own = m == l ? row_of(level.bin(1, a.y), level.bin(2, a.z)) : -1;
         for (int z = lo[2]; z <= hi[2]; ++z) {
           for (int y = lo[1]; y <= hi[1]; ++y) {
@@ -166,7 +166,7 @@ void NearLists::find_pairs() {
 }
 
 void NearLists::build_near(LAMMPS_NS::NeighList* list) {
-  bin_atoms();  // the lists of the walls look there
+  bin_atoms();  // the lists of the walls use these
   fill_levels();
   find_pairs();
   LAMMPS_NS::FixContactHistory* history = list->fix_history;

@@ -9,14 +9,14 @@
 namespace dipper::dem {
 
 /// The same pairs as LIGGGHTS's `neighbor bin` lists, in another order. LIGGGHTS's bins are as wide
-/// as the largest rock is, so that in rock of mixed sizes most of what it looks at is out of reach.
+/// as the largest rock is, so in rock of mixed sizes most spheres that it tests are out of reach.
 /// Here spheres are binned by size (each level holds radii within a factor of kStep of each other,
-/// in bins as wide as two of them reach), and a bin's spheres lie one after the other.
+/// in bins as wide as two of them reach), and a bin's spheres are contiguous.
 class NearLists final : public LAMMPS_NS::Neighbor {
  public:
   explicit NearLists(LAMMPS_NS::LAMMPS* l) : Neighbor(l) {}
 
-  /// In this step no sphere has moved by more than this [m]. A step without a call looks itself.
+  /// In this step no sphere has moved by more than this [m]. A step without a call checks itself.
   void moved(double most) {
     moved_ += kSlack * most;
     known_ = true;
@@ -30,7 +30,7 @@ class NearLists final : public LAMMPS_NS::Neighbor {
 
  private:
   static constexpr double kStep = 1.5;
-  static constexpr double kSlack = 1.02;  // a turning body's spheres go on arcs
+  static constexpr double kSlack = 1.02;  // a turning body's spheres move on arcs
   static constexpr double kFar = 1e300;
 
   struct Near {

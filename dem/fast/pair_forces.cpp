@@ -25,7 +25,7 @@
 #include "dem/fast/close_pairs.hpp"
 #include "dem/rest_group.hpp"
 
-// These count on what the headers above bring in.
+// These need the headers above.
 #include <contact_models.h>
 #include <pair_gran_base.h>
 
@@ -43,13 +43,13 @@ struct Law {
   double kn, kt, gamma_n, gamma_t, friction, rolling;
 };
 
-/// What the contacts of a sphere read of it, together in memory.
+/// The data of a sphere that its contacts read, contiguous in memory.
 struct alignas(32) Sphere {
   double x[3], radius, v[3], mass, omega[3];
   int type;
 };
 
-/// What a step's loop works on.
+/// The input of a step's loop.
 struct Pass {
   const LAMMPS_NS::Atom& atom;
   const Sphere* spheres;
@@ -62,7 +62,7 @@ struct Pass {
   double* history(const ClosePair& pair) const {
     return contacts.firstdouble[pair.i] + static_cast<std::ptrdiff_t>(width) * pair.n;
   }
-  /// Has the processor load what a later pair needs.
+  /// Prefetches the data of a later pair.
   void fetch(const ClosePair& pair) const {
     const Sphere* other = spheres + pair.j;
     __builtin_prefetch(other->x);
@@ -74,11 +74,11 @@ struct Pass {
 constexpr int kTouching = CONTACT_NORMAL_MODEL | CONTACT_TANGENTIAL_MODEL | CONTACT_ROLLING_MODEL;
 constexpr int kBatch = 64;
 constexpr double kCloseness = 0.125;  ///< of the skin
-constexpr std::size_t kAhead = 32;  ///< pairs ahead: memory answers while so many are gone through
+constexpr std::size_t kAhead = 32;  ///< pairs ahead: as many as are computed during a memory access
 
-/// Contacts of spheres i and j, a number of each after the other, as the processor likes them. Of
-/// vectors, x, y and z. Most of the time goes into waiting for memory: so loads are made together,
-/// apart from the sums.
+/// A batch of contacts of spheres i and j, one array per number, for vector instructions; vectors
+/// as x, y and z. Most of the time is spent waiting for memory, so loads are made together, apart
+/// from the sums.
 struct Batch {
   int n = 0;
   int i[kBatch], j[kBatch];
@@ -123,7 +123,7 @@ void Batch::load(const Pass& p) {
 }
 
 /// LIGGGHTS's sums in its order (surface_model_default.h, normal_model_hooke_stiffness.h,
-/// tangential_model_history.h, rolling_model_epsd2.h), without what the decks never ask for.
+/// tangential_model_history.h, rolling_model_epsd2.h), without options that the decks never use.
 __attribute__((target_clones("default", "avx2", "avx512f"))) void Batch::compute(double dt,
                                                                                  bool limit,
                                                                                  bool remember) {
@@ -224,8 +224,8 @@ void Batch::store(const Pass& p) {
   n = 0;
 }
 
-/// Of the spheres that move; of all, and who moves, once lists are `renewed`: who rests, with the
-/// mask bit `resting`, changes only then.
+/// Updates the spheres that move; all of them when lists are `renewed`: which spheres rest (mask
+/// bit `resting`) changes only then.
 class Gathered {
  public:
   const Sphere* now(const LAMMPS_NS::Atom& atom, bool renewed, int resting) {
@@ -266,7 +266,7 @@ class Gathered {
 };
 
 void add_forces(const Pass& p, const std::vector<ClosePair>& pairs) {
-  static Batch batch;  // what is left of earlier contacts fills a last batch
+  static Batch batch;  // earlier contacts fill up the last batch
   const auto flush = [&] {
     batch.load(p);
     batch.compute(p.dt, p.limit, p.remember);
@@ -282,8 +282,8 @@ void add_forces(const Pass& p, const std::vector<ClosePair>& pairs) {
     int& touched = p.contacts.firstneigh[i][n];
     double* const history = p.history(pair);
     if (dx * dx + dy * dy + dz * dz >= sum * sum) {
-      // A pair that has parted starts anew when it touches again. LIGGGHTS lets it take up what it
-      // had unless the lists were built between (docs/reliability.md, "Going on").
+      // A pair that has separated starts without history when it touches again. LIGGGHTS keeps the
+      // history unless the lists were built in between (docs/reliability.md, "Going on").
       if (touched != 0) std::fill_n(history, p.width, 0.0);
       touched = 0;
       continue;
@@ -334,7 +334,8 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
     if (!known) return Granular::compute_force(pair, energy, virial, add);
     pair->evflag = pair->vflag_fdotr = 0;
     const LAMMPS_NS::Neighbor& lists = *lmp_.neighbor;
-    if (lists.ago == 0) resting_ = rest_bit(lmp_);  // who rests changes only as lists are built
+    if (lists.ago == 0)
+      resting_ = rest_bit(lmp_);  // resting spheres change only when lists are built
     const Sphere* spheres = gathered_.now(*lmp_.atom, lists.ago == 0, resting_);
     add_forces({*lmp_.atom, spheres, *pair->listgranhistory, laws_, types_, pair->dnum(),
                 lmp_.update->dt, limit_, pair->shearupdate() != 0},
@@ -363,7 +364,7 @@ class PairForces final : public LIGGGHTS::PairStyles::Granular<Model> {
   bool plain_ = false;  ///< no settings but those of the decks
   bool limit_ = false;
   int types_ = 0;
-  int resting_ = 0;          ///< mask bit of kRestGroup; 0: there is none
+  int resting_ = 0;          ///< mask bit of kRestGroup; 0: no such group
   double** tables_[6] = {};  ///< LIGGGHTS's
   std::vector<Law> laws_;
   Gathered gathered_;
@@ -379,7 +380,7 @@ LIGGGHTS::PairStyles::IGranularPairStyle* make_pair(LAMMPS_NS::LAMMPS* lmp,
 }  // namespace
 
 void register_pair_forces() {
-  // LIGGGHTS says on the terminal when a style is replaced.
+  // LIGGGHTS prints a message when a style is replaced.
   std::streambuf* const terminal = std::cerr.rdbuf(nullptr);
   LIGGGHTS::PairStyles::Factory::instance().addStyle("gran", static_cast<int>(Style::HASHCODE),
                                                      &make_pair);

@@ -1,4 +1,4 @@
-// LIGGGHTS's time loop with the parts of it that cost most done here.
+// LIGGGHTS's time loop with faster versions of its most expensive parts.
 #pragma once
 
 #include <verlet.h>
@@ -9,12 +9,12 @@ namespace dipper::dem {
 
 class NearLists;
 
-/// Puts the loop, the neighbour lists and the contact forces of this folder into LIGGGHTS. Before
-/// the deck. What a deck has that they do not know, LIGGGHTS does itself.
+/// Puts the loop, the neighbour lists and the contact forces of this folder into LIGGGHTS. Call
+/// before the deck. For features of a deck that they do not support, LIGGGHTS's own are used.
 void speed_up(LAMMPS_NS::LAMMPS& lmp);
 
-/// LIGGGHTS's velocity Verlet, in the same order and to the same bits, but for the order in which
-/// the rock lies in memory, and with it that of sums.
+/// LIGGGHTS's velocity Verlet, in the same order and to the same bits, except for the order of the
+/// rock in memory, and so of sums.
 class RockLoop final : public LAMMPS_NS::Verlet {
  public:
   RockLoop(LAMMPS_NS::LAMMPS* l, NearLists& lists);
@@ -27,8 +27,8 @@ class RockLoop final : public LAMMPS_NS::Verlet {
   LAMMPS_NS::LAMMPS& lmp_;
   NearLists& lists_;
   RockMotion motion_;
-  bool own_ = false;                  ///< the deck is one that this loop knows
-  LAMMPS_NS::bigint next_order_ = 0;  ///< step from which on the rock is put in order anew
+  bool own_ = false;                  ///< this loop supports the deck
+  LAMMPS_NS::bigint next_order_ = 0;  ///< step from which the rock is sorted again
 };
 
 }  // namespace dipper::dem

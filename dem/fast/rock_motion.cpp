@@ -27,7 +27,7 @@ using Flags = LAMMPS_NS::VectorContainer<bool, 3>;
 
 constexpr double kInertia = 0.4;  // of a sphere, over m r^2
 
-/// What LIGGGHTS keeps from all but derived classes.
+/// Protected members of LIGGGHTS.
 struct OpenMultisphere : FixMultisphere {
   static constexpr auto displace = &OpenMultisphere::displace_;
   static constexpr auto forward = &OpenMultisphere::fw_comm_flag_;
@@ -142,7 +142,7 @@ double RockMotion::initial_integrate() {
   const double fastest = std::sqrt(std::max(move_spheres(), move_bodies()));
   if (own_border_) {
     border_.return_moved_spheres();
-  } else if (lmp_.comm->nprocs > 1) {  // spheres of this rank's bodies that are another's
+  } else if (lmp_.comm->nprocs > 1) {  // spheres of this rank's bodies that are on another rank
     fix_bodies_->*OpenMultisphere::reverse = LAMMPS_NS::MS_COMM_REV_X_V_OMEGA;
     fix_bodies_->reverse_comm();
   }

@@ -15,20 +15,20 @@ class LAMMPS;
 namespace dipper::dem {
 
 /// Does what `fix nve/sphere`, `fix multisphere` and `fix gravity` do between two force
-/// computations, sum for sum, so that every number is the same to the bit. What it leaves out is
-/// searching: LIGGGHTS looks up the body, the periodic image and the group of every sphere in each
+/// computations, sum for sum, so that every number is the same to the bit. It avoids the
+/// searches: LIGGGHTS looks up the body, the periodic image and the group of every sphere in each
 /// of seven passes over all of them. Here a body knows its spheres, held rock is not moved, and the
-/// spheres of bodies get the velocity of the step's end only when someone looks.
+/// spheres of bodies get the velocity of the step's end only when it is read.
 class RockMotion {
  public:
   explicit RockMotion(LAMMPS_NS::LAMMPS& lmp) : lmp_(lmp), border_(lmp) {}
 
-  /// At a run's begin, before LIGGGHTS lists which fixes to call. False when the deck has what this
-  /// does not know (another integrator, a periodic box, a rock stream): LIGGGHTS's fixes do it
-  /// then.
+  /// Call at the start of a run, before LIGGGHTS lists which fixes to call. Returns false when the
+  /// deck has something unsupported (another integrator, a periodic box, a rock stream): LIGGGHTS's
+  /// fixes are used then.
   bool take_over();
 
-  /// Once lists are built: which spheres belong to which body, and who moves. Collective.
+  /// Call when lists are built: finds the spheres of each body, and which rock moves. Collective.
   void gather();
 
   LAMMPS_NS::FixMultisphere& bodies() { return *fix_bodies_; }
@@ -36,14 +36,14 @@ class RockMotion {
   /// The first half of a step. Returns the largest speed of a sphere's centre, on this rank [m/s].
   double initial_integrate();
 
-  /// To other ranks, of the spheres near them, where they are once a step has moved them.
+  /// Sends the new positions of spheres near other ranks to those.
   void forward();
 
   /// The second half, from forces without gravity. Unless the step is `seen`, spheres of bodies do
   /// not get their velocities, nor rock at rest its forces.
   void final_integrate(bool seen);
 
-  /// The same in LIGGGHTS's own way, for a step that wants its virial.
+  /// The same by LIGGGHTS itself, for a step that needs its virial.
   void library_initial_integrate(int vflag);
   void library_final_integrate(int vflag);
 
@@ -75,10 +75,10 @@ class RockMotion {
   LAMMPS_NS::FixGravity* fix_gravity_ = nullptr;
   double g_[3] = {0, 0, 0};
   std::vector<Sphere> free_;
-  std::vector<int> held_;  ///< single spheres that are not integrated but weigh
+  std::vector<int> held_;  ///< single spheres that are not integrated but have weight
   Bodies bodies_;
   std::vector<int> first_, of_body_;  ///< spheres of body b: of_body_[first_[b] ... first_[b + 1]]
-  std::vector<double> place_;         ///< where they are in the body's axes, three numbers each [m]
+  std::vector<double> place_;  ///< their positions in the body's axes, three numbers each [m]
 };
 
 }  // namespace dipper::dem

@@ -44,7 +44,7 @@ class Curve {
   double per_m_;
 };
 
-/// Moves what is at order[k] to k, for all k: move(from, to), one entry a time, by way of the
+/// Moves the entry at order[k] to k, for all k: move(from, to), one entry at a time, through the
 /// place `spare`.
 template <typename Move>
 void permute(const std::vector<int>& order, int spare, const Move& move) {

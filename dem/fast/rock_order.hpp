@@ -1,4 +1,4 @@
-// Orders the rock in memory as it lies in space.
+// Sorts the rock in memory by its place in space.
 #pragma once
 
 namespace LAMMPS_NS {
@@ -8,10 +8,10 @@ class LAMMPS;
 
 namespace dipper::dem {
 
-/// Puts spheres and bodies of this rank in the order of a curve through space (Morton 1966): those
-/// of one body one after the other, near what they touch, and all that rests (kRestGroup) behind
-/// what moves. LIGGGHTS's own sort (`atom_modify sort`) tears bodies apart and leaves them as they
-/// were poured. To be called when spheres have gone to their ranks and none has ghosts.
+/// Sorts spheres and bodies of this rank along a curve through space (Morton 1966): those of one
+/// body together, near the spheres they touch, and resting rock (kRestGroup) behind moving rock.
+/// LIGGGHTS's own sort (`atom_modify sort`) separates the spheres of a body and leaves bodies in
+/// the order of pouring. Call when spheres are on their ranks and there are no ghosts.
 void order_rock(LAMMPS_NS::LAMMPS& lmp, LAMMPS_NS::FixMultisphere& bodies);
 
 }  // namespace dipper::dem

@@ -1,10 +1,10 @@
-// In place of two functions of LIGGGHTS's: between walls and rock, only rock near a wall is looked
-// at.
+// Replaces two functions of LIGGGHTS: for contacts of walls and rock, only rock near a wall is
+// checked.
 //
-// For each mesh and in each step LIGGGHTS marks the contacts of every sphere and then looks at
-// every one again for those that have ended, though few have a wall near. These definitions stand
-// before the library's, as the dynamic linker looks in the program first; the sums are the same.
-// Where the lists are not this folder's (speed_up was not called), they call the library's.
+// For each mesh and in each step LIGGGHTS marks the contacts of every sphere and then searches all
+// of them for ended ones, though few are near a wall. These definitions override the library's,
+// because the dynamic linker searches the program first; the sums are the same.
+// When the lists are not this folder's (speed_up was not called), they call the library's.
 #include "dem/fast/wall_history.hpp"
 
 #include <atom.h>
@@ -25,7 +25,7 @@
 namespace dipper::dem {
 namespace {
 
-/// Of each mesh's history, the spheres that its lists name.
+/// For each mesh's history, the spheres in its lists.
 std::unordered_map<const LAMMPS_NS::Fix*, std::vector<int>> near_walls;
 
 bool is_fast(const LAMMPS_NS::Neighbor* lists) {

@@ -3,15 +3,15 @@
 //   pair_style gran model hooke/stiffness tangential history cohesion moist rolling_friction epsd2
 //   ...
 //
-// Needs of the deck: property/global moistPullOff (per type pair: pull_off_stress), and
+// The deck must have: property/global moistPullOff (per type pair: pull_off_stress), and
 // bondTensileStrength, bondShearStrength (scalar), all in Pa; and, where a crust is to form, a
 // property/atom `crust_zone`: contacts of two spheres whose zone is not 0 become bonds.
 //
-// A bond lives in the pair's contact history, so it goes with the rock from rank to rank and
-// into restart files. Both ranks of a pair that lies across a border do the same sums: every
-// term only changes its sign when the two spheres change places, so they agree to the bit.
+// A bond is stored in the pair's contact history, so it moves with the rock from rank to rank and
+// into restart files. Both ranks of a pair across a border compute the same sums: every term only
+// changes its sign when the two spheres are swapped, so they agree to the bit.
 #ifdef COHESION_MODEL
-COHESION_MODEL(COHESION_MOIST, moist, 40)  // LIGGGHTS's own are below 16; 6 bits are there
+COHESION_MODEL(COHESION_MOIST, moist, 40)  // LIGGGHTS's own are below 16; 6 bits are available
 #else
 #ifndef COUPLER_DEM_MOIST_COHESION_MODEL_MOIST_H
 #define COUPLER_DEM_MOIST_COHESION_MODEL_MOIST_H
@@ -143,13 +143,13 @@ class CohesionModel<COHESION_MOIST> : public CohesionModelBase {
     const dipper::dem::moist::Strain strain{-overlap, shear, turn};
     const auto stress = dipper::dem::moist::bond_stress(disc, strain, n);
     if (stress.tensile_Pa >= tensile_strength_ || stress.shear_Pa >= shear_strength_) {
-      std::fill_n(bond, 7, 0.0);  // for good
+      std::fill_n(bond, 7, 0.0);  // permanently
       return;
     }
     auto load = dipper::dem::moist::bond_load(disc, strain, n);
-    // Damped as the contact, in its stead: while the spheres touch, theirs does it. (Both together
-    // would be too much for the step: an explicit damper needs c dt/m well below 1.) A rotation is
-    // damped by what it moves at the disc's rim.
+    // Damped like the contact, and only while the spheres do not touch. (Both together would be
+    // unstable at this step: an explicit damper needs c dt/m well below 1.) A rotation is damped by
+    // the motion of the disc's rim.
     const double c_n = bond[0] * gamman_[s.itype][s.jtype], lever = disc.radius_m / 2;
     const double c_t = bond[0] * gammat_[s.itype][s.jtype];
     if (overlap < 0) load.force -= c_t * v_t + c_n * v.dot(n) * n;

@@ -21,7 +21,7 @@ namespace dipper::dem {
 namespace {
 
 /// Highest rock over each cell of a grid in x and y; cells are a few spheres wide, so that a gap
-/// between two rocks is no hole in the surface.
+/// between two rocks does not count as a hole in the surface.
 class Surface {
  public:
   Surface(const LAMMPS_NS::Atom& atom, MPI_Comm comm) {

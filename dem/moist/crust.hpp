@@ -13,10 +13,10 @@ namespace dipper::dem {
 /// Throws std::runtime_error if the deck has no property/atom crust_zone.
 void form_crust(LAMMPS_NS::LAMMPS& lmp, const setup::CrustZone& zone);
 
-/// Bonds of this rank that hold; one to a rock of another rank counts half on each.
+/// Unbroken bonds of this rank; one to a rock of another rank counts half on each.
 double count_bonds(const LAMMPS_NS::LAMMPS& lmp);
 
-/// Bonds the zone at the run's start. Channel: bonds, of those that hold.
+/// Bonds the zone at the run's start. Channel: bonds, the unbroken ones.
 class Crust final : public RockFeature {
  public:
   Crust(LAMMPS_NS::LAMMPS& lmp, const setup::CrustZone& zone) : lmp_(lmp), zone_(zone) {}

@@ -1,6 +1,6 @@
 // dipper-liggghts [--loop fast|liggghts] [--ranks N] ...: the `liggghts` program with the cohesion
-// model `moist` and the time loop of dem/fast, or, so told, LIGGGHTS's own. Told how many ranks it
-// is one of, it ends where there are others. Takes the same arguments after that.
+// model `moist` and the time loop of dem/fast, or with --loop liggghts LIGGGHTS's own. With --ranks
+// it ends when the number of ranks differs. Takes LIGGGHTS's arguments after these.
 #include <input.h>
 #include <lammps.h>
 #include <mpi.h>
@@ -17,14 +17,15 @@
 int main(int argc, char** argv) {
   MPI_Init(&argc, &argv);
   bool fast = true;
-  const auto take = [&](const char* option) {  // its value, which goes from the arguments
-    if (argc < 3 || std::string(argv[1]) != option) return std::string();
-    const std::string value = argv[2];
-    argv[2] = argv[0];
-    argv += 2;
-    argc -= 2;
-    return value;
-  };
+  const auto take =
+      [&](const char* option) {  // returns its value and removes both from the arguments
+        if (argc < 3 || std::string(argv[1]) != option) return std::string();
+        const std::string value = argv[2];
+        argv[2] = argv[0];
+        argv += 2;
+        argc -= 2;
+        return value;
+      };
   try {
     if (const std::string loop = take("--loop"); !loop.empty()) {
       if (loop != "fast" && loop != "liggghts")

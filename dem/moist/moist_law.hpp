@@ -2,8 +2,8 @@
 //
 // LIGGGHTS's own cohesion models do not fit a linear spring. SJKR and SJKR2 pull with a constant
 // times the overlap, which only makes the spring softer: there is no pull at the moment of
-// separation. The capillary ones know liquid and surface tension, which hold millimetres, not
-// boulders: 2 pi R 0.072 N/m is 0.05 N for R = 0.1 m, against a weight of 150 N.
+// separation. The capillary ones use liquid and surface tension, which hold grains of
+// millimetres, not boulders: 2 pi R 0.072 N/m is 0.05 N for R = 0.1 m, against a weight of 150 N.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,23 +15,23 @@ namespace dipper::dem::moist {
 
 using Eigen::Vector3d;
 
-/// Diameter a pair counts with: harmonic mean, 4 r1 r2/(r1 + r2); a sphere's own for equal ones.
+/// Effective diameter of a pair: harmonic mean, 4 r1 r2/(r1 + r2); a sphere's own for equal ones.
 inline double pair_diameter(double r1, double r2) { return 4 * r1 * r2 / (r1 + r2); }
 
-/// How far moist fines stretch before they part, as a share of the sum of the radii. Assumed; a
+/// How far moist fines stretch before they separate, as a share of the sum of the radii. Assumed; a
 /// bridge of 1e-5 of the sphere's volume ruptures at about V^(1/3) = 0.02 d (Lian et al. 1993).
 constexpr double kReach = 0.02;
 
-/// Attraction of moist fines, >= 0: whole while the surfaces touch (gap <= 0), then falling to
-/// nothing at reach_m. It depends on the gap alone, so it makes no energy and needs no memory.
+/// Attraction of moist fines, >= 0: full while the surfaces touch (gap <= 0), then falling to zero
+/// at reach_m. It depends on the gap alone, so it creates no energy and needs no history.
 inline double moist_pull(double pull_off_N, double gap_m, double reach_m) {
   if (gap_m <= 0) return pull_off_N;
   return gap_m < reach_m ? pull_off_N * (1 - gap_m / reach_m) : 0.0;
 }
 
 /// A cemented disc between two spheres (Potyondy and Cundall 2004, Int. J. Rock Mech. 41:1329,
-/// Eqs. 12-17), of the smaller sphere's radius and as stiff as the contact it lies in. Compression
-/// is left to that contact: the disc's own normal force is tension only.
+/// Eqs. 12-17), of the smaller sphere's radius and as stiff as the contact it lies in. That contact
+/// carries compression: the disc's own normal force is tension only.
 struct Bond {
   double radius_m = 0, kn = 0, kt = 0;  ///< N/m
   double area() const { return M_PI * radius_m * radius_m; }
@@ -39,7 +39,7 @@ struct Bond {
   double twisting() const { return kt * radius_m * radius_m / 2; }  ///< kt J/A, N m/rad
 };
 
-/// What the disc has been strained by since it formed; n points from sphere 2 to sphere 1.
+/// The disc's deformation since it formed; n points from sphere 2 to sphere 1.
 struct Strain {
   double gap_m = 0;                      ///< elongation
   Vector3d shear_m = Vector3d::Zero();   ///< of 1 against 2, normal to n

@@ -18,7 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 
-// These count on what the headers above bring in.
+// These need the headers above.
 #include <contact_models.h>
 #include <fix_wall_gran_base.h>
 #include <pair_gran_base.h>
@@ -36,9 +36,9 @@ using Model = ContactModel<Style>;
 using Wall = LIGGGHTS::Walls::Granular<Model>;
 
 /// Pairs act on each other across a gap: LIGGGHTS has one factor for that, `contactDistanceFactor`.
-/// Walls must not have it: a mesh that knows a near triangle gives a sphere no force on the next
-/// coplanar one (FixContactHistoryMesh::handleContact). So it is there only while pairs are gone
-/// through (Pair), and while lists are built, which keep the history of pairs within it (Reach).
+/// Walls must not have it: a mesh with history of a near triangle gives a sphere no force on the
+/// next coplanar one (FixContactHistoryMesh::handleContact). So it is set only while pairs are
+/// computed (Pair), and while lists are built, which keep the history of pairs within it (Reach).
 constexpr double kFactor = 1 + moist::kReach;
 
 class Reach final : public LAMMPS_NS::Fix {

@@ -3,6 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "tests/places.hpp"
+
 namespace dipper {
 namespace {
 
@@ -35,7 +41,7 @@ TEST(CsvTable, EveryFaultHasItsLineAndColumn) {
   EXPECT_THAT(r.faults, ElementsAre("t.csv:3:3: z_m is \"\"; it must be a finite number",
                                     "t.csv:4:4: 1 columns; each row has 2: x_m,z_m",
                                     "t.csv:5:6: 3 columns; each row has 2: x_m,z_m; with decimal "
-                                    "commas, semicolons part the columns",
+                                    "commas, separate the columns by semicolons",
                                     "t.csv:6:3: z_m is \"nan\"; it must be a finite number"));
   ASSERT_EQ(r.rows.size(), 2U);
   EXPECT_EQ(r.rows[1].line, 7);
@@ -62,6 +68,51 @@ TEST(CsvTable, DecimalCommasWhereNoCommaPartsColumns) {
   EXPECT_EQ(read("x_m;z_m\n0.5;2,5\n").faults.size(), 1U);
 }
 
+/// The lines of tests/common/number_marks.txt that are no comment: verdict, then cells.
+std::vector<std::vector<std::string>> marks() {
+  std::ifstream in(test::source() / "tests/common/number_marks.txt");
+  std::vector<std::vector<std::string>> out;
+  for (std::string line; std::getline(in, line);) {
+    if (line[0] == '#') continue;
+    std::istringstream words(line);
+    out.emplace_back(std::istream_iterator<std::string>(words),
+                     std::istream_iterator<std::string>());
+  }
+  return out;
+}
+
+TEST(CsvTable, MarksOfNumbersAreReadAsImportReadsThem) {
+  int tried = 0;
+  for (const auto& words : marks()) {
+    SCOPED_TRACE(words.at(0) + ' ' + words.at(1));
+    std::string table = "x_m;z_m\n";
+    for (std::size_t k = 1; k < words.size(); ++k)
+      table += words[k].substr(0, words[k].find('=')) + ";1\n";
+    const Read r = read(table);
+    ++tried;
+    if (words[0] == "none" || words[0] == "open") {
+      ASSERT_EQ(r.faults.size(), 1U);
+      EXPECT_EQ(r.faults[0].find("may separate thousands") != std::string::npos,
+                words[0] == "open");
+      continue;
+    }
+    EXPECT_THAT(r.faults, ElementsAre());
+    ASSERT_EQ(r.rows.size(), words.size() - 1);
+    for (std::size_t k = 1; k < words.size(); ++k)
+      EXPECT_EQ(r.rows[k - 1].values[0], std::stod(words[k].substr(words[k].find('=') + 1)));
+  }
+  EXPECT_GT(tried, 15);
+}
+
+TEST(CsvTable, CommasThatMayPartThousandsAreRefusedWithTheirPlace) {
+  EXPECT_THAT(read("x_m;z_m\n1;943,981\n2;944,012\n").faults,
+              ElementsAre("t.csv:2:3: z_m is \"943,981\": every comma in the file has three digits "
+                          "after it, and may separate thousands; write decimals with a point, and "
+                          "nothing between thousands"));
+  EXPECT_THAT(read("x_m,z_m\n1,\"943,981\"\n").faults.size(), 1U);
+  EXPECT_THAT(read("x_m;z_m\n0,5;943,981\n").faults, ElementsAre());
+}
+
 TEST(CsvTable, OneCauseIsOneLine) {
   std::string commas = "x_m,z_m\n", stamps = "x_m,z_m\n";
   for (int i = 0; i < 114; ++i) {
@@ -69,10 +120,10 @@ TEST(CsvTable, OneCauseIsOneLine) {
     stamps += "2026-03-14T06:12:00.5Z,1\n";
   }
   EXPECT_THAT(read(commas).faults,
-              ElementsAre("t.csv:2:8: 4 columns, and so in 113 more lines; each row has 2: "
-                          "x_m,z_m; with decimal commas, semicolons part the columns"));
+              ElementsAre("t.csv:2:8: 4 columns, and the same in 113 more lines; each row has 2: "
+                          "x_m,z_m; with decimal commas, separate the columns by semicolons"));
   EXPECT_THAT(read(stamps).faults,
-              ElementsAre("t.csv:2:1: x_m is \"2026-03-14T06:12:00.5Z\", and so in 113 more "
+              ElementsAre("t.csv:2:1: x_m is \"2026-03-14T06:12:00.5Z\", and the same in 113 more "
                           "lines; it must be a finite number; dipper import reads time stamps"));
   EXPECT_THAT(read(std::string_view("x\0_\0m\0", 6)).faults,
               ElementsAre("t.csv: is UTF-16, or no text; save it as plain text in UTF-8"));

@@ -52,7 +52,8 @@ TEST_F(Manifest, AnyFlippedBitIsFound) {
       std::string flipped = whole;
       flipped[at] = static_cast<char>(flipped[at] ^ 4);
       write(file, flipped);
-      EXPECT_THAT(damage_of(folder_), HasSubstr(file.string() + " is not what was written"));
+      EXPECT_THAT(damage_of(folder_),
+                  HasSubstr(file.string() + " has changed since it was written"));
     }
     write(file, whole);
   }
@@ -63,9 +64,9 @@ TEST_F(Manifest, AFileCutShortOrGoneIsFound) {
   const fs::path file = folder_ / "a.bin";
   const std::string whole = read(file);
   write(file, whole.substr(0, whole.size() - 1));
-  EXPECT_THAT(damage_of(folder_), HasSubstr("a.bin is not what was written"));
+  EXPECT_THAT(damage_of(folder_), HasSubstr("a.bin has changed since it was written"));
   write(file, whole + "x");
-  EXPECT_THAT(damage_of(folder_), HasSubstr("a.bin is not what was written"));
+  EXPECT_THAT(damage_of(folder_), HasSubstr("a.bin has changed since it was written"));
   fs::remove(file);
   EXPECT_THAT(damage_of(folder_), HasSubstr("a.bin is missing"));
 }

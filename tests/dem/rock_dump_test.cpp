@@ -3,11 +3,14 @@
 #include <input.h>
 #include <lammps.h>
 #include <update.h>
+#include <zlib.h>
 
 #include <algorithm>
-#include <fstream>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <memory>
-#include <set>
+#include <sstream>
 
 #include "dem/liggghts_rock.hpp"
 #include "tests/dem/scene.hpp"
@@ -18,18 +21,33 @@ namespace {
 constexpr int kSteps = 20, kSaved = 200, kWindows = 215;
 constexpr const char* kColumns = "id type x y z vx vy vz omegax omegay omegaz radius density";
 
-using Lines = std::multiset<std::string>;
+using Row = std::vector<double>;
+using Lines = std::vector<Row>;
 
-/// The rows of a dump; on rank 0.
+/// The rows of a dump, gzipped or not, by id; on rank 0.
 Lines rows(const std::filesystem::path& file) {
-  std::ifstream in(file);
+  const auto in = gzopen(file.c_str(), "rb");
+  std::string text(1 << 22, '\0');
+  const int got = in == nullptr ? 0 : gzread(in, text.data(), static_cast<unsigned>(text.size()));
+  if (in != nullptr) gzclose(in);
+  text.resize(static_cast<std::size_t>(std::max(got, 0)));
+  std::istringstream lines(text.substr(text.find('\n', text.find("ITEM: ATOMS")) + 1));
   Lines found;
-  bool atoms = false;
-  for (std::string line; std::getline(in, line);) {
-    if (atoms) found.insert(line);
-    atoms = atoms || line.rfind("ITEM: ATOMS", 0) == 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream row(line);
+    found.push_back({std::istream_iterator<double>(row), {}});
   }
+  std::sort(found.begin(), found.end());  // by id
   return found;
+}
+
+/// Whether two dumps have the same rows: positions to 0.1 mm, all else to 0.01 of its unit.
+bool alike(const Lines& a, const Lines& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Row& p, const Row& q) {
+    for (std::size_t k = 0; k < p.size(); ++k)
+      if (std::abs(p[k] - q.at(k)) > (k >= 2 && k < 5 ? 1e-4 : 0.01)) return false;
+    return p.size() == q.size();
+  });
 }
 
 /// Rock falls into a bin and comes to rest, and a paddle goes down into it at 2 m/s.
@@ -63,7 +81,11 @@ class Scenario {
   double parked(const core::RockState& s) const {
     return s.channels[core::channel_index(info, "rock_parked")];
   }
-  Lines frame(int window) const { return rows(file(std::to_string(window * kSteps))); }
+  Lines frame(int window) const {
+    const std::filesystem::path text = file(std::to_string(window * kSteps));
+    const std::filesystem::path packed = text.string() + ".gz";
+    return rows(std::filesystem::exists(packed) ? packed : text);
+  }
   /// What LIGGGHTS writes when all rock is in it.
   Lines all(LiggghtsRock& rock) const {
     rock.state_hash();
@@ -122,7 +144,7 @@ TEST_P(RockDump, ShowsAllRockAndChangesNothing) {
     const Lines all = scenario.all(*rock);
     if (test::rank() == 0) {
       EXPECT_GT(all.size(), 100u);
-      EXPECT_TRUE(end == all);
+      EXPECT_TRUE(alike(end, all));
     }
   }
   const auto rock = scenario.resume(at.bodies[0]);

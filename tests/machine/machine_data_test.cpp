@@ -41,6 +41,7 @@ TEST(MachineData, HoldsThePapersNumbers) {
   EXPECT_EQ(m.machine, "Bucyrus 495");
   EXPECT_EQ(m.dipper.struck_volume, 42);
   EXPECT_EQ(m.dipper.rated_load, 109e3);
+  EXPECT_TRUE(m.dipper.rated_load_assumed);
   EXPECT_EQ(m.dipper.inside, Vector3d(4, 4, 3));
   EXPECT_NEAR(m.dipper.base_rake, 61.8 * M_PI / 180, 1e-12);
   EXPECT_EQ(m.rope.elastic_fraction, 0.3);

@@ -115,7 +115,7 @@ TEST(MotionErrors, AreAllReportedAtOnce) {
                   HasSubstr("m.csv:6:11: door_deg is \"\"")));
   EXPECT_THAT(
       faults(std::string(kHeader) + "3,0,0,0,0\n1,0,0,0,0\n2,0,0,0,0\n4,0,0,0,0\n"),
-      ElementsAre("m.csv:3:1: time_s is 1, not after the row before (3 s), and so in 1 more "
+      ElementsAre("m.csv:3:1: time_s is 1, not after the row before (3 s), and the same in 1 more "
                   "rows; dipper import sorts a log"));
   EXPECT_THAT(faults(std::string(kHeader) + "0,0,0,0,0\n1,+-2,0,0,0\n"),
               ElementsAre(HasSubstr("hoist_m is \"+-2\"")));

@@ -2,8 +2,8 @@
 #include "mbs/limited_drives.hpp"
 
 #include "common/seconds.hpp"
-#include "coupler/core/coupling.hpp"
 #include "machine/return_legs.hpp"
+#include "tests/coupler/core/advance.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 #include "tests/mbs/wall_rock.hpp"
 
@@ -32,7 +32,7 @@ class LimitedDrivesTest : public ShovelTest {
     }
     /// The channels a window later.
     std::map<std::string, double> window(std::int64_t steps = 5) {
-      const core::Window w = coupling.advance(steps);
+      const core::Window w = advance(coupling, steps);
       made += w.machine_work_J - w.rock_work_J;
       traded = std::max(traded, std::abs(work += w.rock_work_J));
       return named(machine, w.machine);

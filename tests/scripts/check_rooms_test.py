@@ -47,7 +47,7 @@ class CheckRooms(unittest.TestCase):
     def test_an_arrow_up(self):
         self.write("common/frames.hpp", '#include "machine/motion.hpp"')
         self.check("common/frames.hpp: includes machine/motion.hpp, but dipper_common does not link dipper_machine",
-                   "common/frames.hpp: includes machine/motion.hpp, but machine stands above common")
+                   "common/frames.hpp: includes machine/motion.hpp, but machine is above common")
 
     def test_a_file_in_no_room(self):
         self.write("attic/old.cpp")
@@ -78,19 +78,19 @@ class CheckRooms(unittest.TestCase):
     def test_twins_that_know_each_other(self):
         self.write("mbs/main.cpp", '#include "dem/hold.hpp"')
         self.write("dem/hold.hpp")
-        self.check("mbs/main.cpp: includes dem/hold.hpp, but dem stands above mbs",
-                   "mbs/main.cpp: includes dem/hold.hpp, but mbs and dem do not know each other")
+        self.check("mbs/main.cpp: includes dem/hold.hpp, but dem is above mbs",
+                   "mbs/main.cpp: includes dem/hold.hpp, but mbs and dem must not use each other")
 
     def test_a_library_behind_another_adapter(self):
         self.write("coupler/run/run.cpp", "#include <lammps.h>")
-        self.check("coupler/run/run.cpp: includes lammps.h, which lives behind another adapter")
+        self.check("coupler/run/run.cpp: includes lammps.h, which belongs to another room's library")
 
     def test_an_import_that_runs_up(self):
         top, low = "analysis/gap/dipper_gap/workflow.py", "analysis/gap/dipper_gap/readings/measured.py"
         for text in ("from ..workflow import analyse", "from .. import workflow", "import dipper_gap.workflow",
                      "def read():\n    from dipper_gap.workflow import analyse"):
             self.write(low, text)
-            self.check(f"{low}: imports {top}, but analysis/gap/dipper_gap stands above "
+            self.check(f"{low}: imports {top}, but analysis/gap/dipper_gap is above "
                        "analysis/gap/dipper_gap/readings")
 
     def test_packages_that_know_each_other(self):
@@ -99,7 +99,8 @@ class CheckRooms(unittest.TestCase):
                    'packages = ["dipper_gap", "dipper_gap.readings", "dipper_gap.simulation", "dipper_gap.statistics"]')
         self.write(f"{runs}/plan.py")
         self.write(f"{statistics}/match.py", "from ..simulation.plan import split")
-        self.check(f"{statistics}/match.py: imports {runs}/plan.py, but {statistics} and {runs} do not know each other")
+        self.check(f"{statistics}/match.py: imports {runs}/plan.py, "
+                   f"but {statistics} and {runs} must not use each other")
 
     def test_a_python_file_in_no_room(self):
         self.write("analysis/attic/old.py")

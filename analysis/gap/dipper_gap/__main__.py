@@ -1,4 +1,4 @@
-"""dipper gap CASE --measured FOLDER [--out DIR]
+"""dipper gap CASE --measured FOLDER [--reference FOLDER] [--out DIR]; dipper gap CASE --plan [--measured FOLDER]
 
 Exit status: 0 an answer was reached; 2 bad input, nothing started; 3 a run failed; 4 interrupted: the same
 command goes on from the runs already made.
@@ -19,7 +19,9 @@ from dipper_run.program import ProgramFailed, program
 from dipper_run.text_file import read_text
 
 from .answer import write_answer
-from .readings.measured import read_measured
+from .forecast import as_lines, forecast, write_forecast
+from .readings.before import check_reference
+from .readings.measured import ASSUMED, read_channels, read_measured
 from .readings.motion import compare_motion, read_motion
 from .readings.passes import NEED_PASSES
 from .simulation.effects import read_catalogue
@@ -30,8 +32,11 @@ from .workflow import analyse
 def arguments(words):
     parser = argparse.ArgumentParser(prog="dipper gap", description=__doc__.split("\n")[0])
     parser.add_argument("case", metavar="CASE", type=Path)  # what they are: coupler/cli/python_command.cpp
-    parser.add_argument("--measured", metavar="DIR", type=Path, required=True)
+    parser.add_argument("--measured", metavar="DIR", type=Path)
+    parser.add_argument("--plan", action="store_true")
+    parser.add_argument("--reference", metavar="DIR", type=Path)
     parser.add_argument("--masses-only", action="store_true")
+    parser.add_argument("--jobs", metavar="N", type=int, default=JOBS)
     parser.add_argument("--out", metavar="DIR", type=Path)
     return parser.parse_args(words)
 
@@ -78,13 +83,8 @@ def main(words=None):
     try:
         data = read_case(args.case)
         catalogue = read_catalogue(args.case)
-        measured = read_measured(args.measured, NEED_PASSES)
-        if not measured.responses() and not args.masses_only:
-            raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; "
-                            "masses alone are seldom enough to name an effect: give a force, or ask for that with "
-                            "--masses-only"])
-        for question in (*measured.questions(), *compare_motion(measured, read_motion(args.case, data))):
-            say(f"gap: {question}")
+        measured, before = (None, None) if args.plan else readings(args, data)
+        channels = planned_channels(args) if args.plan else {}
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
         make_cache(run_cache.cache_folder("gap"))
@@ -93,10 +93,19 @@ def main(words=None):
         return 2
     for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
         signal.signal(number, signal.default_int_handler)
+    first_seed = int(data.get("seed", 1))
     try:
-        simulator = DipperSimulator(args.case, catalogue, program(), run_cache.cache_folder("gap"))
+        simulator = DipperSimulator(args.case, catalogue, program(), run_cache.cache_folder("gap"), args.jobs)
         catalogue, left_out = usable(catalogue, simulator)
-        out = analyse(measured, simulator, catalogue, int(data.get("seed", 1)), say)
+        if args.plan:
+            told = forecast(channels, simulator, catalogue, first_seed, say)
+            folder.mkdir(parents=True, exist_ok=True)
+            write_forecast(told, catalogue, folder / "plan.json")
+            for line in as_lines(told, catalogue):
+                say(line)
+            say(f"gap: {folder / 'plan.json'}")
+            return 0
+        out = analyse(measured, simulator, catalogue, first_seed, say, before)
         out = replace(out, warnings=(*left_out, *out.warnings))
     except KeyboardInterrupt:
         print("gap: interrupted; the same command goes on from the runs already made", file=sys.stderr)
@@ -107,9 +116,38 @@ def main(words=None):
     except ValueError as e:
         print(f"gap: {e}", file=sys.stderr)
         return 2
-    files = write_answer(out, catalogue, simulator, args.measured, folder)
+    files = write_answer(out, catalogue, simulator, args.measured, folder, args.reference)
     say(f"gap: {', '.join(map(str, files))}")
     return 0
+
+
+def readings(args, data):
+    """The mine's folder, and that of its earlier trucks or None; asks what is doubtful, throws BadInput."""
+    if not args.measured:
+        raise BadInput(["--measured: not given; a folder with channels.yaml and passes.csv, or --plan for what such "
+                        "a folder would show"])
+    measured = read_measured(args.measured, NEED_PASSES)
+    if not measured.responses() and not args.masses_only:
+        raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; "
+                        "masses alone are seldom enough to name an effect: give a force, or ask for that with "
+                        "--masses-only"])
+    questions = [*measured.questions(), *compare_motion(measured, read_motion(args.case, data))]
+    before = read_measured(args.reference, NEED_PASSES) if args.reference else None
+    if before:
+        questions += check_reference(measured, before)
+    for question in questions:
+        say(f"gap: {question}")
+    return measured, before
+
+
+def planned_channels(args):
+    """Instruments of the mine to be: the measured folder's, or assumed ones."""
+    if args.reference:
+        raise BadInput(["--reference: of no use with --plan, which tells both ways"])
+    if args.measured:
+        return read_channels(args.measured / "channels.yaml")
+    say(f"gap: instruments are assumed; those of a folder with a channels.yaml are taken with --measured ({ASSUMED})")
+    return read_channels()
 
 
 if __name__ == "__main__":

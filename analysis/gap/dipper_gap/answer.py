@@ -6,11 +6,14 @@ from .gap_json import as_json, write_json
 from .report import write_report
 
 
-def write_answer(out, catalogue, simulator, measured, folder):
-    """Writes the outcome `out` into `folder`, making it; the files. `measured`: the mine's folder."""
+def write_answer(out, catalogue, simulator, measured, folder, reference=None):
+    """Writes the outcome `out` into `folder`, making it; the files. `measured`, `reference`: the mine's folders."""
     folder.mkdir(parents=True, exist_ok=True)
     files = [folder / "report.html", folder / "gap.json"]
-    answer = as_json(out, catalogue, {"case": simulator.case_hash(), "measured": _measured_hash(measured)})
+    hashes = {"case": simulator.case_hash(), "measured": _measured_hash(measured)}
+    if reference:
+        hashes["reference"] = _measured_hash(reference)
+    answer = as_json(out, catalogue, hashes)
     write_json(answer, folder / "gap.json")
     if out.effects:
         write_patched_case(simulator.case, out.effects, folder / "case")

@@ -25,7 +25,10 @@ def as_json(out, catalogue, hashes):
         "rejected": [{"effect": n, "probability": p, "reason": r} for n, p, r in v.rejected],
         "patch": overlay(out.effects),
         "trucks": out.trucks,
+        "reference": _reference(out),
+        "history": _history(out, catalogue),
         "runs": out.runs,
+        "ended_early": out.early,
         "seeds": out.seeds,
         "hashes": hashes,
         "omnibus_p": out.look.disagreement.omnibus_p,
@@ -41,6 +44,30 @@ def _parameter(out, catalogue, name):
     e = catalogue[name]
     return {"name": e.parameter, "unit": e.unit, "estimate": out.effects[name],
             "interval90": list(out.intervals[name])}
+
+
+def _reference(out):
+    return {"trucks": out.reference, "model_gap": out.fidelity} if out.reference else None
+
+
+def _history(out, catalogue):
+    """Truck by truck since the reference, and when it began."""
+    h = out.history
+    if not h:
+        return None
+    unit = catalogue[h.effect].unit if h.effect else "of the gap"
+    return {"effect": h.effect, "unit": unit,
+            "trucks": [{"period": t.period, "truck": t.truck, "time": t.time, "strength": t.strength, "sd": t.sd}
+                       for t in h.trucks],
+            "began": _began(h) if h.trend else None}
+
+
+def _began(h):
+    """Between which trucks, counted from the reference's first; each `after` is of the truck before the change."""
+    t, (low, high) = h.trend, h.trend.interval90
+    return {"after_trucks": t.began, "interval90_trucks": [low, high], "shape": t.shape, "size": t.size,
+            "size_sd": t.size_sd, "after": h.trucks[t.began - 1].time, "before": h.trucks[t.began].time,
+            "interval90": [h.trucks[low - 1].time, h.trucks[high].time]}
 
 
 def _disagreement(out):

@@ -13,8 +13,10 @@ from .readings.vectors import Vectors, indices_of
 from .simulation.plan import Plan
 from .statistics.baseline import Baseline, make_baseline, scatter
 from .statistics.isolability import with_nuisances
+from .statistics.left_out import left_out_trucks
 from .statistics.match import gains
 from .statistics.null import Null, Tails, find_tails, left_out_inflation, simulate_null
+from .statistics.reference import Reference, drift_sigmas, scatter_beyond, spread_over, with_scatter
 from .statistics.signatures import deviations, fit_signature
 
 LEFT_OUT_DRAWS = 200
@@ -38,6 +40,7 @@ class Model:
     baseline: Baseline    # its trucks scatter as its seeds do
     bias: np.ndarray      # (channels, n): shift by a constant in one channel
     runs: dict            # {effect: SignatureRuns}
+    responses: tuple      # channels that answer, in the order of the instruments' shared errors
     tails: Tails
     inflation: float      # of the seeds' covariance, as leaving each seed out in turn asks
     folders: tuple        # of the baseline's runs
@@ -56,6 +59,19 @@ class Model:
         """How much a mine's trucks vary in the training passes, in variances of the model's runs."""
         part, at = self.baseline.part(split(self.passes)[0])
         return scatter(self.of_mine(measured)[:, at], np.diag(part.own), np.diag(part.seed))
+
+    def reference(self, measured, before):
+        """The folder `before` of earlier trucks as the Reference of a mine's folder."""
+        seen = before.seen_by(measured.channels)
+        cells = self.baseline.cells
+        then = Vectors(seen.channels, self.passes, self.folders)
+        at = indices_of(cells, then.cells)
+        models = np.mean([row[indices_of(cells, of)] for of, row in map(then.of_run, self.folders)], axis=0)
+        of, rows, _ = then.of_mine(seen)
+        rows = rows[:, indices_of(cells, of)]
+        drift = self.bias * drift_sigmas(measured.channels, seen.channels, self.responses)[:, None]
+        mean = rows.mean(axis=0)
+        return Reference(rows - mean, then.own[np.ix_(at, at)], drift, mean - models)
 
 
 @dataclass(frozen=True)
@@ -84,12 +100,20 @@ class Part:
     at: list                 # these cells among those of all passes
 
 
-def learn(plan, folders, measured):
-    """The model from the runs {request: folder} of a plan, for a mine that logs as `measured` does."""
-    numbers = common_passes(measured, folders.values())
+def response_names(measured):
+    """Channels that answer, in the order of the instruments' shared errors."""
+    return (*measured.responses(), *([MASS] if MASS in measured.channels else []))
+
+
+def learn(plan, folders, measured, before=None):
+    """The model from the runs {request: folder} of a plan, for a mine that logs as `measured` does, and a reference
+    that logs as `before` does."""
+    mines = [measured] + ([before.seen_by(measured.channels)] if before else [])
+    numbers = common_passes(measured, [*folders.values(), *mines[1:]])
     base = [folders[r] for r in plan.baseline]
     vectors = Vectors(measured.channels, numbers, base)
-    mine_cells, _, _ = vectors.of_mine(measured)
+    mine_cells, *others = (vectors.of_mine(m)[0] for m in mines)
+    mine_cells = [c for c in mine_cells if all(c in of for of in others)]
     seen = {r: vectors.of_run(m) for r, m in folders.items()}
     everywhere = set(mine_cells).intersection(*(cells for cells, _ in seen.values()))
     cells = [c for c in mine_cells if c in everywhere]
@@ -106,16 +130,40 @@ def learn(plan, folders, measured):
     tails = find_tails(baseline)  # of any size: the same when inflated
     one = replace(baseline, trucks=1)
     inflation = left_out_inflation(one, simulate_null(one, draws=LEFT_OUT_DRAWS, tails=tails))
-    responses = measured.responses() + ([MASS] if MASS in measured.channels else [])
-    size = np.array([measured.channels[n].common_sigma for n in responses])
+    size = np.array([measured.channels[n].common_sigma for n in response_names(measured)])
     bias = baseline.common / np.where(size > 0, size, 1.0)[:, None]
-    return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, tails, inflation, tuple(base))
+    return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, response_names(measured),
+                 tails, inflation, tuple(base))
 
 
 def predict(model, catalogue, trucks_scatter):
     """The prediction for a mine whose trucks vary so much (Model.scatter)."""
     baseline = replace(model.baseline, scatter=trucks_scatter)
-    signatures = [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
+    return _predicted(model, baseline, signatures_of(model, catalogue, baseline))
+
+
+def predict_change(model, catalogue, measured, before):
+    """The prediction of what a mine's folder differs by from one of earlier trucks; both tell how trucks scatter."""
+    now, reference = model.of_mine(measured), model.reference(measured, before)
+    baseline = replace(model.baseline, reference=reference, scatter=np.ones(len(model.baseline.cells)))
+    part, at = baseline.part(split(model.passes)[0])
+    rows = now[:, at], reference.rows[:, at]
+    part = with_scatter(part, *rows)
+    baseline = replace(baseline, scatter=spread_over(baseline.cells, part.cells, part.scatter))
+    signatures = signatures_of(model, catalogue, baseline)
+    along = np.column_stack([s.g for s in signatures] + [gains(baseline)])
+    reference = replace(reference, beyond=scatter_beyond(baseline, part, at, now, reference.rows, along))
+    baseline = replace(baseline, reference=reference)
+    factor = left_out_trucks(*rows, baseline.part(split(model.passes)[0])[0], model.tails)
+    return _predicted(model, replace(baseline, scatter=baseline.scatter * factor), signatures)
+
+
+def signatures_of(model, catalogue, baseline):
+    """Signatures of all effects over all passes of a baseline."""
+    return [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
+
+
+def _predicted(model, baseline, signatures):
     training = split(model.passes)[0]
     part, at = baseline.part(training)
     named = [s.part(at) for s in signatures if not s.effect.nuisance]
@@ -130,8 +178,11 @@ def signature(effect, baseline, runs):
 
 
 def compare(model, prediction, measured):
-    """The training and the hold-out passes of a mine beside the prediction."""
+    """The training and the hold-out passes of a mine beside the prediction; what a reference differs by from the
+    model at all times is taken off."""
     y = model.of_mine(measured).mean(axis=0)
+    if prediction.baseline.reference:
+        y = y - prediction.baseline.reference.shift
     return tuple(_part(model, prediction, passes, y) for passes in split(model.passes))
 
 

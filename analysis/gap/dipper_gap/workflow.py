@@ -17,14 +17,16 @@ import numpy as np
 from .decision.confirm import confirm, drawn
 from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
 from .decision.next_experiment import propose
-from .model import Part, SignatureRuns, compare, learn, predict, signature
-from .simulation.plan import FRESH_SEEDS, make_plan, statement
+from .history import History, history
+from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
+from .simulation.plan import FRESH_SEEDS, make_plan, statement, without_runs
 from .simulation.simulator import request
 from .statistics.isolability import Isolability, isolability
 from .statistics.localise import Disagreement, localise
 from .statistics.match import Match, interval, match, stability
 from .statistics.null import statistics
 
+EARLY_P = 0.2           # omnibus p from which no more runs are made
 SHARPENED = 2           # times an effect's strength is found anew, each with its signature at the last
 MOTION_TOLERANCE_S = 1.0
 SCATTERS = 2.0          # variance of the trucks' passes, in the model's, from which the report says so
@@ -82,29 +84,56 @@ class Outcome:
     curves: list = field(default_factory=list)      # of the report: curves.Curve
     masses: list = field(default_factory=list)      # curves.Mass
     inflation: float = 1.0  # of the seeds' covariance
+    early: bool = False     # it ended before the runs of effects, as there is no gap
     trucks: int = 1
+    reference: int = 0      # trucks of the reference
+    fidelity: float = None  # mean z^2 by which the reference differs from the model, in the model's own spread
+    history: History = None  # truck by truck since the reference
     runs: int = 0
     seeds: dict = field(default_factory=dict)
 
 
-def analyse(measured, simulator, catalogue, first_seed=1, say=print):
-    """The Outcome for a mine's folder; throws ValueError for one that cannot be compared with the case."""
+def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None):
+    """The Outcome for a mine's folder, and one of its earlier trucks `before`; throws ValueError for one that cannot be
+    compared with the case."""
     plan = make_plan(catalogue, len(measured.trucks()), first_seed)
-    say(f"gap: {statement(plan, simulator)}")
+    first = without_runs(plan, simulator)
+    say(f"gap: {statement(plan, simulator, first)}")
+    runner = Runner(simulator, catalogue, say)
+    if len(first.signatures) < len(plan.signatures):
+        known = _known(first, measured, before, runner)
+        if omnibus(known[1], *compare(*known, measured)) >= EARLY_P:
+            left = len(plan.requests()) - len(first.requests())
+            told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs and "
+                    "the effects that need none show no gap to explain",)
+            out = conclude(*known, measured, runner, before)
+            return replace(out, early=True, warnings=(*out.warnings, *told))
+    return conclude(*_known(plan, measured, before, runner), measured, runner, before)
+
+
+def _known(plan, measured, before, runner):
+    """(Model, Prediction) from the runs of a plan, which are made."""
     requests = plan.requests()
-    model = learn(plan, dict(zip(requests, simulator.run(requests, say))), measured)
-    prediction = predict(model, catalogue, model.scatter(measured))
-    return conclude(model, prediction, measured, Runner(simulator, catalogue, say))
+    model = learn(plan, dict(zip(requests, runner.simulator.run(requests, runner.say))), measured, before)
+    if before:
+        return model, predict_change(model, runner.catalogue, measured, before)
+    return model, predict(model, runner.catalogue, model.scatter(measured))
 
 
-def conclude(model, prediction, measured, runner):
+def omnibus(prediction, training, _):
+    """p of the test whether there is a gap."""
+    b = training.baseline
+    return prediction.null.omnibus_p(statistics(training.y - b.mean, b.prediction, b.grid, prediction.directions))
+
+
+def conclude(model, prediction, measured, runner, before=None):
     """From the readings to the verdict, its confirmation and what to do next."""
     seen = look(model, prediction, *compare(model, prediction, measured), runner)
     verdict = seen.verdict
     runner.say(f"gap: omnibus p {seen.disagreement.omnibus_p:.3g}; verdict {verdict.verdict}"
                + (f": {', '.join(verdict.members)}" if verdict.members else ""))
     runs = sum(r.how == "run" for r in model.plan.requests())
-    out = Outcome(seen, warnings=warnings(model, prediction, measured), inflation=model.inflation,
+    out = Outcome(seen, warnings=warnings(model, prediction, measured, before), inflation=model.inflation,
                   trucks=len(measured.trucks()), runs=runs,
                   seeds={"baseline": [r.seed for r in model.plan.baseline]})
     after = ()
@@ -118,14 +147,37 @@ def conclude(model, prediction, measured, runner):
     elif verdict.verdict == "class":
         out = replace(out, intervals={n: interval(seen.matched, n, seen.training.signatures)
                                       for n in verdict.members})
-    lines, loads = drawn(model, prediction, seen.holdout, measured, after)
+    if before:
+        reference = prediction.baseline.reference
+        names = list(out.effects) or [n for n in out.look.verdict.members[:1]]
+        out = replace(out, reference=reference.trucks, fidelity=fidelity(prediction.baseline))
+        if out.look.verdict.verdict != "no-gap":
+            told = history(model, prediction, names, seen.training.at, measured, before)
+            out = replace(out, history=told, warnings=(*out.warnings, *within(told, reference.trucks)))
+    lines, loads = drawn(model, prediction, seen.holdout, measured, after, before)
     return replace(out, curves=lines, masses=loads, proposals=tuple(experiments(out)))
 
 
-def warnings(model, prediction, measured):
+def fidelity(b):
+    """Mean square of what the reference differs by from the model, in the sd that the difference should have."""
+    plain = replace(b, reference=None, scatter=1.0, trucks=b.reference.trucks, own=b.reference.own)
+    return float(np.mean((b.reference.shift / plain.sd) ** 2))
+
+
+def within(told, before):
+    """Of a change that came while the measured trucks were loaded: their mean, which is what is named, is less."""
+    if not (told and told.trend and told.trend.interval90[0] > before):
+        return ()
+    return (f"it began after {told.trend.began - before} of the measured trucks: what is said here is of the mean of them "
+            "all; give the trucks since then alone, and those before it to the reference",)
+
+
+def warnings(model, prediction, measured, before=None):
     """What a reader should know of the comparison itself."""
     out = [*measured.questions(), *motion_warnings(model, measured)]
-    if prediction.baseline.scatter > SCATTERS:
+    if before:
+        out += reference_warnings(model, measured, before)
+    elif prediction.baseline.scatter > SCATTERS:
         out.append(f"the trucks' passes vary {np.sqrt(prediction.baseline.scatter):.1f} times as much as the "
                    "model's from seed to seed: was each dug at a face like the case's?")
     return tuple(out)
@@ -141,6 +193,19 @@ def motion_warnings(model, measured):
             if abs(mine - simulated) > MOTION_TOLERANCE_S:
                 out.append(f"pass {number}: {phase} takes {mine:.1f} s in the mine and {simulated:.1f} s in the model: "
                            "is the case's motion the measured one?")
+    return out
+
+
+def reference_warnings(model, measured, before):
+    """Where the trucks now take another time than those before: what a drive does otherwise is no effect."""
+    out = list(before.questions())
+    (now, then) = (model.vectors.of_mine(m.seen_by(measured.channels))[2] for m in (measured, before))
+    for k, number in enumerate(model.passes):
+        for phase in dict.fromkeys(p for t in (*now, *then) for p in t[k]):
+            a, b = (np.mean([t[k].get(phase, 0.0) for t in trucks]) for trucks in (now, then))
+            if abs(a - b) > MOTION_TOLERANCE_S:
+                out.append(f"pass {number}: {phase} takes {a:.1f} s now and {b:.1f} s in the reference: the motion has "
+                           "changed, and forces with it")
     return out
 
 

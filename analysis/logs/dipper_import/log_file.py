@@ -139,7 +139,7 @@ def _rows(path, rows, names, delimiter, found, notes):
         else:
             commas = delimiter == "," and len(cells) > len(names)
             faults.append((line, "row", f"{len(cells)} cells", f"{len(names)}, as in the header"
-                           + (": with decimal commas, semicolons part the columns" if commas else "")))
+                           + (": with decimal commas, separate the columns by semicolons" if commas else "")))
     found.add_rows(path, faults)
     if repeated:
         notes.append(f"{some_rows(repeated)}: the header again, left out")

@@ -52,7 +52,7 @@ export class Clock extends EventTarget {
     let last = performance.now();
     const tick = (now) => {
       if (!this.playing) return;
-      // A tab that slept goes on from where it was.
+      // A tab that slept continues from its last time.
       const passed = Math.min(Math.max(now - last, 0), 250) / 1e3;
       last = now;
       this.set(this.time + passed * this.rate);

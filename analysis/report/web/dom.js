@@ -1,4 +1,4 @@
-// Elements without ceremony: h('p.note', {title: '…'}, 'text', child, …).
+// Short forms for elements: h('p.note', {title: '…'}, 'text', child, …).
 
 export function h(tag, ...rest) {
   const [name, ...classes] = tag.split('.');

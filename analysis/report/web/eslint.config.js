@@ -1,4 +1,4 @@
-// What scripts/lint holds the pages' scripts to: faults, not taste.
+// Rules of scripts/lint for the pages' scripts: faults, not taste.
 import js from '@eslint/js';
 
 const browser = Object.fromEntries(['addEventListener', 'atob', 'Blob', 'DecompressionStream', 'devicePixelRatio', 'document', 'Event', 'EventTarget',

@@ -1,4 +1,4 @@
-// What every page has: it reads its data, puts its sections one under the other, and says when it cannot.
+// Common to all pages: reads the data, appends the sections, and shows errors.
 import { h } from './dom.js';
 import { readHead } from './unpack.js';
 
@@ -6,7 +6,7 @@ import { readHead } from './unpack.js';
 export async function showPage(build) {
   const page = document.getElementById('page');
   try {
-    // Charts are painted text and all: their font has to be there first.
+    // Charts are painted with their text: the font has to be loaded first.
     const fonts = ['400', '500', '600'].map((weight) => document.fonts.load(`${weight} 12px "IBM Plex Sans"`));
     const data = await readHead();
     await Promise.all(fonts);

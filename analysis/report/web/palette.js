@@ -12,7 +12,7 @@ export const passColour = (pass) => PASSES[(pass - 1) % PASSES.length];
 export const SPEED = ['#dcd8d0', '#e0b25c', '#cf6a2e', '#7b2d5b', '#1b1440'];
 export const SIZE = ['#e6e3dc', '#a9c3cf', '#5f97b3', '#2b6490', '#12305c'];
 
-/// What walls feel: no tone of it is the bare wall's grey.
+/// The scale for fields on walls: none of its tones is the bare wall's grey.
 export const PRESSED = ['#fbe3a6', '#f0a93b', '#d0542c', '#86204f', '#2a0a45'];
 
 const PHASES = {

@@ -1,4 +1,4 @@
-// Reads what the page carries: base64 of gzip, in <script type="text/plain"> elements.
+// Reads the page's data: base64 of gzip, in <script type="text/plain"> elements.
 
 async function gunzip(text) {
   const raw = atob(text);

@@ -13,6 +13,7 @@ THOUSANDS = {",": ",", ".": ".", "'": "'\u2019", "space": " " + BLANKS}
 MINUS = str.maketrans("\u2212\u2012\u2013\ufe63\uff0d", "-----")  # as word processors and web pages write it
 LINE_END = re.compile(r"\r*\n|\r")
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d.*", re.ASCII)
+FIRST_STAMP_S = 10 * 365 * 86400  # seconds since 1970: a clock that began at 0 has not run for ten years
 SEPARATOR = re.compile(r"sep=.", re.IGNORECASE)  # a spreadsheet's first line, which is no header
 LONGEST_QUOTE = 20  # lines: a quote that is still open then is a slip
 
@@ -115,3 +116,10 @@ def read_stamp(text):
 def stamp_seconds(stamp):
     """Seconds since 1970 of a datetime; one without a zone counts as UTC."""
     return (stamp if stamp.tzinfo else stamp.replace(tzinfo=timezone.utc)).timestamp()
+
+
+def stamp_text(seconds):
+    """Seconds since 1970 as an ISO 8601 stamp in UTC; a clock that began at 0 stays in seconds."""
+    if seconds < FIRST_STAMP_S:
+        return f"{seconds:g} s"
+    return datetime.fromtimestamp(seconds, timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")

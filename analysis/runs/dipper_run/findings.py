@@ -34,7 +34,8 @@ class Findings:
         for (what, right), rows in alike.items():
             many = len(rows) > FEW
             for line, wrong in rows[:1] if many else rows:
-                self.add(file, line, what, wrong + (f", and so in {len(rows) - 1} more lines" if many else ""), right)
+                more = f", and the same in {len(rows) - 1} more lines" if many else ""
+                self.add(file, line, what, wrong + more, right)
 
     def raise_if_any(self):
         if self.all:

@@ -26,6 +26,6 @@ def check_writable(folder):
     # A link to nothing is there; what lies in a folder that cannot be looked into is not.
     nearest = next(p for p in (folder.absolute(), *folder.absolute().parents) if os.path.lexists(p))
     folders = os.path.isdir(nearest)
-    why = "Permission denied" if folders else f"{nearest} is no folder"
+    why = "Permission denied" if folders else f"{nearest} is not a folder"
     if not folders or not os.access(nearest, os.W_OK | os.X_OK):
         raise BadInput([f"{folder}: cannot be written ({why}); choose another --out"])

@@ -4,12 +4,14 @@
     run.time_s, run["machine/hoist_force"]       # record.h5
     run.summary["passes"][0]["payload_kg"]       # summary.json; run.metrics is report/metrics.json
     run.table("frames")["in_dipper_kg"]          # report/frames.csv
-    run.frames[-1].rocks["radius"]               # the last of dumps/rocks_*.dump
+    run.frames[-1].rocks["radius"]               # the last of dumps/rocks_*.dump.gz
 """
 import csv
 import functools
+import gzip
 import json
 import re
+import zlib
 from pathlib import Path
 
 import h5py
@@ -18,7 +20,7 @@ import numpy as np
 from .file_hash import sha256_of
 
 MANIFEST = "manifest.sha256"
-FRAME = re.compile(r"rocks_(\d+)\.dump")
+FRAME = re.compile(r"rocks_(\d+)\.dump(\.gz)?")
 
 
 class NotARun(ValueError):
@@ -99,7 +101,7 @@ class Run:
     @functools.cached_property
     def frames(self):
         """The rock at the times of the dumps: [Frame], in order."""
-        found = [(int(m[1]), file) for file in self.folder.glob("dumps/rocks_*.dump")
+        found = [(int(m[1]), file) for file in self.folder.glob("dumps/rocks_*.dump*")
                  if (m := FRAME.fullmatch(file.name))]
         timestep_s = float(self.case["dem.timestep_s"]) if found else 0.0
         return [Frame(step, step * timestep_s, file) for step, file in sorted(found)]
@@ -146,16 +148,19 @@ class Frame:
 
         Raises NotARun for a dump that was cut short: the run is writing it, or ended while it did.
         """
-        with open(self.file) as f:
-            count = 0
-            for line in f:
-                if line.startswith("ITEM: NUMBER OF ATOMS"):
-                    count = int(next(f))
-                if line.startswith("ITEM: ATOMS"):
-                    break
-            else:
-                raise NotARun(f"{self.file}: no ITEM: ATOMS; not a dump of spheres")
-            names, text = line.split()[2:], f.read()
+        try:
+            with (gzip.open if self.file.suffix == ".gz" else open)(self.file, "rt") as f:
+                count = 0
+                for line in f:
+                    if line.startswith("ITEM: NUMBER OF ATOMS"):
+                        count = int(next(f))
+                    if line.startswith("ITEM: ATOMS"):
+                        break
+                else:
+                    raise NotARun(f"{self.file}: no ITEM: ATOMS; not a dump of spheres")
+                names, text = line.split()[2:], f.read()
+        except (EOFError, zlib.error, gzip.BadGzipFile) as e:
+            raise NotARun(f"{self.file}: cut short or damaged: {e}") from e
         numbers = text.split()
         if text[-1:] not in ("", "\n") or len(numbers) != count * len(names):
             raise NotARun(f"{self.file}: cut short: not the {count} spheres that it names")

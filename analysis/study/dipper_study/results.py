@@ -9,7 +9,9 @@ import dipper_run
 
 from .goal import COLUMNS
 
-FIGURES = (*COLUMNS, "passes", "warnings", "cpu_s", "wall_s")
+FIGURES = (*COLUMNS, "passes", "passes_to_fill", "truck_filled_fraction", "warnings", "cpu_s", "wall_s")
+
+PURE = ("fill_factor", "fill_factor_load", "passes", "passes_to_fill", "truck_filled_fraction", "warnings")
 
 
 def row_of(planned, names, facts, failure=None):
@@ -36,6 +38,7 @@ def warnings_of(run):
 def figures(run):
     """What a run is compared by: means over its passes, the largest for peaks. nan where there is no such figure."""
     passes, worked = run.summary["passes"], run.metrics["passes"]
+    truck = run.summary.get("truck", {})  # where the case has truck.rated_t
     mean = lambda rows, key, unit: float(np.mean([r.get(key, np.nan) for r in rows])) / unit if rows else np.nan
     return {"payload_t": mean(passes, "payload_kg", 1e3), "truck_t": mean(passes, "truck_kg", 1e3),
             "fill_factor": mean(passes, "fill_factor", 1), "fill_factor_load": mean(passes, "fill_factor_load", 1),
@@ -43,6 +46,7 @@ def figures(run):
             "dig_phases_force_mean_MN": mean(passes, "dig_phases_force_mean_N", 1e6),
             "dig_force_peak_MN": max((p["dig_force_peak_N"] for p in passes), default=np.nan) / 1e6,
             "dig_work_MJ": mean(worked, "dig_work_J", 1e6), "passes": len(passes),
+            "passes_to_fill": truck.get("passes_to_fill", np.nan), "truck_filled_fraction": truck.get("filled_fraction", np.nan),
             "cpu_s": run.summary["dem"]["cpu_s"] + run.summary["mbs"]["cpu_s"]}
 
 
@@ -68,7 +72,7 @@ def write_hdf5(rows, names, file, study_text):
         f["seed"] = np.array([row["seed"] for row in rows])
         for column in FIGURES:
             f[column] = np.array([row.get(column, np.nan) for row in rows], float)
-            pure = column in ("fill_factor", "fill_factor_load", "passes", "warnings")
+            pure = column in PURE
             f[column].attrs["unit"] = "1" if pure else column.rsplit("_", 1)[-1]
     os.replace(part, file)
 

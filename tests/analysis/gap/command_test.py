@@ -133,6 +133,15 @@ def test_bad_measurements_start_nothing(words, tmp_path):
     assert not (tmp_path / "started").exists()
 
 
+def test_a_reference_without_the_channels_starts_nothing(words, tmp_path):
+    before = synthetic.with_noise(synthetic.run({}, seed=2), 2)
+    write_measured(before.seen_by([n for n in before.channels if n != "crowd_force_kN"]), tmp_path / "then")
+    gap = start([*words, "--reference", str(tmp_path / "then")], tmp_path)
+    _, err = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and f"{tmp_path / 'then/channels.yaml'}: crowd_force_kN: not there" in err
+    assert not (tmp_path / "started").exists()
+
+
 def test_masses_alone_are_refused_before_a_run_unless_asked_for(words, tmp_path):
     mine = tmp_path / "mine"
     (mine / "signals.csv").unlink()

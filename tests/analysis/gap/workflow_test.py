@@ -115,6 +115,17 @@ def test_nothing_hidden_is_no_gap():
     assert a["runs"] == LEAST_SEEDS + 12 and not simulator.made  # nothing to confirm
 
 
+def test_no_gap_ends_before_the_runs_of_effects_and_says_so():
+    simulator, said = fake_mine.FakeSimulator(), []
+    out = analyse(mine_with({}, 3), simulator, SMALL, 1, said.append)
+    a = answer(out)
+    assert a["verdict"] == "no-gap" and a["ended_early"] and a["omnibus_p"] >= 0.2
+    assert len(simulator.made) == a["runs"] == LEAST_SEEDS
+    assert any("ended before 12 runs" in w for w in a["warnings"])
+    assert f"; {LEAST_SEEDS} of them tell whether there is a gap at all" in said[0]
+    page(out, a, SMALL, "synthetic")
+
+
 def test_an_effect_outside_the_catalogue_is_unknown_with_an_experiment():
     out, a, _ = judge(mine_with({"outside": 3}, 4))
     assert a["verdict"] == "unknown" and a["patch"] == {}

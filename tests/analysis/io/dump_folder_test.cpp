@@ -87,6 +87,8 @@ TEST(DumpFolder, GzippedFrames) {
   EXPECT_EQ(d.particles, "rocks");
   ASSERT_EQ(d.frames.size(), 3u);
   EXPECT_NEAR(d.time_s[2], 0.2, 1e-12);
+  s.write("rocks_300.dump.part12.gz", "what a killed process left");
+  EXPECT_EQ(open_dump_folder(s.folder(), 1e-3).frames.size(), 3u);
   fs::resize_file(s.folder() / "rocks_100.dump.gz", 60);
   EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder(), 1e-3); }),
               HasSubstr("rocks_100.dump.gz"));

@@ -209,7 +209,7 @@ def test_units_behind_numbers(read):
     assert not found and is_whole(log)
     body = [[*row[:-1], row[-1].replace("N", "kN")] for row in body]
     _, found, _ = read(text(body))
-    assert "Pull: is '150000 kN', and so in 11 more lines; a number in N, as the map says, or another unit" in found[0]
+    assert "Pull: is '150000 kN', and the same in 11 more lines; a number in N, as the map says, or" in found[0]
 
 
 def test_rows_of_units_below_the_header_name_the_key(read):

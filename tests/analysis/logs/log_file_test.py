@@ -1,8 +1,11 @@
 """How loggers write files: lines before and between, delimiters, quotes, encodings, and what is refused."""
+from pathlib import Path
+
 import pytest
 
 from dipper_import.import_map import read_map
 from dipper_import.log_file import read_log
+from dipper_run.csv_text import decimal_number, find_decimal
 from dipper_run.findings import Findings
 
 MAP = """\
@@ -34,6 +37,25 @@ def joined(rows, delimiter):
 def is_whole(log):
     return len(log.lines) == 6 and log.stamp_s[-1] == 2.5 and (log.values["crowd"] == -0.25).all() \
         and (log.values["swing"] == 10).all()
+
+
+def marks():
+    lines = (Path(__file__).resolve().parents[2] / "common/number_marks.txt").read_text().splitlines()
+    return [line.split() for line in lines if not line.startswith("#")]
+
+
+@pytest.mark.parametrize("words", marks(), ids=" ".join)
+def test_marks_of_numbers_are_read_as_the_program_reads_them(words):
+    """tests/common/csv_table_test.cpp reads the same lines."""
+    verdict, cells = words[0], [w.split("=")[0] for w in words[1:]]
+    decimal, doubtful = find_decimal(cells)
+    if verdict == "none":
+        assert all(decimal_number(c, d) is None for c in cells for d in ".,")
+    elif verdict == "open":
+        assert decimal == "," and doubtful == cells[0]
+    else:
+        assert (decimal, doubtful) == ({"comma": ",", "point": "."}[verdict], None)
+        assert [decimal_number(c, decimal) for c in cells] == [float(w.split("=")[1]) for w in words[1:]]
 
 
 @pytest.mark.parametrize("delimiter", [",", ";", "\t", "|"])
@@ -89,6 +111,6 @@ def test_encodings(read):
 def test_one_cause_is_one_line(read):
     text = joined(ROWS[:1], ";") + "".join(f"{k / 2};up;0;0;0\n" for k in range(114))
     _, found, _ = read(text)
-    assert len(found) == 1 and "log.csv:2: h: is 'up', and so in 113 more lines; a number; if it means" in found[0]
+    assert len(found) == 1 and "log.csv:2: h: is 'up', and the same in 113 more lines; a number; if it" in found[0]
     _, found, _ = read("t,h,c,s,\"d, °\"\n" + "".join(f"{k},1,5,0,0,0\n" for k in range(114)))
-    assert len(found) == 1 and "row: 6 cells, and so in 113 more lines; 5, as in the header: with decimal" in found[0]
+    assert len(found) == 1 and "row: 6 cells, and the same in 113 more lines; 5, as in the header: with" in found[0]

@@ -1,4 +1,5 @@
 """A run's folder read as arrays: what is there, what is not, and what is damaged."""
+import gzip
 import hashlib
 import json
 import shutil
@@ -63,6 +64,20 @@ def test_a_dump_that_was_cut_short_is_told(folder, ends):
     (folder / "dumps/rocks_5.dump").write_text(DUMP[:DUMP.index(ends)])
     with pytest.raises(dipper_run.NotARun, match="rocks_5.dump"):
         dipper_run.read(folder).frames[1].rocks
+
+
+def test_a_gzipped_dump_is_read_and_told_when_it_was_cut_short(folder):
+    (folder / "dumps/rocks_5.dump").unlink()
+    file = folder / "dumps/rocks_5.dump.gz"
+    packed = gzip.compress(DUMP.encode())
+    file.write_bytes(packed)
+    frames = dipper_run.read(folder).frames
+    assert [f.step for f in frames] == [0, 5, 50]
+    np.testing.assert_array_equal(frames[1].rocks["radius"], [0.2, 0.3])
+    for damaged in (packed[:-12], packed[:40], b"", DUMP.encode()):
+        file.write_bytes(damaged)
+        with pytest.raises(dipper_run.NotARun, match="rocks_5.dump.gz"):
+            dipper_run.read(folder).frames[1].rocks
 
 
 def test_a_dump_may_be_without_rock(folder):

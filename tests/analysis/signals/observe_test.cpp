@@ -70,6 +70,31 @@ TEST(Observe, TheScaleReadsItsGainAndTheLastPassSpills) {
   EXPECT_NEAR(weigh(passes, instruments)[2].truck_mass_t, 63, 1e-9);
 }
 
+TEST(Observe, AnOffsetIsOfEachPassThatBroughtRock) {
+  std::vector<Pass> passes(3);
+  passes[0].truck_kg = 80e3;
+  passes[1].truck_kg = 2e3;
+  Instruments instruments;
+  instruments.scale_offset_t = -3;
+  instruments.scale_gain = 0.1;
+  const auto weighed = weigh(passes, instruments);
+  EXPECT_NEAR(weighed[0].truck_mass_t, 85, 1e-9);
+  EXPECT_EQ(weighed[1].truck_mass_t, 0);
+  EXPECT_EQ(weighed[2].truck_mass_t, 0);
+}
+
+TEST(Observe, ACellReadsItsOwnGain) {
+  Instruments instruments;
+  instruments.hoist_cell_gain = 0.1;
+  instruments.crowd_cell_gain = -0.2;
+  const auto plain = log_signals(ramp(), {}), seen = log_signals(ramp(), instruments);
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    EXPECT_NEAR(seen[k].hoist_force_kN, 1.1 * plain[k].hoist_force_kN, 1e-9);
+    EXPECT_NEAR(seen[k].crowd_force_kN, 0.8 * plain[k].crowd_force_kN, 1e-9);
+    EXPECT_DOUBLE_EQ(seen[k].crowd_m, plain[k].crowd_m);
+  }
+}
+
 TEST(Observe, RefusesSignalsOfDifferentLengths) {
   DriveSignals s = ramp();
   s.crowd_m.pop_back();

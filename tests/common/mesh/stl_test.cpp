@@ -115,10 +115,10 @@ TEST(Stl, AsciiFaultsNameTheirLine) {
     std::string message;
   };
   const std::vector<Fault> faults = {
-      {replace(good, "vertex 1 4 3", "vertex 1 4,0 3"), 5, "'4,0' where a number belongs"},
-      {replace(good, "vertex 1 4 3", "vertex nan 4 3"), 5, "'nan' where a number belongs"},
-      {replace(good, "vertex 1 4 3", "vertex 1 inf 3"), 5, "'inf' where a number belongs"},
-      {replace(good, "vertex 1 4 3", "vertex 1 4"), 6, "'vertex' where a number belongs"},
+      {replace(good, "vertex 1 4 3", "vertex 1 4,0 3"), 5, "'4,0' is not a number"},
+      {replace(good, "vertex 1 4 3", "vertex nan 4 3"), 5, "'nan' is not a number"},
+      {replace(good, "vertex 1 4 3", "vertex 1 inf 3"), 5, "'inf' is not a number"},
+      {replace(good, "vertex 1 4 3", "vertex 1 4"), 6, "'vertex' is not a number"},
       {replace(good, "    endloop", "    vertex 0 0 0\n    endloop"), 7,
        "'vertex' where 'endloop' belongs"},
       {replace(good, "outer loop", "outer lop"), 3, "'lop' where 'loop' belongs"},
@@ -149,7 +149,7 @@ TEST(Stl, BinaryFaultsNameTheirByte) {
   nan.vertices.push_back({1, std::nan(""), 3});
   nan.triangles[2][1] = 8;  // facet 3, second corner: 84 + 2 * 50 + 12 + 12
   EXPECT_EQ(fault_of(binary_stl(nan)).message,
-            "at byte 208: facet 3: a coordinate is no finite number");
+            "at byte 208: facet 3: a coordinate is not a finite number");
 }
 
 TEST(Stl, MissingFile) {

@@ -124,7 +124,7 @@ TEST(Effects, RefusesTwoThatChangeOneValueAndAValueThatLeavesItsRange) {
             std::string::npos);
   write_text(checkout.folder() / "effects/one.yaml", head + "  pile.hight_m: {add: 1}\n");
   load(checkout, {{"effects.one", "1"}}, &findings);
-  EXPECT_NE(only_message(findings).find("one.yaml:5: pile.hight_m: is no number of a case"),
+  EXPECT_NE(only_message(findings).find("one.yaml:5: pile.hight_m: is not a number of the case"),
             std::string::npos);
 }
 

@@ -165,7 +165,7 @@ TEST(CheckCase, BrokenMeshes) {
         "facet 2: not closed: the edge (1, 0, 0) to (0, 0, 1) has no second facet"},
        {dipper, 0, "bodies.dipper",
         "facet 3: not closed: the edge (0, 1, 0) to (0, 0, 1) has no second facet"},
-       {door, line, "bodies.door", "where a number belongs"},
+       {door, line, "bodies.door", "is not a number"},
        {checkout.file(), checkout.line("mesh:"), "truck.mesh",
         truck.string() + ": at byte 84: the header says 2 facets, which takes 184 bytes"}});
 }
@@ -594,7 +594,7 @@ TEST(CheckCase, SurfaceBesideWhatItReplaces) {
   checkout.replace("profile:", "profile: scan.STL\ntoe_x_m: 13");
   expect_findings(load_findings(checkout),
                   {{checkout.file(), checkout.line("toe_x_m"), "pile.toe_x_m",
-                    "pile.profile is there as well and replaces pile.toe_x_m"}});
+                    "pile.profile is given as well and replaces pile.toe_x_m"}});
 }
 
 TEST(CheckCase, HeldLayerInACrust) {

@@ -32,7 +32,7 @@ class Help(unittest.TestCase):
                 self.assertIn(example, " ".join(after.split()))
 
     def test_commands_are_listed_in_the_order_of_work(self):
-        order = ("import", "motion", "check", "preview", "calibrate", "run", "report", "study", "gap", "clean", "help")
+        order = ("import", "survey", "motion", "check", "preview", "calibrate", "run", "report", "study", "gap", "clean", "help")
         self.assertEqual([name for name in listed() if name in order], list(order))
         self.assertNotIn("page", listed(), "other programs call it")
 
@@ -44,8 +44,8 @@ class Help(unittest.TestCase):
 
     def test_the_options_of_a_python_program_are_those_of_its_command(self):
         options = re.compile(r"--[\w-]+")
-        path = os.pathsep.join(str(SOURCE / "analysis" / name) for name in ("gap", "logs", "runs", "study"))
-        for name in ("gap", "study", "import"):
+        path = os.pathsep.join(str(SOURCE / "analysis" / name) for name in ("gap", "logs", "runs", "study", "survey"))
+        for name in ("gap", "study", "import", "survey"):
             with self.subTest(name):
                 own = subprocess.run(["/usr/bin/python3", "-B", "-m", f"dipper_{name}", "--help"], check=True,
                                      capture_output=True, text=True, env={**os.environ, "PYTHONPATH": path}).stdout

@@ -77,7 +77,7 @@ TEST(ReportCommand, TakesThePlaceOfAnEarlierReportAndOfNothingElse) {
     w.out = (s.folder() / place).string();
     test::MemoryReporter reporter;
     EXPECT_EQ(report_command(w, reporter), 2);
-    EXPECT_THAT(reporter.errors, HasSubstr("no report, and a report would take its place"));
+    EXPECT_THAT(reporter.errors, HasSubstr("is not a report, and a report would replace it"));
   }
   EXPECT_TRUE(fs::exists(s.folder() / "precious/notes.txt"));
   EXPECT_TRUE(fs::exists(s.folder() / "post/dump0.liggghts"));

@@ -37,7 +37,7 @@ TEST(RequireSound, RefusesARotationThatIsNone) {
   t.X_WB_target.resize(1);
   t.X_WB_target[0].R = Quaterniond(0.5, 0, 0, 0);
   EXPECT_THAT(complaint({{}, t}), AllOf(HasSubstr("pose"), HasSubstr("'dipper'"),
-                                        HasSubstr("length 0.5 in place of 1")));
+                                        HasSubstr("not of length 1")));
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ class DryRun(RunTest):
         interrupted.send_signal(signal.SIGINT)
         _, said = interrupted.communicate(timeout=PATIENCE_S)
         self.assertEqual(interrupted.returncode, 4, said)
-        self.assertIn("the same command begins it anew", said)
+        self.assertIn("the same command starts it again", said)
         self.run_case(out, "--no-rock", case=TINY)
         before = json.loads((out / "summary.json").read_text())
         _, said = self.run_case(out, "--no-rock", case=TINY, status=2)

@@ -1,4 +1,4 @@
-// Checkpoints that are not what was written are never gone on from.
+// A run is never resumed from a checkpoint that has changed since it was written.
 #include "coupler/run/checkpoint.hpp"
 
 #include <gmock/gmock.h>
@@ -87,7 +87,7 @@ TEST_F(Checkpoints, AFlippedBitMakesItTheOneBefore) {
     std::ofstream(file, std::ios::binary) << bytes;
     const auto [step, said] = last();
     EXPECT_EQ(step, 10);
-    EXPECT_THAT(said, AllOf(HasSubstr(file.string() + " is not what was written"),
+    EXPECT_THAT(said, AllOf(HasSubstr(file.string() + " has changed since it was written"),
                             HasSubstr("000000020.damaged"), HasSubstr("000000010")));
     Checkpoint c;
     c.coupling.step_index = 20;
@@ -106,7 +106,7 @@ TEST_F(Checkpoints, NoneLeftIsAnErrorThatNamesThemAll) {
   fs::resize_file(newest_ / "rock.restart", 5);
   fs::remove(older / "coupling.json");
   const auto both =
-      AllOf(HasSubstr((newest_ / "rock.restart").string() + " is not what was written"),
+      AllOf(HasSubstr((newest_ / "rock.restart").string() + " has changed since it was written"),
             HasSubstr((older / "coupling.json").string() + " is missing"),
             HasSubstr("no sound checkpoint is left"), HasSubstr("another --out"));
   EXPECT_THAT(test::message_of([&] { last_checkpoint(folder_); }), both);
@@ -120,7 +120,7 @@ TEST_F(Checkpoints, NoneLeftIsAnErrorWhenTheyWereSetAsideBefore) {
   fs::remove_all(folder_ / "000000010");
   EXPECT_THAT(test::message_of([&] { last_checkpoint(folder_); }),
               AllOf(HasSubstr("000000020.damaged: set aside as damaged: "),
-                    HasSubstr("rock.restart is not what was written")));
+                    HasSubstr("rock.restart has changed since it was written")));
 }
 
 TEST_F(Checkpoints, ThatThereNeverWasOneIsNoError) {

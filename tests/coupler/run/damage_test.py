@@ -72,10 +72,10 @@ class Damage(RunTest):
                               ("observe", self.run, "--out", self.folder / "no"), ("replay", self.run)):
                     done = self.dipper(*words)
                     self.assertEqual(done.returncode, 2, (name, words, done))
-                    self.assertIn(f"{file} is not what was written", done.stderr)
+                    self.assertIn(f"{file} has changed since it was written", done.stderr)
                 done = self.dipper("run", TINY, "--out", self.run, "--ranks", "1", "--resume")
                 self.assertEqual(done.returncode, 2, (name, done))
-                self.assertIn(f"{file} is not what was written", done.stderr)
+                self.assertIn(f"{file} has changed since it was written", done.stderr)
         for _ in self.each_mutant(self.run / "manifest.sha256", 10, 50):
             self.assertEqual(self.dipper("phases", self.run).returncode, 2)
         self.assertFalse((self.folder / "no").exists())

@@ -168,7 +168,7 @@ class Faults(RunTest):
         process = self.start(second, *short)
         _, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 0, err)
-        self.assertIn(f"{pile} is not what was written", err)
+        self.assertIn(f"{pile} has changed since it was written", err)
         self.assertIn(".damaged and is made again", err)
         self.assertEqual(self.summary(first)["state_hash"], self.summary(second)["state_hash"])
 
@@ -182,7 +182,7 @@ class Faults(RunTest):
         data[len(data) // 2] ^= 1
         state.write_bytes(data)
         _, err = self.run_case(out, "--resume", "--set", f"end_s={self.soon_after(out)}")
-        self.assertIn(f"{state} is not what was written", err)
+        self.assertIn(f"{state} has changed since it was written", err)
         self.assertIn(f"the one before it is taken: {before}", err)
         self.assertEqual(self.summary(out)["status"], "complete")
 
@@ -195,8 +195,8 @@ class Faults(RunTest):
         before = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.rglob("*") if p.is_file()}
         _, err = self.run_case(out, *LONGER, "--resume", status=2)
         for state in (out / "checkpoints").glob("*/machine.state"):
-            self.assertIn(f"{state} is not what was written", err)
-        self.assertIn("no sound checkpoint is left to go on from", err)
+            self.assertIn(f"{state} has changed since it was written", err)
+        self.assertIn("no sound checkpoint is left to continue from", err)
         self.assertIn("another --out", err)
         after = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.rglob("*") if p.is_file()}
         self.assertEqual({p for p in after if p.name != "run.lock" and after[p] != before.get(p)}, set())

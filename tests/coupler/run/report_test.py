@@ -2,6 +2,7 @@
 whole gets no report at all."""
 
 import csv
+import gzip
 import json
 import re
 import shutil
@@ -150,8 +151,11 @@ class Report(RunTest):
 
     def check_bad_input(self, run):
         dumps = run / "dumps"
-        frame = sorted(dumps.glob("rocks_*.dump"), key=lambda p: int(re.findall(r"\d+", p.name)[-1]))[-1]
-        text = frame.read_text()
+        frame = sorted(dumps.glob("rocks_*.dump.gz"), key=lambda p: int(re.findall(r"\d+", p.name)[-1]))[-1]
+        text = gzip.decompress(frame.read_bytes()).decode()
+
+        def put(text):
+            frame.write_bytes(gzip.compress(text.encode()))
 
         def refused(what, message, file=frame):
             with self.subTest(what):
@@ -161,22 +165,22 @@ class Report(RunTest):
                 self.assertFalse((run / "report").exists())
                 self.assertFalse(list(run.glob(".report*")))
 
-        frame.write_text(text[:len(text) // 2])
-        refused("cut short", r"\.dump:\d+: .*cut short")
-        frame.write_text(text.replace("vx vy vz omegax omegay omegaz radius", "vx vy vz omegax omegay omegaz q"))
-        refused("no radius", r"\.dump:9: particles without radius")
+        put(text[:len(text) // 2])
+        refused("cut short", r"\.dump\.gz:\d+: .*cut short")
+        put(text.replace("vx vy vz omegax omegay omegaz radius", "vx vy vz omegax omegay omegaz q"))
+        refused("no radius", r"\.dump\.gz:9: particles without radius")
         rows = text.split("\n")
         rows[3] = str(int(rows[3]) // 2)
-        frame.write_text("\n".join(rows[:9 + int(rows[3])]) + "\n")
-        refused("another pile", r"\.dump:\d+: .* t of rock at .*another run")
-        frame.write_text(text.replace("\n-12 32\n", "\n-10 30\n"))
-        refused("another box", r"\.dump:6: the box .*another run")
-        frame.write_text(text)
-        middle = sorted(dumps.glob("rocks_*.dump"), key=lambda p: int(re.findall(r"\d+", p.name)[-1]))[3]
+        put("\n".join(rows[:9 + int(rows[3])]) + "\n")
+        refused("another pile", r"\.dump\.gz:\d+: .* t of rock at .*another run")
+        put(text.replace("\n-12 32\n", "\n-10 30\n"))
+        refused("another box", r"\.dump\.gz:6: the box .*another run")
+        put(text)
+        middle = sorted(dumps.glob("rocks_*.dump.gz"), key=lambda p: int(re.findall(r"\d+", p.name)[-1]))[3]
         middle.rename(self.folder / middle.name)
         refused("missing frame", r"dumps: the frame of step \d+ is missing", file=dumps)
         (self.folder / middle.name).rename(middle)
-        wall = dumps / frame.name.replace("rocks", "dipper").replace(".dump", ".vtk")
+        wall = dumps / frame.name.replace("rocks", "dipper").replace(".dump.gz", ".vtk")
         whole = wall.read_text()
         wall.write_text((dumps / "dipper_0.vtk").read_text())
         refused("another wall", r"\.vtk:5: dipper is .* m from where the record has it", file=wall)

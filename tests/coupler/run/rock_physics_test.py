@@ -126,7 +126,7 @@ class RockPhysics(RunTest):
             out = self.folder / str(times)
             self.run_case(out, *alike, *option(rock__density_kg_m3=3215 * times, contact__normal_scale=0.01 * times,
                                                rock__bulk_density_kg_m3=1903 * times, end_s=1.5))
-            frames[times] = [rocks(out / "dumps" / f"rocks_{step}.dump") for step in (0, 4000)]
+            frames[times] = [rocks(out / "dumps" / f"rocks_{step}.dump.gz") for step in (0, 4000)]
             force_N[times] = column(out, "bodies/dipper/wrench_mean")[:, 3:]
         for light, heavy in zip(frames[1], frames[2]):
             for name in ("id", "x", "y", "z", "vx", "vy", "vz"):

@@ -94,12 +94,12 @@ TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {
   test::write_text(motion, rows);
   EXPECT_THAT(changed_since(out, load({}), 0.5 * end_s), IsEmpty());
   EXPECT_THAT(changed_since(out, load({}), end_s + 1),
-              ElementsAre(HasSubstr("is another motion before t = ")));
+              ElementsAre(HasSubstr("differs before t = ")));
   write_identity(out, load({}));
   EXPECT_THAT(changed_since(out, load({}), end_s + 1), IsEmpty());
   fs::remove(out / "motion.csv");
   test::write_text(motion, rows + "\n");
-  EXPECT_THAT(changed_since(out, load({}), 0), ElementsAre(HasSubstr("is another motion")));
+  EXPECT_THAT(changed_since(out, load({}), 0), ElementsAre(HasSubstr("differs before t")));
 
   fs::remove(out / "inputs.sha256");
   EXPECT_THAT(changed_since(out, load({}), 0), ElementsAre(HasSubstr("no inputs.sha256")));

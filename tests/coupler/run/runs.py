@@ -1,5 +1,6 @@
 """What the tests of whole runs share: the program, the tiny case, and a folder of their own."""
 
+import gzip
 import json
 import os
 import pathlib
@@ -43,8 +44,8 @@ def processes(folder):
 
 
 def rocks(dump):
-    """{column: values} of a text dump of rock."""
-    lines = dump.read_text().splitlines()
+    """{column: values} of a run's dump of rock."""
+    lines = gzip.decompress(dump.read_bytes()).decode().splitlines()
     head = next(i for i, line in enumerate(lines) if line.startswith("ITEM: ATOMS"))
     rows = np.array([line.split() for line in lines[head + 1:]], dtype=float)
     return dict(zip(lines[head].split()[2:], rows.T))
@@ -52,7 +53,7 @@ def rocks(dump):
 
 def last_rocks(run):
     """{column: values} of a run's last dump of rock."""
-    return rocks(max((run / "dumps").glob("rocks_*.dump"), key=lambda f: int(f.stem[6:])))
+    return rocks(max((run / "dumps").glob("rocks_*.dump.gz"), key=lambda f: int(f.name[6:-8])))
 
 
 class RunTest(unittest.TestCase):

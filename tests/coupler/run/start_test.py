@@ -3,12 +3,13 @@
 import json
 import os
 import shutil
+import subprocess
 import unittest
 import unittest.mock
 
 import h5py
 
-from runs import TINY, RunTest, rocks
+from runs import DIPPER, TINY, RunTest, rocks
 
 REPLACED = ("toe_x_m:", "height_m:", "crest_depth_m:", "face_angle_deg:")
 
@@ -50,7 +51,7 @@ class Start(RunTest):
         self.assertLess(push[1], 0.01 * push[0])
 
         pile = self.summary(cleared)["pile"]
-        self.assertIn("pile: stood", out)
+        self.assertIn("below its profile", out)
         self.assertLess(abs(pile["below_profile_mean_m"]), 1)
         self.assertIn("pile: cached", out, "how the dig starts is not part of the pile")
 
@@ -66,7 +67,7 @@ class Start(RunTest):
         self.run_case(self.folder / "turned", *settings, case=case)
         side = []
         for name in ("first", "turned"):
-            side.append((rocks(self.folder / name / "dumps" / "rocks_0.dump")["y"] > 0).mean())
+            side.append((rocks(self.folder / name / "dumps" / "rocks_0.dump.gz")["y"] > 0).mean())
         self.assertLess(side[0], 0.45)
         self.assertGreater(side[1], 0.55)
         again, _ = self.run_case(self.folder / "again", *settings, case=case)
@@ -78,6 +79,28 @@ class Start(RunTest):
             _, err = self.run_case(out, "--ranks", "1", status=2)
             self.assertIn("takes letters, digits, blanks", err)
             self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_case_behind_a_link_is_made_of_the_files_its_paths_name(self):
+        """The system follows a link before it goes up; beside the link stand other files of the same names."""
+        real, decoy = self.folder / "mine/sites/north", self.folder / "decoy/cases"
+        for folder in (real, decoy):
+            folder.mkdir(parents=True)
+        shutil.copytree(TINY, real / "tiny")
+        case = real / "tiny/case.yaml"
+        case.write_text(case.read_text().replace("../../../../", "../../../"))
+        for part in ("mbs", "meshes"):
+            shutil.copytree(TINY.parents[3] / part, self.folder / "mine" / part)
+            shutil.copytree(TINY.parents[3] / part, self.folder / part)
+            for mesh in (self.folder / part).rglob("*.*"):
+                if mesh.is_file():
+                    mesh.write_text("no file of this case\n")
+        (decoy / "north").symlink_to(real / "tiny")
+        told = [json.loads(subprocess.run([DIPPER, "check", "--json", c], capture_output=True, text=True).stdout)
+                for c in (real / "tiny", decoy / "north")]
+        self.assertTrue(told[1]["sound"], told[1]["findings"])
+        self.assertEqual(*(t["case_hash"] for t in told))
+        self.assertIn(str(self.folder / "mine/meshes/dipper.stl"), told[1]["files"])
+        self.run_case(self.folder / "run", "--no-rock", "--set", "end_s=0.05", case=decoy / "north")
 
     def test_a_folder_that_cannot_be_written_starts_nothing(self):
         told, err = self.run_case("/proc/run", "--ranks", "4096", status=2)
@@ -103,7 +126,7 @@ class Start(RunTest):
             self.run_case(out, "--ranks", "1", "--set", "end_s=0.03", "--set", "pile.settle_s=0.3",
                           "--set", "pile.relax_s=0.1", case=case)
         self.assertEqual(json.loads((out / "summary.json").read_text())["status"], "complete")
-        self.assertTrue((out / "dumps" / "rocks_0.dump").is_file())
+        self.assertTrue((out / "dumps" / "rocks_0.dump.gz").is_file())
 
     def test_a_pile_that_flies_apart_is_not_dug(self):
         """Far too soft for its fall: spheres are pressed through each other and thrown out of the box."""

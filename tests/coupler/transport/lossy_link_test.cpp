@@ -5,10 +5,10 @@
 
 #include <thread>
 
-#include "coupler/core/coupling.hpp"
 #include "coupler/transport/codec.hpp"
 #include "coupler/transport/remote.hpp"
 #include "coupler/transport/serve.hpp"
+#include "tests/coupler/core/advance.hpp"
 #include "tests/coupler/transport/memory_transport.hpp"
 #include "tests/coupler/transport/pair_fakes.hpp"
 
@@ -52,7 +52,7 @@ class LossyPair {
     coupling.start();
     std::vector<double> x;
     for (int i = 0; i < windows; ++i) {
-      x.push_back(coupling.advance(5).machine.bodies[0].X_WB.p.x());
+      x.push_back(advance(coupling, 5).machine.bodies[0].X_WB.p.x());
     }
     return x;
   }
@@ -88,7 +88,7 @@ std::vector<double> reference(int windows) {
   coupling.start();
   std::vector<double> x;
   for (int i = 0; i < windows; ++i) {
-    x.push_back(coupling.advance(5).machine.bodies[0].X_WB.p.x());
+    x.push_back(advance(coupling, 5).machine.bodies[0].X_WB.p.x());
   }
   return x;
 }
@@ -251,6 +251,25 @@ TEST(LossyLink, SilenceEndsInATimeout) {
   options.timeout = options.start = 300ms;
   Link link("dem", *alone, Channels::to_dem, identity(), options);
   EXPECT_THROW(link.ask(core::Command{core::Action::hello, ""}, 0, 0), PeerError);
+}
+
+TEST(LossyLink, ASideThatHangsIsNotWaitedForOnceTheUserWantsAnEnd) {
+  MemoryNetwork network;
+  auto alone = network.connect({Channels::from_dem});
+  const auto began = std::chrono::steady_clock::now();
+  LinkOptions options;
+  options.wants_end = [&] { return std::chrono::steady_clock::now() - began > 200ms; };
+  options.patience = 300ms;
+  Link link("dem", *alone, Channels::to_dem, identity(), options);
+  try {
+    link.ask(core::Command{core::Action::hello, ""}, 0, 0);
+    FAIL() << "nobody answers";
+  } catch (const PeerError& e) {
+    EXPECT_EQ(e.side, "dem");
+    EXPECT_STREQ(e.what(), "no answer for 0.3 s after the run was told to end");
+  }
+  EXPECT_GE(std::chrono::steady_clock::now() - began, 500ms);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, 20s) << "and not the 5 min of a first answer";
 }
 
 TEST(Answer, OnlyTheMachineLoads) {

@@ -49,8 +49,9 @@ def _rivals(part, training, matched, strengths):
     return rivals
 
 
-def drawn(model, prediction, holdout, measured, after):
-    """Curves and masses of the report; `after` are folders of the patched case, if there are any."""
+def drawn(model, prediction, holdout, measured, after, reference=None):
+    """Curves and masses of the report; `after` are folders of the patched case, if there are any. A reference is drawn
+    in the model's place, and `after` moved by as much."""
     share = prediction.baseline.share(prediction.baseline.seeds)
-    words = (measured, list(model.folders), list(after), list(model.passes), holdout.passes, share)
+    words = (measured, list(model.folders), list(after), list(model.passes), holdout.passes, share, reference)
     return curves(*words), masses(*words)

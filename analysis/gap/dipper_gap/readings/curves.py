@@ -14,7 +14,7 @@ class Curve:
     channel: str
     time_s: np.ndarray     # since the pass began
     measured: np.ndarray   # mean over trucks, at the first one's readings
-    before: np.ndarray     # mean over runs
+    before: np.ndarray     # mean over runs, or over the reference's trucks
     spread: np.ndarray     # sd, by the seeds, of measured less before
     after: np.ndarray      # None when nothing was added
     phases: dict           # {phase: (from, to)} in time_s
@@ -30,10 +30,11 @@ class Mass:
     after: float           # None when nothing was added
 
 
-def curves(measured, before, after, numbers, held, share):
+def curves(measured, before, after, numbers, held, share, reference=None):
     """Curves of the response signals; simulated ones are read at the measured times within the pass.
 
-    `share`: variance of the mine's mean less the model's, in variances of a run.
+    `share`: variance of the mine's mean less the model's, in variances of a run. With a `reference` folder its trucks
+    stand in the place of `before`, and `after` is what the runs make of them.
     """
     if not measured.responses():
         return []
@@ -49,22 +50,32 @@ def curves(measured, before, after, numbers, held, share):
             seen = np.mean([_read(m, number, channel, t) for m in trucks], axis=0)
             runs = np.array([_read(m, number, channel, t) for m in before])
             new = np.mean([_read(m, number, channel, t) for m in after], axis=0) if after else None
-            out.append(Curve(number, number in held, channel, t, seen, runs.mean(axis=0),
+            usual = runs.mean(axis=0)
+            if reference:
+                then = np.mean([_read(m, number, channel, t) for m in reference.trucks()], axis=0)
+                usual, new = then, None if new is None else new + then - usual
+            out.append(Curve(number, number in held, channel, t, seen, usual,
                              runs.std(axis=0, ddof=1) * np.sqrt(share), new, phases))
     return out
 
 
-def masses(measured, before, after, numbers, held, share):
+def masses(measured, before, after, numbers, held, share, reference=None):
     if MASS not in measured.channels:
         return []
     out = []
     for number in numbers:
-        mine = float(np.mean([_pass(m, number).truck_mass_t for m in measured.trucks()]))
-        runs = np.array([_pass(m, number).truck_mass_t for m in before])
-        new = float(np.mean([_pass(m, number).truck_mass_t for m in after])) if after else None
-        out.append(Mass(number, number in held, mine, float(runs.mean()),
-                        float(runs.std(ddof=1) * np.sqrt(share)), new))
+        mine, usual = _mass(measured.trucks(), number), _mass(before, number)
+        new = _mass(after, number) if after else None
+        if reference:
+            then = _mass(reference.trucks(), number)
+            usual, new = then, None if new is None else new + then - usual
+        spread = np.std([_pass(m, number).truck_mass_t for m in before], ddof=1) * np.sqrt(share)
+        out.append(Mass(number, number in held, mine, usual, float(spread), new))
     return out
+
+
+def _mass(folders, number):
+    return float(np.mean([_pass(m, number).truck_mass_t for m in folders]))
 
 
 def _pass(m, number):

@@ -1,10 +1,11 @@
 """A measured folder: what a mine's logger and truck scale say, or what a simulation would have shown them.
 
-    channels.yaml  NAME: {unit, role: driven|response, sigma, common_sigma}   for each channel used
+    channels.yaml  NAME: {unit, role: driven|response, sigma, common_sigma[, drift_sigma]}   for each channel used
     passes.csv     pass,t_start_s,t_end_s,truck_mass_t, and truck where the same passes were dug for several
     signals.csv    time_s and one column for each signal (optional: then only the masses are compared)
 
-`sigma` is the standard deviation of one reading, `common_sigma` that of an error all readings share.
+`sigma` is the standard deviation of one reading, `common_sigma` that of an error all readings share, and
+`drift_sigma` that of what the shared error may have changed by since an earlier folder of the same instrument.
 """
 import math
 from dataclasses import dataclass, replace
@@ -21,6 +22,8 @@ from dipper_run.text_file import read_text, read_yaml
 DRIVEN = "driven"
 RESPONSE = "response"
 CHANNEL_KEYS = "{unit, role, sigma, common_sigma}"
+ASSUMED = Path(__file__).with_name("assumed_channels.yaml")
+MOST_DRIFT = 1.415  # of common_sigma: two errors of that size differ by no more
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,7 @@ class Channel:
     role: str
     sigma: float
     common_sigma: float
+    drift_sigma: float = None  # None: not told
 
 
 @dataclass(frozen=True)
@@ -129,6 +133,14 @@ def read_measured(folder, need_passes=1, simulated=False):
     return Measured(channels, tuple(passes), time_s, signals, str(folder))
 
 
+def read_channels(file=ASSUMED):
+    """{name: Channel} of a channels.yaml; throws BadInput. Without a file, of instruments as a mine may have them."""
+    found = Findings()
+    channels = _channels(Path(file), found)
+    found.raise_if_any()
+    return channels
+
+
 def _channels(file, found):
     if not file.is_file():
         found.add(file, 0, "file", "not there",
@@ -151,11 +163,12 @@ def _channel(channels, name):
     if (told := section.text("unit", unit, right, needed=True)) != unit:
         section.wrong("unit", f"is {told}", right)
     role = section.one_of("role", (DRIVEN, RESPONSE) if name in MOTION else (RESPONSE,), needed=True)
-    sizes = (section.number(key, 0.0, f"a number in {unit}, 0 or more", needed=True, allowed=lambda x: x >= 0)
-             for key in ("sigma", "common_sigma"))
-    channel = Channel(name, unit, role, *sizes)
+    sigma, common = (section.number(key, 0.0, f"a number in {unit}, 0 or more", needed=True, allowed=lambda x: x >= 0)
+                     for key in ("sigma", "common_sigma"))
+    drift = section.number("drift_sigma", None, f"a number in {unit}, 0 to {MOST_DRIFT - 0.005:g} times common_sigma",
+                           allowed=lambda x: 0 <= x <= MOST_DRIFT * common)
     section.end()
-    return channel
+    return Channel(name, unit, role, sigma, common, drift)
 
 
 def _rows(file, found):
@@ -330,8 +343,9 @@ def write_measured(m, folder):
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "channels.yaml", "w") as f:
         for c in m.channels.values():
+            drift = "" if c.drift_sigma is None else f", drift_sigma: {c.drift_sigma:g}"
             f.write(f"{c.name}: {{unit: {c.unit}, role: {c.role}, sigma: {c.sigma:g}, "
-                    f"common_sigma: {c.common_sigma:g}}}\n")
+                    f"common_sigma: {c.common_sigma:g}{drift}}}\n")
     weighed = MASS in m.channels
     with open(folder / "passes.csv", "w") as f:
         f.write(",".join((PASS_COLUMNS if weighed else PASS_COLUMNS[:3]) + (TRUCK,)) + "\n")

@@ -1,5 +1,5 @@
 """Which runs an analysis needs."""
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from .simulator import request
 
@@ -28,6 +28,10 @@ class Plan:
         every = list(self.baseline) + [p.request for planned in self.signatures.values() for p in planned]
         return list(dict.fromkeys(every))
 
+    def only(self, names):
+        """The same with the signatures of these effects alone."""
+        return replace(self, signatures={n: p for n, p in self.signatures.items() if n in names})
+
     def fresh_seeds(self):
         """Seeds of the runs that confirm a named effect."""
         return [self.first_seed + FRESH_FROM + k for k in range(FRESH_SEEDS)]
@@ -50,10 +54,18 @@ def make_plan(catalogue, trucks, first_seed):
     return Plan(first_seed, tuple(request({}, s, catalogue) for s in seeds), signatures)
 
 
-def statement(plan, simulator):
-    """What the analysis will take, before it starts."""
+def without_runs(plan, simulator):
+    """The plan with the effects that are observed or replayed: besides the baseline's they take no run."""
+    return plan.only([n for n, planned in plan.signatures.items()
+                      if not any(simulator.takes_a_run(p.request) for p in planned)])
+
+
+def statement(plan, simulator, first=None):
+    """What the analysis will take, before it starts; `first` is the part after which it may end."""
     todo, kept, each = simulator.plan(plan.requests())
     text = f"{todo + kept} runs, {kept} of them kept from before; {FRESH_SEEDS} more confirm a named effect"
+    if first and len(first.signatures) < len(plan.signatures):
+        text += f"; {sum(simulator.plan(first.requests())[:2])} of them tell whether there is a gap at all"
     if todo and each:
-        return text + f"; about {todo * each / 2 / 60:.0f} min, two at a time"
+        return text + f"; about {todo * each / simulator.jobs / 60:.0f} min, {simulator.jobs} at a time"
     return text + "; how long is told after the first" if todo else text

@@ -1,4 +1,4 @@
-"""Runs of a case, as the workflow asks for them: by `dipper run`, two at a time, each kept and found again."""
+"""Runs of a case, as the workflow asks for them: by `dipper run`, some at a time, each kept and found again."""
 import shutil
 import subprocess
 import time
@@ -13,7 +13,7 @@ from dipper_run.quantities import minutes
 
 from ..readings.measured import read_measured
 
-JOBS = 2
+JOBS = 2  # runs at a time, unless asked otherwise
 
 
 @dataclass(frozen=True)
@@ -52,9 +52,15 @@ def request(effects, seed, catalogue):
 class Simulator:
     """What the workflow needs; `DipperSimulator` is the real one, tests have a fake."""
 
+    jobs = JOBS
+
     def run(self, requests, say=print):
         """One Measured, noise-free, for each request."""
         raise NotImplementedError
+
+    def takes_a_run(self, request):
+        """Whether a request needs a run of its own, besides the plain one of its seed."""
+        return request.how == "run"
 
     def plan(self, requests):
         """(runs to make, runs kept from before, seconds a run takes or None)."""
@@ -72,11 +78,12 @@ def check(program, case, effects=()):
 
 
 class DipperSimulator(Simulator):
-    def __init__(self, case, catalogue, program, cache):
+    def __init__(self, case, catalogue, program, cache, jobs=JOBS):
+        self.jobs = jobs
         self.case, self.catalogue, self.program = Path(case), catalogue, str(program)
         self.cache = Path(cache)
         self._told = ask("check", "--json", self.case, of=self.program)
-        self._runs = KeptRuns(self.program, JOBS)
+        self._runs = KeptRuns(self.program, jobs)
 
     def case_hash(self):
         return self._told["case_hash"]
@@ -94,6 +101,9 @@ class DipperSimulator(Simulator):
         """With limited drives another machine moves otherwise: a run answers what a replay cannot."""
         limited = self._told.get("values", {}).get("machine.drives") == "limited"
         return replace(r, how="run") if limited and r.how == "replay" else r
+
+    def takes_a_run(self, request):
+        return self._possible(request).how == "run"
 
     def plan(self, requests):
         requests = [self._possible(r) for r in requests]
@@ -119,7 +129,7 @@ class DipperSimulator(Simulator):
         self._runs.make(jobs, on_end)
         if failures:
             raise RunFailed("\n".join(failures))
-        with ThreadPoolExecutor(JOBS) as pool:
+        with ThreadPoolExecutor(self.jobs) as pool:
             try:
                 return list(pool.map(self._observed, requests))
             except BaseException:

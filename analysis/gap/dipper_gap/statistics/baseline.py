@@ -1,4 +1,7 @@
-"""The unchanged model, run with several seeds: its mean, its own spread, and the instruments' errors."""
+"""The unchanged model, run with several seeds: its mean, its own spread, and the instruments' errors.
+
+Where a mine's earlier trucks are given (reference.py), they stand in the place of the model's mean.
+"""
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,7 +14,10 @@ PREFERRED = ("mass", "balance", "mean", "slope", "peak", "work")
 
 @dataclass(frozen=True)
 class Baseline:
-    """Vectors over `cells`; y - mean, where y is the mean over T trucks, has covariance noise + seed (f/T + 1/R)."""
+    """Vectors over `cells`; y - mean, where y is the mean over T trucks, has covariance noise + seed (f/T + 1/R).
+
+    With a reference of T0 trucks y is less what they differ by from the model: noise + f seed (1/T + 1/T0).
+    """
 
     cells: list
     mean: np.ndarray        # (n,)
@@ -22,7 +28,8 @@ class Baseline:
     seed: np.ndarray        # (n, n) of one run
     grid: np.ndarray        # (P, F) index into cells, -1 where there is none
     trucks: int = 1         # T
-    scatter: float = 1.0    # f: variance of the mine's own runs, in variances of the model's
+    scatter: float = 1.0    # f: variance of the mine's own runs, in variances of the model's; with a reference (n,)
+    reference: object = None  # Reference
 
     def part(self, pass_numbers):
         """The same over some of the passes, and their indices. Covariances stay as all passes give them."""
@@ -32,6 +39,8 @@ class Baseline:
         part = replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], own=self.own[block],
                        common=self.common[:, at], more=self.more[:, at], seed=self.seed[block],
                        grid=make_grid(cells, pass_numbers))
+        if self.reference is not None:
+            part = replace(part, reference=self.reference.part(at), scatter=self.scatter[at])
         return part, at
 
     @property
@@ -40,20 +49,49 @@ class Baseline:
 
     @property
     def noise(self):
-        """Covariance of the instruments' errors in the mean over the trucks."""
-        return self.own / self.trucks + self.common.T @ self.common
+        """Covariance of the instruments' errors in the mean over the trucks, less those of the reference."""
+        before = self.reference
+        if before is None:
+            return self.own / self.trucks + self.common.T @ self.common
+        return self.own / self.trucks + before.own / before.trucks + before.drift.T @ before.drift
+
+    @property
+    def level(self):
+        """(n,) what the mine's instruments read where nothing is amiss."""
+        return self.mean if self.reference is None else self.mean + self.reference.shift
+
+    @property
+    def chance(self):
+        """Covariance by the seeds of y - mean."""
+        if self.reference is None:
+            return self.seed * self.share(self.seeds)
+        return self.mine * (1.0 / self.trucks + 1.0 / self.reference.trucks)
 
     @property
     def prediction(self):
-        return self.against(self.seeds)
+        """Covariance of y - mean."""
+        return self.noise + self.chance
 
     def against(self, runs):
-        """Covariance of the mine's mean less that of so many runs."""
-        return self.noise + self.seed * self.share(runs)
+        """Covariance of y less the mean of so many runs with an effect."""
+        if self.reference is None:
+            return self.noise + self.seed * self.share(runs)
+        return self.prediction + self.seed * (1.0 / self.seeds + 1.0 / runs)
 
     def share(self, runs):
-        """Variance of the mine's mean less that of so many runs, in variances of a run."""
-        return self.scatter / self.trucks + 1.0 / runs
+        """Variance by the seeds of y less the mean of so many runs, in variances of a run; over the cells' median."""
+        f = float(np.median(self.scatter))
+        if self.reference is None:
+            return f / self.trucks + 1.0 / runs
+        return f / self.trucks + f / self.reference.trucks
+
+    @property
+    def mine(self):
+        """Covariance by the seeds of one of the mine's own runs."""
+        size = np.sqrt(self.scatter * np.ones(len(self.mean)))
+        out = self.seed * np.outer(size, size)
+        beyond = self.reference.beyond if self.reference else None
+        return out if beyond is None else out + beyond @ beyond.T
 
     def with_deviations(self, more):
         """The same with the seeds' covariance known from (M, n) further deviations too."""

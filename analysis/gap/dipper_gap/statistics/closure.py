@@ -77,6 +77,9 @@ def closure(y, baseline, after, rivals, expected, seed=0):
     # What the drawing itself adds to a cell's mean square: the new errors, and the spread of a mean of runs.
     spread = np.diag(baseline.seed) / sd**2
     added = 1 + spread / baseline.seeds, 1 + spread / runs
+    if baseline.reference:  # the model's mean enters with the effect alone: it is what the runs with it are less by
+        again, first = again - first + baseline.mean, np.broadcast_to(baseline.mean, first.shape)
+        added = np.ones(len(sd)), 1 + spread * (1 / baseline.seeds + 1 / runs)
     share = interval = None
     if g0 > np.quantile(mean_square(noise, sd), 1 - SIGNIFICANT):
         b0, b1 = (mean_square(drawn - r, sd) - a.mean() for r, a in zip((first, again), added))

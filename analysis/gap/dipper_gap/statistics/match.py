@@ -97,7 +97,7 @@ def gains(baseline):
     """(n, 2 x forces): what a force's load cell shows that reads twice too much, in all passes or more and more."""
     late = np.array([c.pass_number for c in baseline.cells], float)
     late -= late.min()
-    mean, out = dict(zip(baseline.cells, baseline.mean)), []
+    mean, out = dict(zip(baseline.cells, baseline.level)), []
     for channel in dict.fromkeys(c.channel for c in baseline.cells if c.channel.endswith("_force_kN")):
         reading = np.array([_reading(c, channel, mean) for c in baseline.cells])
         out += [reading, reading * late / late.max()] if late.any() else [reading]

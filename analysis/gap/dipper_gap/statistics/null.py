@@ -10,7 +10,8 @@ import numpy as np
 from scipy.linalg import solve_triangular
 
 from ..readings.features import number
-from .baseline import scatter, seed_covariance, to_grid
+from .baseline import seed_covariance, to_grid
+from .reference import with_scatter
 
 DRAWS = 1000
 # Degrees of freedom of Student's t that runs, or a phase of a pass, may have instead of a Gaussian: a rock
@@ -47,7 +48,7 @@ class Null:
 
         Whitening by a covariance known from a few runs promises too much; a squared score should be 1.
         """
-        if self.fits is None:
+        if self.fits is None or not effects:
             return 1.0
         size = self.fits[:, :, :effects].mean(axis=(0, 2))  # falls as the factor grows
         return float(np.exp(np.interp(0.0, -np.log(size), np.log(FACTORS))))
@@ -164,18 +165,31 @@ def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None, t
     part, at = baseline.part(passes) if passes else (baseline, list(range(len(baseline.mean))))
     block = np.ix_(at, at)
     rng = np.random.default_rng(seed)
-    runs, trucks, more, own = baseline.seeds, baseline.trucks, len(baseline.more), np.diag(part.own)
+    runs, trucks, more, reference = baseline.seeds, baseline.trucks, len(baseline.more), baseline.reference
     seed_root, own_root, size = root(baseline.seed), root(baseline.own), np.sqrt(baseline.scatter)
     tails, labels = tails or find_tails(baseline), phase_labels(baseline.cells)
+    before = reference.trucks if reference else 0
+    before_root = root(reference.own) if reference else None
+    errors = reference.drift if reference else baseline.common
+    beyond = reference.beyond if reference else None
     stats, fits, z = [], [], np.empty((draws, len(at)))
     asked = directions is not None and directions.size > 0
     for d in range(draws):
-        made = make_runs(seed_root, runs + trucks + more, tails, labels, rng)
+        made = make_runs(seed_root, runs + trucks + before + more, tails, labels, rng)
         mine = size * made[runs:runs + trucks] + rng.standard_normal((trucks, len(own_root))) @ own_root.T
-        shared = rng.standard_normal(len(baseline.common)) @ baseline.common
-        residual = (mine.mean(axis=0) + shared - made[:runs].mean(axis=0))[at]
-        one = seed_covariance(made[:runs], baseline.grid, made[runs + trucks:])[block]
-        seeds = one * replace(part, scatter=scatter(mine[:, at], own, np.diag(one))).share(runs)
+        if beyond is not None:
+            mine = mine + rng.standard_normal((trucks, beyond.shape[1])) @ beyond.T
+        shared = rng.standard_normal(len(errors)) @ errors
+        then, usual = None, made[:runs].mean(axis=0)
+        if reference:
+            then = (size * made[runs + trucks:runs + trucks + before]
+                    + rng.standard_normal((before, len(own_root))) @ before_root.T)
+            if beyond is not None:
+                then = then + rng.standard_normal((before, beyond.shape[1])) @ beyond.T
+            usual, then = then.mean(axis=0), then[:, at]
+        residual = (mine.mean(axis=0) + shared - usual)[at]
+        one = seed_covariance(made[:runs], baseline.grid, made[runs + trucks + before:])[block]
+        seeds = with_scatter(replace(part, seed=one), mine[:, at], then).chance
         covariance = part.noise + seeds
         stats.append(statistics(residual, covariance, part.grid))
         if asked:

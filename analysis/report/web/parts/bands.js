@@ -31,7 +31,7 @@ export function drawBands(plot, bands) {
   ctx.restore();
 }
 
-/// The name, or as much of it as still tells it from the others, or nothing.
+/// The name, or the shortest part of it that is unique, or nothing.
 function fitting(ctx, name, width) {
   for (let n = name.length; n >= 3; --n) {
     const text = n < name.length ? `${name.slice(0, n)}.` : name;

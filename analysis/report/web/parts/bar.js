@@ -1,4 +1,4 @@
-// One bar, divided: what a whole is made of.
+// One bar, divided into the parts of a whole.
 import { h } from '../dom.js';
 
 /// parts: [{name, value, colour, text}]; colour: a name of style.css.

@@ -1,8 +1,8 @@
-// A table whose columns know how to print themselves.
+// A table; each column formats its own cells.
 import { h } from '../dom.js';
 
 /// columns: [{name, alone, unit, cell(row), kind}]; the first column names the row. kind 'text' is left-aligned. `alone`: the name
-/// where it does not stand beside its neighbours', as on a phone. cells: on a phone each row is a grid of named values.
+/// when its neighbours are not beside it, as on a phone. cells: on a phone each row is a grid of named values.
 export function table(caption, columns, rows, { foot = [], compact = false, cells = false } = {}) {
   const line = (row) => h('tr', columns.map((column, k) => h(k === 0 ? 'th' : 'td',
     { scope: k === 0 ? 'row' : undefined, class: column.kind === 'text' ? 'text' : undefined,

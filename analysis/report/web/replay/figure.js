@@ -1,4 +1,4 @@
-// The machine at work: shapes that only the eye meets, moved by the record. Ropes are drawn anew at each time.
+// The machine at work: shapes for display only, moved by the record. Ropes are redrawn at each time.
 import {
   BufferAttribute, BufferGeometry, Color, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
   LineSegments, Mesh, MeshLambertMaterial, Vector3,

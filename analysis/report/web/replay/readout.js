@@ -1,4 +1,4 @@
-// What the machine feels at the time shown, over the picture.
+// Forces and masses at the time shown, over the picture.
 import { h } from '../dom.js';
 import { meganewtons, tonnes } from '../format.js';
 

@@ -30,7 +30,7 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
   try {
     stage = new Stage(canvas, head, frames, clock, SPEED_TOP);
   } catch (error) {
-    return h('p.note', 'The replay needs WebGL 2, which this browser does not give: ', error.message);
+    return h('p.note', 'The replay needs WebGL 2, which this browser does not provide: ', error.message);
   }
 
   const play = h('button.play', { type: 'button', 'aria-label': 'Play', onclick: () => clock.toggle() });
@@ -103,7 +103,7 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
     if (printing()) still.src = canvas.toDataURL(); // what WebGL has drawn is not printed
   });
   show();
-  canvas.stage = stage; // for whoever measures how fast it draws
+  canvas.stage = stage; // for measurements of the drawing speed
   const picture = film(stage, clock, () => [clockFace.textContent, ...[...(readout?.element.children ?? [])].map((line) => line.textContent)]);
   canvas.film = (...of) => { views.All(); return picture(...of); };
   return h('div.replay', face, screen,
@@ -113,7 +113,7 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
       ' step a frame, with ', h('kbd', 'Shift'), ' a second.')));
 }
 
-/// A class's name is the case's, its size that of the rocks as they are dug: coarse graining makes them larger.
+/// A class has the case's name and the size of the simulated rocks, which coarse graining enlarges.
 function className(it, type) {
   return it ? `${it.name}, ${number(it.size_m, 2)} m` : `class ${type}`;
 }

@@ -80,7 +80,7 @@ export class Stage {
     });
   }
 
-  /// Draws coarser while it plays too slowly for the eye.
+  /// Draws at lower resolution while the replay is too slow.
   pace() {
     const now = performance.now();
     this.late = this.clock.playing && now - this.drawn > SLOW_ms ? this.late + 1 : 0;

@@ -1,5 +1,5 @@
-// The walls: see-through sheets with their edges, or solid, or coloured by what their dumps say of each
-// triangle; moved by their recorded poses.
+// The walls: see-through sheets with their edges, or solid, or coloured by a field of their dumps;
+// moved by their recorded poses.
 import {
   BufferGeometry, Color, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh,
   MeshLambertMaterial, Quaternion, Vector3,

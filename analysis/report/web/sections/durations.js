@@ -1,4 +1,4 @@
-// How long a pass lasts: a cycle only where the dipper swings back.
+// The duration of a pass; called a cycle only if the dipper returns.
 import { h } from '../dom.js';
 import { fixed } from '../format.js';
 

@@ -1,4 +1,4 @@
-// How near the drives came to what they can do.
+// The drives' largest values beside their limits.
 import { section } from '../../dom.js';
 import { fixed, number, percent } from '../../format.js';
 import { table } from '../../parts/table.js';

@@ -1,4 +1,4 @@
-// What each pass takes and how long it lasts.
+// Load and duration of each pass.
 import { h } from '../../dom.js';
 import { fixed, megajoules, meganewtons, tonnes } from '../../format.js';
 import { durationColumn } from '../durations.js';

@@ -14,10 +14,11 @@ export function beforeAfter(data) {
   const { closures, curves, masses } = data;
   if (!curves?.length && !masses?.length) return null;
   const added = (curves[0] ?? masses[0]).after !== null;
-  return section('before-after', added ? 'Before and after' : 'Measured and modelled',
-    `Measured, and the model with two standard deviations by its seeds${added ? '; then fresh runs with the effect added' : ''}.`,
+  const usual = data.answer.reference ? 'reference' : 'model';
+  return section('before-after', added ? 'Before and after' : `Measured and ${usual === 'model' ? 'modelled' : 'reference'}`,
+    `Measured, and the ${usual} with two standard deviations ${usual === 'model' ? 'by its seeds' : 'of what runs differ by'}${added ? '; then fresh runs with the effect added' : ''}${added && usual === 'reference' ? ', less what model and reference differ by' : ''}.`,
     Object.keys(closures ?? {}).length > 0 && h('div.two', Object.entries(closures).map(([name, c]) => gap(name, c))),
-    curves?.length > 0 && charts(curves), masses?.length > 0 && h('div.stack', massTable(masses)));
+    curves?.length > 0 && charts(curves, usual), masses?.length > 0 && h('div.stack', massTable(masses, usual)));
 }
 
 function gap(name, { before, after, floor }) {
@@ -26,9 +27,9 @@ function gap(name, { before, after, floor }) {
   (v) => fixed(v, 2));
 }
 
-function charts(curves) {
+function charts(curves, usual) {
   const passes = [...new Map(curves.map((c) => [c.pass, c.held_out]))];
-  const figures = curves.map((c) => ({ c, figure: chart(c) }));
+  const figures = curves.map((c) => ({ c, figure: chart(c, usual) }));
   const show = (pass) => figures.forEach(({ c, figure }) => { figure.hidden = pass !== 'all' && String(c.pass) !== pass; });
   const first = passes.length > MANY ? String((passes.find(([, held]) => held) ?? passes[0])[0]) : 'all';
   show(first);
@@ -43,11 +44,11 @@ function charts(curves) {
   return h('div', passes.length > 1 && h('div.controls', pick), h('div.two', figures.map(({ figure }) => figure)));
 }
 
-function chart(c) {
+function chart(c, usual) {
   const [name, unit] = channelName(c.channel);
   const lines = [
     { label: 'measured', values: c.measured, colour: 'ink', dots: true },
-    { label: 'model', values: c.before, colour: 'orange', around: [-2, 2].map((k) => c.before.map((v, i) => v + k * c.spread[i])) },
+    { label: usual, values: c.before, colour: 'orange', around: [-2, 2].map((k) => c.before.map((v, i) => v + k * c.spread[i])) },
     c.after && { label: 'with the effect', values: c.after, colour: 'blue' },
   ].filter(Boolean);
   const figure = curve(c.time_s, lines, {
@@ -58,11 +59,11 @@ function chart(c) {
   return figure;
 }
 
-function massTable(masses) {
+function massTable(masses, usual) {
   return table(null, [
     { name: 'Truck mass', cell: (m) => passName(m.pass, m.held_out) },
     { name: 'measured', unit: 't', cell: (m) => fixed(m.measured, 1) },
-    { name: 'model', unit: 't', cell: (m) => `${fixed(m.before, 1)} ± ${fixed(2 * m.spread, 1)}` },
+    { name: usual, unit: 't', cell: (m) => `${fixed(m.before, 1)} ± ${fixed(2 * m.spread, 1)}` },
     ...(masses[0].after === null ? [] : [{ name: 'with the effect', unit: 't', cell: (m) => fixed(m.after, 1) }]),
   ], masses, { compact: true });
 }

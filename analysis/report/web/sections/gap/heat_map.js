@@ -18,9 +18,9 @@ export function heatMap(data) {
   show('z');
   const after = cells.some((c) => c.z_after !== undefined);
   return section('disagreement', 'Where and when they disagree',
-    'Measured minus simulated, in standard deviations of instruments and seeds together: orange where the mine has more, blue where it has less. '
+    `Measured minus ${data.answer.reference ? 'reference' : 'simulated'}, in standard deviations of instruments and seeds together: orange where the mine has more${data.answer.reference ? ' now' : ''}, blue where it has less. `
     + `Framed: the cell’s p, adjusted for all cells searched, is at most ${data.cell_p ?? 0.05}. Grey: no value, or one that its neighbours imply.${held(data, after)}`,
-    after && h('div.controls', choice('Against', [['z', 'the model as it is'], ['z_after', 'the model with the effect']], 'z', show)), place);
+    after && h('div.controls', choice('Against', (data.answer.reference ? [['z', 'the reference'], ['z_after', 'the reference with the effect']] : [['z', 'the model as it is'], ['z_after', 'the model with the effect']]), 'z', show)), place);
 }
 
 /// Held-out passes are shown with the effect only, so that nobody searches them.
@@ -32,7 +32,7 @@ function passes(cells, parts, key) {
 function held(data, after) {
   if (!data.passes) return '';
   const { holdout } = data.passes;
-  return ` Pass ${holdout.join(', ')}: held out${after ? ', shown with the effect only' : ' and not looked at here'}.`;
+  return ` Pass ${holdout.join(', ')}: held out${after ? ', shown with the effect only' : ' and not used here'}.`;
 }
 
 function map(data, cells, rows, phases, { pass, heldOut }, key) {

@@ -1,25 +1,34 @@
-// What the analysis says, and how sure it is.
+// The verdict, and its probability.
 import { h } from '../../dom.js';
 import { pValue, percent } from '../../format.js';
 import { masthead } from '../../page.js';
+import { foreman } from './foreman.js';
 import { channelName, strengthText, title } from './words.js';
 
 const WORDS = {
   named: 'The model misses this effect. Fresh runs with the effect added were compared with the passes held out.',
-  class: 'These effects look alike in these data. The experiments below would tell them apart.',
+  class: 'These effects look alike in these data. The experiments below would distinguish them.',
   unknown: 'Model and mine disagree, but no effect of the catalogue can be named with confidence.',
   'no-gap': 'Model and mine agree within the scatter of instruments and seeds. That does not prove that nothing is missing.',
 };
 
+const CHANGED = {
+  named: 'This has changed since the reference. Fresh runs with it added were compared with the passes held out.',
+  class: 'These effects look alike in these data. The experiments below would tell them apart.',
+  unknown: 'The trucks now and those of the reference disagree, but no effect of the catalogue can be named with confidence.',
+  'no-gap': 'The trucks now and those of the reference agree within their scatter and that of the instruments. That does not prove that nothing has changed.',
+};
+
 export function head(data) {
-  return masthead(`Gap analysis of ${data.title}`, 'What does the model miss?', null, ...new Set(data.answer.warnings ?? []));
+  return masthead(`Gap analysis of ${data.title}`, data.answer.reference ? 'What has changed?' : 'What does the model miss?', null, ...new Set(data.answer.warnings ?? []));
 }
 
 export function verdict(data) {
   const { answer } = data;
   return h('section', { id: 'verdict', 'aria-label': 'Verdict', style: 'padding-top:0' },
-    h('div', { class: `verdict ${answer.verdict}` }, h('p.head', headline(data)), h('p', WORDS[answer.verdict], clearest(data)),
+    h('div', { class: `verdict ${answer.verdict}` }, h('p.head', headline(data)), h('p', (answer.reference ? CHANGED : WORDS)[answer.verdict], clearest(data)),
       answer.reasons?.length > 0 && h('ul', answer.reasons.map((text) => h('li', text))), second(data)),
+    foreman(data),
     h('dl.figures', figures(data).map(([name, value, more]) => h('div', h('dt', name), h('dd', value, more && h('small', more))))));
 }
 
@@ -54,7 +63,8 @@ function figures(data) {
     ['probability', percent(answer.probability, 1), 'of this verdict'],
     ['omnibus p', pValue(answer.omnibus_p), 'that noise alone gives such a gap'],
     passes && ['passes', `${passes.training.length} + ${passes.holdout.length}`,
-      `searched, and held out; of ${answer.trucks} truck${answer.trucks === 1 ? '' : 's'} each`],
+      `searched, and held out; of ${answer.trucks} truck${answer.trucks === 1 ? '' : 's'} each`
+      + (answer.reference ? `, and ${answer.reference.trucks} of the reference` : '')],
   ];
   if (answer.verdict === 'named') {
     rows.push(data.stability !== undefined && ['stability', percent(data.stability), 'of resampled data have the same lead'],

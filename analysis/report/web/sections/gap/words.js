@@ -1,4 +1,4 @@
-// Names and numbers of an analysis, as a reader says them.
+// Names and numbers of an analysis, as text.
 import { number } from '../../format.js';
 
 export const unitText = (unit) => (unit === '-' || unit === '1' ? '' : unit);

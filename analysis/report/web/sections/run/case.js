@@ -1,4 +1,4 @@
-// The case as it ran, and what pins it down.
+// The case as it ran, and its hashes.
 import { h, section } from '../../dom.js';
 import { facts } from '../../parts/table.js';
 

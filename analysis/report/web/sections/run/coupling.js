@@ -1,4 +1,4 @@
-// What the coupling did, and what it cost.
+// Steps, error and cost of the coupling.
 import { h, section } from '../../dom.js';
 import { duration, fixed, megajoules, number, percent } from '../../format.js';
 import { bar } from '../../parts/bar.js';

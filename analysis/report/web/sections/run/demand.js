@@ -1,10 +1,10 @@
-// What each phase asks of the machine: slack ropes, teeth off their path, drives at or beyond their limits.
+// The demand on the machine by phase: slack ropes, teeth off their path, drives at or beyond their limits.
 import { section } from '../../dom.js';
 import { fixed } from '../../format.js';
 import { table } from '../../parts/table.js';
 import { eachPass } from '../work.js';
 
-const PRESCRIBED = 'Beyond: the drive takes more force than the machine\'s has.';
+const PRESCRIBED = 'Beyond: the drive needs more force than the machine has.';
 const LIMITED = 'At limit: the drive needs more force or power than it has. Lost: by how much the machine falls behind its motion. '
   + 'Let back: how far at most the operator moves the crowd back, which makes the cut shallower.';
 

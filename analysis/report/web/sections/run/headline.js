@@ -1,4 +1,4 @@
-// Title and the figures a reader looks for first.
+// Title and the main figures.
 import { h } from '../../dom.js';
 import { masthead } from '../../page.js';
 import { duration, fixed, meganewtons, megajoules, number, percent, seconds, tonnes } from '../../format.js';
@@ -47,18 +47,37 @@ export function headline(model) {
     table(null, columns, passes, { foot: total }), notes(model));
 }
 
-/// What a reader needs to judge the figures by.
+/// Notes that a reader needs to judge the figures.
 function notes(model) {
   const { passes, drives, metrics } = model;
   const rated = metrics.dipper?.rated_load_kg;
   return h('ul.notes', [
-    rated && ['Rated load', `${tonnes(rated, 0)} t by the machine's file; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
+    rated && ['Rated load', `${tonnes(rated, 0)} t${metrics.dipper.rated_load_assumed ? ' (assumed, not a maker’s figure)' : ''}; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
+    model.run.truck && ['Truck', truck(model.run.truck)],
     drives && ['Drives', stalls(drives), ' ', h('a', { href: '#demand' }, 'By phase')],
-    model.coupling && ['Scatter', 'This is one seed. In the cases of the Bucyrus 495 the payload of a pass scatters between seeds by 3 to 7 t (standard deviation), '
-      + 'least with rock at true size. Several seeds show it: dipper study.'],
+    model.coupling && ['Scatter', scatter(metrics.dipper?.machine)],
     ['Dig force', 'The mean is over penetrate, fill and breakout. The mean to the dump is the paper\'s: from first contact until the door opens, with the swing.'],
     ['Dig work', 'Of hoist and crowd over penetrate, fill and breakout, with the lifting of dipper and load. Per payload: that work divided by the payload; 1000 J/kg is 1 MJ/t.'],
   ].filter(Boolean).map(([name, ...text]) => h('li', h('b', name), '. ', text)));
+}
+
+/// How many passes fill it, and how full it is: summary.json's truck.
+function truck(t) {
+  const passes = (n) => `${n} ${n === 1 ? 'pass' : 'passes'}`;
+  const off = t.filled_fraction - 1;
+  const more = t.passes_to_fill > t.passes ? `, with more of the mean ${fixed(t.mean_pass_t, 0)} t` : '';
+  const now = t.passes_to_fill === t.passes ? ''
+    : ` After the ${passes(t.passes)} of this run it has ${fixed(t.load_t, 0)} t, ${percent(t.load_fraction)} of it.`;
+  return `${passes(t.passes_to_fill)} ${t.passes_to_fill === 1 ? 'fills' : 'fill'} it with ${fixed(t.filled_t, 0)} t, `
+    + `${percent(Math.abs(off))} ${off > 0 ? 'over' : 'under'} its rated ${fixed(t.rated_t, 0)} t${more}.${now}`;
+}
+
+/// Measured for one machine: docs/data/{paper,coarse,screening,quick}_passes.csv.
+function scatter(machine) {
+  const known = machine === 'Bucyrus 495'
+    ? 'In the cases that come with the Bucyrus 495 the payload of a pass scatters between seeds by 3 to 7 t (standard deviation), least with rock at true size.'
+    : 'How much the payload scatters between seeds has not been measured for this machine.';
+  return `This is one seed, one pile of this rock. ${known} To measure it for this case, run several seeds: dipper study.`;
 }
 
 function stalls(drives) {

@@ -1,4 +1,4 @@
-// The payload by the ways there are to weigh it, and where the rock went that they do not share.
+// The payload by several methods, and the rock in which they differ.
 import { h, section } from '../../dom.js';
 import { percent, seconds, tonnes } from '../../format.js';
 import { bar } from '../../parts/bar.js';

@@ -12,7 +12,7 @@ export function head(data) {
 
 export function warnings(data) {
   if (!data.warnings?.length) return null;
-  return section('warnings', `${data.warnings.length} warning${data.warnings.length === 1 ? '' : 's'}`, 'What the runs themselves warn of.',
+  return section('warnings', `${data.warnings.length} warning${data.warnings.length === 1 ? '' : 's'}`, 'Warnings of the runs themselves.',
     h('ul', data.warnings.map((text) => h('li', text))));
 }
 

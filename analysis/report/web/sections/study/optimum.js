@@ -1,4 +1,4 @@
-// What an optimisation found, and whether fresh seeds confirm it.
+// The result of an optimisation, and its confirmation by fresh seeds.
 import { h } from '../../dom.js';
 import { number, percent } from '../../format.js';
 import { curve } from '../../parts/curve.js';

@@ -1,4 +1,4 @@
-// Names and numbers of a study, as a reader says them.
+// Names and numbers of a study, as text.
 import { number } from '../../format.js';
 
 const SAID = {

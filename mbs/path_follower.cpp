@@ -1,4 +1,4 @@
-#include "mbs/operator.hpp"
+#include "mbs/path_follower.hpp"
 
 #include <algorithm>
 
@@ -23,17 +23,21 @@ machine::Drives sum(double a, const machine::Drives& x, double b, const machine:
 
 }  // namespace
 
-Operator::Operator(std::shared_ptr<const machine::Motion> motion, double crowd_min)
+PathFollower::PathFollower(std::shared_ptr<const machine::Motion> motion, double crowd_min)
     : motion_(std::move(motion)), crowd_min_(crowd_min) {}
 
-void Operator::reset(double t_s, const PathState& state) {
+void PathFollower::go_on(double t_s, const PathState& from) {
   updated_s_ = t_s;
-  then_ = state;
+  then_ = from;
   rate_slope_ = relief_slope_ = 0;
 }
 
-void Operator::update(double t_s, const std::function<Overload()>& overload) {
-  reset(t_s, at(t_s));
+void PathFollower::reset(double t_s, const std::vector<double>& state) {
+  go_on(t_s, {state.at(0), state.at(1), state.at(2), state.at(3)});
+}
+
+void PathFollower::ease(double t_s, const std::function<Overload()>& overload) {
+  go_on(t_s, at(t_s));
   const Overload r = overload();
   const double crowd = eased(r.crowd);
   const double wanted = std::min(1 - eased(r.others), 1 - (1 - kStalledCrowd) * crowd);
@@ -47,7 +51,7 @@ void Operator::update(double t_s, const std::function<Overload()>& overload) {
   relief_slope_ = (relief_rate - then_.relief_rate) / kReaction_s;
 }
 
-PathState Operator::at(double t_s) const {
+PathState PathFollower::at(double t_s) const {
   const double since = t_s - updated_s_;
   return {then_.time + since * (then_.rate + 0.5 * since * rate_slope_),
           then_.rate + since * rate_slope_,
@@ -55,7 +59,21 @@ PathState Operator::at(double t_s) const {
           then_.relief_rate + since * relief_slope_};
 }
 
-machine::DriveState Operator::setpoint(double t_s) const {
+std::vector<double> PathFollower::state(double t_s) const {
+  const PathState now = at(t_s);
+  return {now.time, now.rate, now.relief, now.relief_rate};
+}
+
+std::vector<core::Channel> PathFollower::channels() const {
+  return {{"path_time", "s", "-"}, {"path_rate", "1", "-"}, {"crowd_relief", "m", "-"}};
+}
+
+std::vector<double> PathFollower::values(double t_s, const DriveEfforts&) const {
+  const PathState now = at(t_s);
+  return {now.time, now.rate, now.relief};
+}
+
+machine::DriveState PathFollower::setpoint(double t_s) const {
   const PathState now = at(t_s);
   const machine::DriveState m = motion_->at(now.time);
   machine::DriveState s{m.position, sum(now.rate, m.rate, 0, m.rate),

@@ -1,5 +1,5 @@
 // The drive's limits and the operator by themselves.
-#include "mbs/operator.hpp"
+#include "mbs/path_follower.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,24 +30,24 @@ TEST(LimitedDrive, IsAsStiffAsItsLagSaysAndDampedCritically) {
   EXPECT_DOUBLE_EQ(drive.wanted(0, 0), -7e5);
 }
 
-class OperatorTest : public testing::Test {
+class PathFollowerTest : public testing::Test {
  protected:
   static constexpr double h = 2e-3;
   std::shared_ptr<const machine::Motion> motion = std::make_shared<machine::Motion>(
       machine::Motion::parse("time_s,hoist_m,crowd_m,swing_deg,door_deg\n"
                              "0,0,-1,0,0\n10,-5,1,60,40\n20,-5,1,60,40\n",
                              "m.csv"));
-  Operator path{motion, -1.7};
+  PathFollower path{motion, -1.7};
 
   /// Goes on with an overload; where he then is.
   PathState go(double& t_s, double for_s, const Overload& overload) {
     const double end = t_s + for_s;
-    for (; t_s < end - h / 2; t_s += h) path.update(t_s, [&] { return overload; });
+    for (; t_s < end - h / 2; t_s += h) path.ease(t_s, [&] { return overload; });
     return path.at(t_s);
   }
 };
 
-TEST_F(OperatorTest, KeepsTheMotionsTimeWhileTheDrivesFollow) {
+TEST_F(PathFollowerTest, KeepsTheMotionsTimeWhileTheDrivesFollow) {
   double t = 0;
   const PathState at = go(t, 5, {0.9, 1});
   EXPECT_NEAR(at.time, 5, 1e-12);
@@ -58,7 +58,7 @@ TEST_F(OperatorTest, KeepsTheMotionsTimeWhileTheDrivesFollow) {
   EXPECT_NEAR(sent.rate.hoist, told.rate.hoist, 1e-12);
 }
 
-TEST_F(OperatorTest, SlowsWhereADriveIsOverloadedAndNeverGoesBack) {
+TEST_F(PathFollowerTest, SlowsWhereADriveIsOverloadedAndNeverGoesBack) {
   double t = 0;
   EXPECT_NEAR(go(t, 4, {0, 1.25}).rate, 0.5, 1e-6);
   double before = path.at(t).time;
@@ -71,7 +71,7 @@ TEST_F(OperatorTest, SlowsWhereADriveIsOverloadedAndNeverGoesBack) {
 }
 
 // relief_rate is 0.1 m/s while the way stands; given out with about 2 s when it goes on.
-TEST_F(OperatorTest, LetsTheCrowdBackWhereItStandsAndOutAgainWhenItGoesOn) {
+TEST_F(PathFollowerTest, LetsTheCrowdBackWhereItStandsAndOutAgainWhenItGoesOn) {
   double t = 0;
   go(t, 3, {});
   const double early = go(t, 3, {0, 9}).relief;
@@ -85,7 +85,7 @@ TEST_F(OperatorTest, LetsTheCrowdBackWhereItStandsAndOutAgainWhenItGoesOn) {
   EXPECT_NEAR(path.setpoint(t).position.crowd, -1.7, 0.03);
 }
 
-TEST_F(OperatorTest, LiftsOnWithACrowdThatStalls) {
+TEST_F(PathFollowerTest, LiftsOnWithACrowdThatStalls) {
   double t = 0;
   go(t, 3, {});
   const PathState before = path.at(t);
@@ -95,10 +95,10 @@ TEST_F(OperatorTest, LiftsOnWithACrowdThatStalls) {
 }
 
 // Where he sends the drives has the speed that it says, also while he slows.
-TEST_F(OperatorTest, WhatHeSendsIsOneCurve) {
+TEST_F(PathFollowerTest, WhatHeSendsIsOneCurve) {
   double t = 0;
   go(t, 4, {1.2, 0.5});
-  path.update(t, [] { return Overload{3, 3}; });
+  path.ease(t, [] { return Overload{3, 3}; });
   constexpr double d = 1e-6;
   const double at = t + 1e-3;
   const machine::DriveState now = path.setpoint(at);

@@ -1,0 +1,74 @@
+// The answer for whoever runs the shovel: what, where, how much, how sure, since when, and what to measure next.
+import { percent } from '../../format.js';
+import { facts } from '../../parts/table.js';
+import { channelName, strengthText, title } from './words.js';
+
+const PLACES = 3;
+
+export function foreman(data) {
+  const { answer } = data;
+  return facts([
+    ['What', what(data)],
+    ['Where', where(answer)],
+    ['How much', howMuch(data)],
+    ['Since when', since(answer)],
+    ['How sure', howSure(answer)],
+    ['Measure next', next(data)],
+  ]);
+}
+
+function what(data) {
+  const { answer } = data;
+  const changed = answer.reference ? 'has changed since the reference' : 'is missing in the model';
+  if (answer.verdict === 'named') return `${title(data, answer.effect)} ${changed}.`;
+  if (answer.verdict === 'class') return `One of these ${changed}: ${answer.class.map((effect) => title(data, effect)).join('; ')}.`;
+  if (answer.verdict === 'unknown') return answer.reference ? 'Something has changed that the catalogue has no name for.' : 'Something that the catalogue has no name for.';
+  return answer.reference ? 'Nothing that these data can show has changed.' : 'Nothing that these data can show is missing.';
+}
+
+/// The places that stand out, one a phase and channel, each with its direction.
+function where(answer) {
+  if (answer.verdict === 'no-gap' || !answer.disagreement.length) return null;
+  const places = new Map();
+  for (const { channel, phase, feature, z } of answer.disagreement) {
+    const size = feature === 'slope' ? 'rises otherwise' : z > 0 ? 'higher' : 'lower';
+    const place = feature === 'balance' ? 'truck mass against the load on the rope' : `${channelName(channel)[0]}${feature === 'mass' ? '' : ` in ${phase}`}`;
+    if (!places.has(place)) places.set(place, size);
+  }
+  return [...places].slice(0, PLACES).map(([place, size]) => `${place}: ${size}`).join('; ');
+}
+
+function howMuch(data) {
+  const { answer } = data;
+  if (answer.verdict === 'named') return `${answer.parameter.name} ${strengthText(answer.parameter)}`;
+  if (answer.verdict !== 'class') return null;
+  return answer.class.filter((name) => answer.intervals[name]).map((name) => {
+    const [low, high] = answer.intervals[name];
+    return `${title(data, name)}: ${low.toPrecision(2)} to ${high.toPrecision(2)} ${data.effects?.[name]?.unit ?? ''}`;
+  }).join('; ');
+}
+
+export function since(answer) {
+  const began = answer.history?.began;
+  if (!began) return null;
+  const trucks = answer.history.trucks;
+  const name = (k) => `${trucks[k].period === 'reference' ? 'reference truck' : 'truck'} ${trucks[k].truck}${trucks[k].time ? ` (${trucks[k].time})` : ''}`;
+  const [low, high] = began.interval90_trucks;
+  const how = { step: 'At once', ramp: 'Little by little', unclear: 'It began' }[began.shape];
+  return `${how}, between ${name(began.after_trucks - 1)} and ${name(began.after_trucks)}`
+    + (low === high ? '' : `; 90 %: between ${name(low - 1)} and ${name(high)}`);
+}
+
+function howSure(answer) {
+  if (answer.verdict === 'no-gap') return `Noise alone gives a gap like this in ${percent(answer.omnibus_p)} of cases.`;
+  const probability = `${percent(answer.probability, 1)} of the evidence`;
+  if (answer.verdict === 'named' && answer.gap.holdout_closure !== null) {
+    return `${probability}; with it the model closes ${percent(Math.min(answer.gap.holdout_closure, 1))} of the gap on passes that it had not seen.`;
+  }
+  return answer.verdict === 'named' ? `${probability}; the passes held out do not show it.` : `That something is there: sure. Which: ${answer.verdict === 'class' ? probability : 'not told by these data'}.`;
+}
+
+function next(data) {
+  const [first] = data.experiments ?? data.answer.next_experiment ?? [];
+  return first ? `${first.title} (${first.minutes} min)` : null;
+}

@@ -1,0 +1,51 @@
+"""Point clouds in files: x y z as text, PLY and LAS, in parts, so that memory does not grow with their number."""
+from dataclasses import dataclass
+from typing import Callable
+
+from .las import open_las
+from .ply import open_ply
+from .text_cloud import open_text
+
+NOT_READ = (  # begins with, what it is, what to do
+    (b"ASTM-E57", "an E57", "export it as LAS, PLY or text"),
+    (b"# .PCD", "a PCD", "export it as LAS, PLY or text"),
+    (b"\x1f\x8b", "compressed by gzip", "unpack it with gunzip"),
+    (b"PK\x03\x04", "a ZIP, or a spreadsheet", "unpack it, or save the table as CSV"),
+    (b"\xff\xfe", "UTF-16", "save it as plain text in UTF-8"),
+    (b"\xfe\xff", "UTF-16", "save it as plain text in UTF-8"),
+    (b"solid ", "an STL", "it is a mesh already: crop it and name it in pile.profile (docs/rock.md)"),
+)
+
+
+@dataclass(frozen=True)
+class Cloud:
+    """A cloud that was found readable. `parts()` yields arrays (n, 3) of float64 in the file's coordinates, and may be
+    called again; it raises BadInput where the file turns out to be broken."""
+
+    parts: Callable
+    kind: str           # "LAS 1.2", "PLY", "text"
+    notes: tuple = ()   # what a user should know
+
+
+def open_cloud(path, found):
+    """The Cloud of a file; None after a finding."""
+    try:
+        with open(path, "rb") as file:
+            head = file.read(64)
+    except OSError as e:
+        found.add(path, 0, "file", f"cannot be read: {e.strerror}", "a point cloud: text, CSV, PLY or LAS")
+        return None
+    for begins, what, right in NOT_READ:
+        if head.startswith(begins):
+            found.add(path, 0, "file", f"is {what}", right)
+            return None
+    if not head:
+        found.add(path, 0, "file", "is empty", "a point cloud: text, CSV, PLY or LAS")
+        return None
+    if head.startswith(b"LASF"):
+        opened = open_las(path, found)
+    elif head.startswith((b"ply\n", b"ply\r")):
+        opened = open_ply(path, found)
+    else:
+        opened = open_text(path, found)
+    return opened and Cloud(*opened)

@@ -1,0 +1,174 @@
+"""Point clouds as text: x y z, a point a line, with a header or without, as CSV or between blanks."""
+import io
+
+import numpy as np
+
+from dipper_run.csv_text import WITH_DECIMAL_COMMA, cells_of, find_decimal
+from dipper_run.findings import BadInput
+from dipper_run.text_file import BOM, number
+
+PART = 1 << 23           # bytes
+HEAD = 1 << 16           # bytes in which the first point is looked for
+NAMES = {"x": ("x", "e", "east", "easting", "rechtswert", "utmx"),
+         "y": ("y", "n", "north", "northing", "hochwert", "utmy"),
+         "z": ("z", "h", "height", "elev", "elevation", "rl", "level", "altitude", "alt", "hoehe")}
+NONE = ("nan", "-nan", "inf", "-inf", "+inf")  # as scanners write that nothing came back
+SHOWN = 60
+
+
+class Table:
+    """How the points stand in the lines."""
+
+    def __init__(self, delimiter, decimal, columns, first, cells, returns):
+        self.delimiter, self.decimal = delimiter, decimal  # delimiter None: blanks
+        self.columns = columns    # of x, y and z
+        self.first = first        # 1-based line of the first point
+        self.cells = cells        # a line has
+        self.returns = returns    # whether lines end by CR alone
+
+
+def open_text(path, found):
+    """(parts, kind, notes) of cloud.Cloud; None after a finding."""
+    table = _find_table(path, found)
+    return table and (lambda: _parts(path, table), "text", ())
+
+
+def _find_table(path, found):
+    with open(path, "rb") as file:
+        head = file.read(HEAD)
+    if b"\0" in head:
+        found.add(path, 0, "file", "is neither text nor PLY nor LAS", "a point cloud: x y z as text, CSV, PLY or LAS")
+        return None
+    whole = len(head) < HEAD
+    text = head.removeprefix(BOM).decode("latin-1")
+    returns = "\n" not in text
+    lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = lines if whole else lines[:-1]
+    header = words = None
+    for i, line in enumerate(lines, 1):
+        bare = line.strip().lstrip("#/").strip()
+        if not bare:
+            continue
+        delimiter, cells = _split(bare)
+        comment = line.lstrip().startswith(("#", "//"))
+        if comment or sum(map(_is_number, cells)) < min(3, len(cells)):
+            if len(cells) >= 3 and None not in _columns(cells):
+                header = (i, cells)
+            elif len(cells) >= 3 and not comment:
+                words = (i, cells)
+            continue
+        if len(cells) == 1:  # of a .pts: how many points follow
+            continue
+        return _table_from(path, lines, i, delimiter, cells, header or words, returns, found)
+    found.add(path, 1, "file", f"no line of three numbers, it begins with '{lines[0].strip()[:SHOWN]}'",
+              "a point cloud: x y z a line, or a header and a CSV")
+    return None
+
+
+def _table_from(path, lines, first, delimiter, cells, names, returns, found):
+    if len(cells) < 3:
+        found.add(path, first, "point", f"is '{lines[first - 1].strip()[:SHOWN]}'", "x, y and z")
+        return None
+    shown = [c for line in lines[first - 1:] if line.strip() for c in cells_in(line.strip(), delimiter)]
+    decimal, doubtful = find_decimal(shown) if delimiter != "," else (".", None)
+    if doubtful:
+        found.add(path, first, "numbers", f"every comma has three digits after it, as in '{doubtful}'",
+                  "whether it is a decimal comma or parts thousands is open: write the coordinates with points")
+        return None
+    columns = [0, 1, 2]
+    if names:
+        line, words = names
+        columns = _columns(words)
+        if None in columns:
+            found.add(path, line, "header", "has " + ", ".join(f"'{w[:20]}'" for w in words[:8]),
+                      "columns called x, y, z, or easting, northing, elevation")
+            return None
+        if len(words) != len(cells):
+            found.add(path, first, "point", f"has {len(cells)} cells, the header {len(words)} names",
+                      "a cell a name" + ("; with decimal commas, semicolons part the columns"
+                                         if delimiter == "," else ""))
+            return None
+    return Table(delimiter, decimal, columns, first, len(cells), returns)
+
+
+def _columns(words):
+    """Where x, y and z stand among the names of a header; None for one that does not."""
+    plain = ["".join(ch for ch in w.lower().split("(")[0].split("[")[0] if ch.isalpha() or ch == "_").removesuffix("_m")
+             for w in words]
+    return [next((i for i, w in enumerate(plain) if w in NAMES[axis]), None) for axis in "xyz"]
+
+
+def _split(line):
+    """(delimiter, cells) of a line; None: blanks part them."""
+    for d in (";", "\t", "|"):
+        if d in line:
+            return d, cells_of(line, d)
+    words = line.split()
+    if len(words) >= 3 and all(_is_number(w) for w in words):
+        return None, words
+    if "," in line:
+        return ",", cells_of(line, ",")
+    return None, words
+
+
+def cells_in(line, delimiter):
+    return line.split() if delimiter is None else cells_of(line, delimiter)
+
+
+def _is_number(text):
+    return number(text) is not None or text.lower() in NONE or WITH_DECIMAL_COMMA.fullmatch(text) is not None
+
+
+def _parts(path, table):
+    line = 1
+    with open(path, "rb") as file:
+        rest = b""
+        while True:
+            read = file.read(PART)
+            data = rest + (read.removeprefix(BOM) if line == 1 and not rest else read)
+            if table.returns:
+                data = data.replace(b"\r", b"\n")
+            if read:
+                end = data.rfind(b"\n") + 1
+                if end == 0 and len(data) > 4 * PART:
+                    raise BadInput([f"{path}:{line}: point: a line of {len(data)} characters; x y z a line"])
+                data, rest = data[:end], data[end:]
+            if line < table.first and data:
+                skipped = min(table.first - line, data.count(b"\n"))
+                for _ in range(skipped):
+                    data = data[data.find(b"\n") + 1:]
+                line += skipped
+            if data.strip():
+                yield _points(path, data, line, table)
+            line += data.count(b"\n")
+            if not read:
+                return
+
+
+def _points(path, data, line, table):
+    if table.decimal == ",":
+        if table.delimiter != "," and b"." in data:
+            _tell_line(path, data, line, table)
+        data = data.replace(b",", b".")
+    try:
+        points = np.loadtxt(io.BytesIO(data), delimiter=table.delimiter, usecols=table.columns, ndmin=2, comments="#",
+                            quotechar='"')
+    except ValueError:
+        _tell_line(path, data, line, table)
+        raise BadInput([f"{path}:{line}: points: cannot be read from here on; x y z a line"]) from None
+    return points
+
+
+def _tell_line(path, data, line, table):
+    """Raises BadInput for the first line that is no point."""
+    for i, row in enumerate(data.decode("latin-1").split("\n"), line):
+        row = row.split("#")[0].strip()
+        cells = cells_in(row, table.delimiter)
+        if not row:
+            continue
+        if len(cells) < max(table.columns) + 1:
+            raise BadInput([f"{path}:{i}: point: has {len(cells)} cells, '{row[:SHOWN]}'; {table.cells}, as the first"])
+        for c in table.columns:
+            if number(cells[c]) is None and cells[c].lower() not in NONE:
+                raise BadInput([f"{path}:{i}: point: '{cells[c][:SHOWN]}' is no number"
+                                "; a coordinate in m, with nothing between its thousands"])

@@ -1,0 +1,89 @@
+"""The difference of two periods: its covariance against samples, and how the mine's own trucks tell their scatter."""
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from dipper_gap.readings.features import Cell
+from dipper_gap.readings.measured import Channel
+from dipper_gap.statistics.baseline import make_baseline
+from dipper_gap.statistics.left_out import left_out_trucks
+from dipper_gap.statistics.null import Tails, simulate_null, statistics
+from dipper_gap.statistics.reference import Reference, drift_sigmas, with_scatter
+
+CELLS = [Cell(p, phase, "hoist_force_kN", f) for p in (1, 2, 3) for phase in ("fill", "swing")
+         for f in ("mean", "slope", "peak")]
+N, RUNS, TRUCKS, BEFORE = len(CELLS), 16, 4, 6
+OWN, DRIFT = 0.3, 0.5
+
+
+def baseline(seed=0, trucks=TRUCKS, before=BEFORE, scatter=1.0):
+    """Unit variance from seed to seed; instruments err by OWN, and have drifted by DRIFT."""
+    rng = np.random.default_rng(seed)
+    b = make_baseline(CELLS, rng.standard_normal((RUNS, N)), np.eye(N) * OWN**2, np.ones((1, N)), (1, 2, 3), trucks)[0]
+    reference = Reference(np.zeros((before, N)), np.eye(N) * OWN**2, np.full((1, N), DRIFT), np.full(N, 7.0))
+    return replace(b, reference=reference, scatter=np.full(N, scatter))
+
+
+def trucks(rng, count, size=1.0, level=0.0):
+    return level + size * rng.standard_normal((count, N)) + OWN * rng.standard_normal((count, N))
+
+
+def test_prediction_is_the_variance_of_the_periods_difference():
+    """Nothing of the model's mean is in it, nor what the instruments err by at all times."""
+    b, rng = replace(baseline(), seed=np.eye(N)), np.random.default_rng(1)
+    off = [trucks(rng, TRUCKS, level=9.0).mean(axis=0) + DRIFT * rng.standard_normal()
+           - trucks(rng, BEFORE, level=9.0).mean(axis=0) for _ in range(4000)]
+    assert np.var(off) == pytest.approx(np.diag(b.prediction).mean(), rel=0.05)
+    assert np.allclose(b.level, b.mean + 7.0)
+    runs = 5  # with an effect: the model's own mean enters with them
+    assert np.allclose(b.against(runs), b.prediction + b.seed * (1 / RUNS + 1 / runs))
+
+
+@pytest.mark.parametrize("size", [0.5, 1.0, 2.0])
+def test_the_mines_trucks_tell_their_scatter_less_and_more_than_the_models(size):
+    found = []
+    for k in range(20):
+        rng = np.random.default_rng([3, k])
+        b = baseline(k)
+        found.append(np.median(with_scatter(b, trucks(rng, TRUCKS, size, 5), trucks(rng, BEFORE, size)).scatter))
+    assert np.median(found) == pytest.approx(size**2, rel=0.25 if size >= 1 else 0.4)
+
+
+def test_two_lone_trucks_tell_no_scatter():
+    b, rng = baseline(trucks=1, before=1), np.random.default_rng(2)
+    assert np.allclose(with_scatter(b, trucks(rng, 1), trucks(rng, 1)).scatter, 1.0)
+
+
+def test_trucks_that_move_together_otherwise_than_the_model_are_seen():
+    """Same variances, but features move one way in the mine, which the model's runs never do."""
+    b, rng = baseline(), np.random.default_rng(5)
+    alike = [trucks(rng, count) for count in (TRUCKS, BEFORE)]
+    assert left_out_trucks(*alike, with_scatter(b, *alike), Tails()) < 1.6
+    # Alternating signs of one number: T2 does not see it, the mirror image does.
+    sides = np.where(np.arange(N) % 2, 1.0, -1.0)
+    close = replace(b, seed=0.1 * np.eye(N) + 0.9)  # the model: all features together
+    other = [rng.standard_normal((count, 1)) * sides + OWN * rng.standard_normal((count, N))
+             for count in (TRUCKS, BEFORE)]
+    assert left_out_trucks(*other, with_scatter(close, *other), Tails()) > 2
+
+
+def test_the_null_of_two_periods_is_nominal():
+    """Mines of half and of twice the model's scatter; alarms at 0.2."""
+    alarms = []
+    for k in range(40):
+        rng = np.random.default_rng([9, k])
+        size = (0.7, 1.4)[k % 2]
+        now, then = trucks(rng, TRUCKS, size, 5), trucks(rng, BEFORE, size, 5)
+        b = with_scatter(baseline(k), now, then)
+        null = simulate_null(b, draws=100, seed=k, tails=Tails())
+        residual = now.mean(axis=0) + DRIFT * rng.standard_normal() - then.mean(axis=0)
+        alarms.append(null.omnibus_p(statistics(residual, b.prediction, b.grid)) <= 0.2)
+    print(f"two periods: {np.mean(alarms):.3f} at 0.2")
+    assert 0.03 < np.mean(alarms) < 0.40  # three standard errors of 40
+
+
+def test_errors_of_one_instrument_cancel_only_where_it_is_told():
+    now = {"a": Channel("a", "t", "response", 1, 2.0, 0.5), "b": Channel("b", "t", "response", 1, 3.0)}
+    then = {"a": Channel("a", "t", "response", 1, 2.0), "b": Channel("b", "t", "response", 1, 4.0)}
+    assert drift_sigmas(now, then, ["a", "b"]) == pytest.approx([0.5, 5.0])

@@ -1,0 +1,185 @@
+"""Clouds in every form that is read, and what is said of those that are not."""
+import struct
+
+import numpy as np
+import pytest
+
+import scanned_face
+from dipper_run.findings import BadInput, Findings
+from dipper_survey import las, ply, text_cloud
+from dipper_survey.cloud import open_cloud
+from dipper_survey.site import Site
+
+POINTS = scanned_face.to_mine(scanned_face.scene(2000))
+
+
+def read(path):
+    found = Findings()
+    cloud = open_cloud(path, found)
+    found.raise_if_any()
+    first, second = (np.vstack(list(cloud.parts())) for _ in range(2))
+    np.testing.assert_array_equal(first, second)
+    return first
+
+
+def fault(path):
+    with pytest.raises(BadInput) as e:
+        read(path)
+    assert len(e.value.findings) == 1
+    return e.value.findings[0].removeprefix(str(path))
+
+
+def text(tmp_path, content, name="scan.txt"):
+    file = tmp_path / name
+    file.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return file
+
+
+def rows(between=" ", mark=".", end="\n", columns=(0, 1, 2), more=()):
+    return "".join(between.join([f"{p[c]:.3f}".replace(".", mark) for c in columns] + list(more)) + end for p in POINTS)
+
+
+@pytest.mark.parametrize("content", [
+    rows(), rows("\t"), rows(", "), rows("  ") + "\n\n", rows(end="\r\n"), rows(end="\r"), rows(";", ","),
+    rows("\t", ","), rows(" ", ","), "\ufeff" + rows(), rows().rstrip("\n"),
+    "x y z\n" + rows(), "\ufeffX;Y;Z\n" + rows(";", ","), "//X,Y,Z,R,G,B\n" + rows(",", more=("10", "20", "30")),
+    "# made by a scanner of ours, today\n" + rows(), f"{len(POINTS)}\n" + rows(more=("-512", "1", "2", "3")),
+    "Northing,Easting,Elevation\n" + rows(",", columns=(1, 0, 2)),
+    "Bench 12\nEasting (m);Northing (m);RL (m);Code\nm;m;m;-\n" + rows(";", more=("rock",)),
+    '"Point","E [m]","N [m]","H [m]"\n' + "".join(f'"P{i}","{a:.3f}","{b:.3f}","{c:.3f}"\n'
+                                                  for i, (a, b, c) in enumerate(POINTS))])
+def test_text(tmp_path, content, monkeypatch):
+    monkeypatch.setattr(text_cloud, "PART", 10_000)
+    np.testing.assert_allclose(read(text(tmp_path, content)), POINTS, rtol=0, atol=6e-4)
+
+
+def test_rows_without_a_return_are_kept_as_such(tmp_path):
+    points = read(text(tmp_path, rows() + "nan nan nan\n"))
+    assert np.isnan(points[-1]).all() and len(points) == len(POINTS) + 1
+
+
+@pytest.mark.parametrize("content, said", [
+    (rows() + "512345.2 7443210.9\n", f":{len(POINTS) + 1}: point: has 2 cells"),
+    (rows() + "512345.2 7443210.9 high\n", f":{len(POINTS) + 1}: point: 'high' is no number"),
+    ("512,345.2;7,443,210.9;182.4\n" * 9, ":1: file: no line of three numbers"),
+    ("512,345;443,210;182,123\n" * 9, ":1: numbers: every comma has three digits after it"),
+    (rows(";") + "7,443,210.9;1;2\n", f":{len(POINTS) + 1}: point: '7,443,210.9' is no number"),
+    ("x,y,z\n" + rows(",", ","), ":2: point: has 6 cells, the header 3 names"),
+    ("a;b;c\n" + rows(";"), ":1: header: has 'a', 'b', 'c'; columns called x, y, z"),
+    ("1;2\n3;4\n", ":1: point: is '1;2'; x, y and z"),
+    ("Dear all,\nhere is the scan\n", ":1: file: no line of three numbers"),
+    ("", ": file: is empty"), (b"\x00\x01\x02" * 99, ": file: is neither text nor PLY nor LAS"),
+    (rows().encode("utf-16"), ": file: is UTF-16"), (b"\x1f\x8b" + b"x" * 99, ": file: is compressed by gzip"),
+    ("solid face\n", ": file: is an STL"), (b"ASTM-E57" + b"\0" * 99, ": file: is an E57"),
+    (b"PK\x03\x04" + b"\0" * 99, ": file: is a ZIP, or a spreadsheet")])
+def test_text_that_is_none(tmp_path, content, said):
+    assert said in fault(text(tmp_path, content))
+
+
+def test_no_file(tmp_path):
+    assert "cannot be read" in fault(tmp_path / "none.xyz") and "cannot be read" in fault(tmp_path)
+
+
+def ply_file(tmp_path, kind="binary_little_endian", number="double", before="", points=POINTS, more=b"", end="\n"):
+    header = end.join(["ply", f"format {kind} 1.0", "comment by a test", *([before] if before else []),
+                       f"element vertex {len(POINTS)}", f"property {number} x", "property uchar red",
+                       f"property {number} y", f"property {number} z", "element face 0",
+                       "property list uchar int vertex_indices", "end_header", ""]).encode()
+    if kind == "ascii":
+        body = "".join(f"{a:.4f} 7 {b:.4f} {c:.4f}{end}" for a, b, c in points).encode()
+    else:
+        order = "<" if "little" in kind else ">"
+        f = order + ("f8" if number == "double" else "f4")
+        table = np.zeros(len(points), [("x", f), ("red", "u1"), ("y", f), ("z", f)])
+        for axis, values in zip("xyz", points.T):
+            table[axis] = values
+        body = table.tobytes()
+    return text(tmp_path, header + more + body, "scan.ply")
+
+
+@pytest.mark.parametrize("words", [
+    {}, {"kind": "binary_big_endian"}, {"kind": "ascii"}, {"kind": "ascii", "end": "\r\n"}, {"end": "\r\n"},
+    {"before": "element camera 2\nproperty float focus\nproperty int on", "more": b"\0" * 16}])
+def test_ply(tmp_path, words, monkeypatch):
+    monkeypatch.setattr(ply, "PART", 700)
+    np.testing.assert_allclose(read(ply_file(tmp_path, **words)), POINTS, rtol=0, atol=6e-5)
+
+
+def test_single_precision_holds_local_coordinates_and_no_northing(tmp_path):
+    near = POINTS - scanned_face.ORIGIN
+    np.testing.assert_allclose(read(ply_file(tmp_path, number="float", points=near)), near, atol=1e-5)
+    assert "rounded to 0.5 m" in fault(ply_file(tmp_path, number="float"))
+
+
+@pytest.mark.parametrize("words, said", [
+    ({"points": POINTS[:-5]}, f"ends after {len(POINTS) - 5} of its {len(POINTS)} vertices"),
+    ({"kind": "ascii", "points": POINTS[:-5]}, f"ends after {len(POINTS) - 5} of its {len(POINTS)} vertices"),
+    ({"kind": "middle_endian"}, ":2: PLY: is 'format middle_endian 1.0'"),
+    ({"number": "quad"}, ":5: PLY: is 'property quad x'"),
+    ({"before": "element face 1\nproperty list uchar int vertex_indices"}, "has lists before or in its vertices")])
+def test_broken_ply(tmp_path, words, said):
+    number = words.get("number", "double")
+    file = ply_file(tmp_path, **{**words, "number": "double"})
+    file.write_bytes(file.read_bytes().replace(b"double", number.encode()))
+    assert said in fault(file)
+
+
+def las_file(tmp_path, version=(1, 2), form=3, flags=None, classes=None, cut=0):
+    header_size = 375 if version >= (1, 4) else 227
+    length = las.SHORTEST[form] + 2  # with two bytes of a maker's own
+    scale, offset = np.array([0.001, 0.001, 0.001]), np.array([512000.0, 7443000.0, 0.0])
+    head = bytearray(header_size)
+    head[:4] = b"LASF"
+    head[24:26] = bytes(version)
+    struct.pack_into("<HI", head, 94, header_size, header_size + 10)
+    struct.pack_into("<BHI", head, 104, form, length, 0 if version >= (1, 4) else len(POINTS))
+    struct.pack_into("<6d", head, 131, *scale, *offset)
+    if version >= (1, 4):
+        struct.pack_into("<Q", head, 247, len(POINTS))
+    body = np.zeros((len(POINTS), length), np.uint8)
+    whole = np.round((POINTS - offset) / scale).astype("<i4")
+    body[:, :12] = whole.view(np.uint8).reshape(-1, 12)
+    if flags is not None:
+        body[:, 15] = flags
+    if classes is not None:
+        body[:, 15 if form < 6 else 16] = classes
+    data = bytes(head) + bytes(10) + body.tobytes()
+    return text(tmp_path, data[:len(data) - cut], "scan.las")
+
+
+@pytest.mark.parametrize("version, form", [((1, 0), 0), ((1, 2), 3), ((1, 3), 5), ((1, 4), 6), ((1, 4), 7), ((1, 4), 1)])
+def test_las(tmp_path, version, form, monkeypatch):
+    monkeypatch.setattr(las, "PART", 700)
+    np.testing.assert_allclose(read(las_file(tmp_path, version, form)), POINTS, rtol=0, atol=6e-4)
+
+
+@pytest.mark.parametrize("form, version, noise", [(1, (1, 2), 7), (6, (1, 4), 18)])
+def test_noise_and_withheld_points_of_a_las_are_left_out(tmp_path, form, version, noise):
+    classes = np.full(len(POINTS), 2)
+    classes[:30] = noise
+    assert len(read(las_file(tmp_path, version, form, classes=classes))) == len(POINTS) - 30
+    flags = np.zeros(len(POINTS))
+    flags[:20] = 0x80 if form < 6 else 0x04
+    assert len(read(las_file(tmp_path, version, form, flags=flags))) == len(POINTS) - 20
+
+
+def test_broken_las(tmp_path):
+    assert f"ends after {len(POINTS) - 1} of its {len(POINTS)} points" in fault(las_file(tmp_path, cut=9))
+    file = las_file(tmp_path)
+    whole = file.read_bytes()
+    file.write_bytes(whole[:104] + b"\x83" + whole[105:])
+    assert "is compressed (LAZ); unpack it: laszip" in fault(file)
+    file.write_bytes(whole[:104] + b"\x63" + whole[105:])
+    assert "has the format" in fault(file) or "have the format 99" in fault(file)
+    file.write_bytes(whole[:100])
+    assert "ends within its header" in fault(file)
+    file.write_bytes(whole[:131] + bytes(24) + whole[155:])
+    assert "has a broken header" in fault(file)
+
+
+def test_a_site_turns_and_shifts_in_double_precision():
+    world = scanned_face.scene(2000)
+    np.testing.assert_allclose(Site(scanned_face.ORIGIN, scanned_face.AZIMUTH).to_world(POINTS), world, atol=1e-8)
+    np.testing.assert_allclose(Site().to_world(world), world, atol=1e-12)
+    north = Site((100, 200, 10), 0).to_world([[97, 205, 11]])  # 5 m ahead, 3 m to the west: left
+    np.testing.assert_allclose(north, [[5, 3, 1]], atol=1e-12)

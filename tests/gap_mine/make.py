@@ -1,0 +1,159 @@
+#!/usr/bin/python3
+"""Draws what is hidden in each case of the sealed set, writes the measured folders, and seals the truths.
+
+usage: make.py FOLDER SECRET [RUNS]
+
+RUNS (default: runs beside this file) has the stored digs: RUNS/base/SEED, and RUNS/NAME_STRENGTH/SEED of what needs
+digs of its own. SECRET is a text that decides every draw. FOLDER gets measured/CASE, reference/CASE for every other
+case (the same instruments on earlier trucks, of when nothing was hidden), sealed.csv (the SHA-256 of each truth) and
+truth.zip. Limits are those of the model, docs/data/gap_limits.csv: strengths are drawn as multiples of them, and from
+the priors below where there is none.
+"""
+import csv
+import hashlib
+import json
+import sys
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+from cycle import Dig  # noqa: E402
+from instruments import Errors, write_folder  # noqa: E402
+from shovel import Motion  # noqa: E402
+
+ROOT = HERE.parents[1]
+TRUCKS, PASSES = 4, 3
+JITTER = 0.1                        # of a strength, so that it is no round multiple
+LIMITED = ("hoist_drive_loss", "crowd_friction", "truck_spillage", "logger_offset", "carry_back", "liners")
+BOUND = {"hoist_drive_loss": 0.27, "crowd_friction": 360.0, "truck_spillage": 0.45, "logger_offset": 2.7,
+         "carry_back": 0.54, "liners": 0.135, "standoff": 0.95, "rake_offset": 5.7}
+UNLIMITED = {"scale_gain": -0.12}   # 2.5 of the prior's standard deviation
+PAIRS = (("crowd_friction", "truck_spillage"), ("hoist_drive_loss", "logger_offset"), ("carry_back", "crowd_friction"),
+         ("hoist_drive_loss", "truck_spillage"), ("liners", "hoist_drive_loss"), ("crowd_friction", "logger_offset"))
+OUTSIDE = {"leaking_door": 0.10, "sticky_load": 0.12, "sloping_ground": 2.5, "tight_crowd": 40.0, "cable_drag": 110.0,
+           "scale_tare": 6.0, "hoist_cell_drift": 180.0, "crowd_cell_drift": 150.0, "clipped_cell": 1600.0,
+           "lazy_cell": 1.2}
+DECOYS = {"rock_density": 0.015}
+CONTROLS, DECOYED = 6, 2
+
+
+@dataclass
+class Plan:
+    kind: str                # effect | pair | outside | control | decoy, as tests/analysis/gap/score.py has them
+    hidden: dict             # {effect: strength}
+    times: float             # of the detection limit
+    runs: str = "base"       # whose digs
+
+
+def rng_of(secret, what):
+    return np.random.default_rng(list(hashlib.sha256(f"{secret} {what}".encode()).digest()))
+
+
+def limits(file=ROOT / "docs/data/gap_limits.csv"):
+    rows = csv.DictReader(line for line in open(file) if not line.startswith("#"))
+    return {r["effect"]: float(r["after"]) if r["after"] else None for r in rows}
+
+
+def strength(name, times, rng, limit):
+    """About `times` the limit, within bounds; either sign where a clock may be early."""
+    sign = rng.choice([-1, 1]) if name == "logger_offset" else 1
+    return float(sign * min(times * limit[name] * (1 + JITTER * rng.uniform(-1, 1)), BOUND[name]))
+
+
+def plans(rng, runs):
+    """All cases, in an order of chance."""
+    limit, out = limits(), []
+    for name in LIMITED:
+        for times in (1.0, 2.0):
+            out.append(Plan("effect", {name: strength(name, times, rng, limit)}, times))
+    for name, s in UNLIMITED.items():
+        out.append(Plan("effect", {name: s * (1 + JITTER * rng.uniform(-1, 1))}, 0.0))
+    for pair in PAIRS:
+        out.append(Plan("pair", {n: strength(n, 2.0, rng, limit) for n in pair}, 2.0))
+    for name, s in OUTSIDE.items():
+        out.append(Plan("outside", {name: s * (1 + JITTER * rng.uniform(-1, 1))}, 1.0))
+    for name, s in DECOYS.items():
+        out += [Plan("decoy", {name: s * sign}, 0.0) for sign in (-1, 1)][:DECOYED]
+    out += [Plan("control", {}, 0.0) for _ in range(CONTROLS)]
+    for folder in sorted(runs.iterdir()):   # those with digs of their own, as many as have been run
+        name, _, s = folder.name.rpartition("_")
+        if folder.name == "base" or len(complete(folder)) < 1:
+            continue
+        known = name in BOUND
+        out.append(Plan("effect" if known else "outside", {name: float(s)},
+                        float(s) / limit[name] if known and limit[name] else 1.0, folder.name))
+    for k, again in enumerate(("hoist_drive_loss", "crowd_friction", "truck_spillage", "logger_offset")):
+        if len(out) < 40 + 4:               # half the limit, as far as there is room
+            out.append(Plan("effect", {again: strength(again, 0.5, rng, limit)}, 0.5))
+    rng.shuffle(out)
+    return out
+
+
+def complete(folder):
+    """Seeds of a folder of runs that have all their digs."""
+    return sorted(f for f in folder.iterdir() if all((f / f"pass_{k}.csv").exists() for k in range(1, PASSES + 1)))
+
+
+def drawn_trucks(folders, rng):
+    """TRUCKS trucks: the digs of each pass are of other seeds, in an order of its own. The lanes hardly touch, so a
+    pass of one bench and the next of another make a truck; with fewer benches than trucks some come twice.
+    """
+    order = [np.resize(rng.permutation(len(folders)), TRUCKS) for _ in range(PASSES)]
+    return [[Dig.load(folders[order[k][i]], k + 1) for k in range(PASSES)] for i in range(TRUCKS)]
+
+
+def halves(folders, rng):
+    """Folders for the trucks of now, and others for the earlier ones, where there are enough for both."""
+    if len(folders) < 2 * TRUCKS:
+        return folders, folders
+    mixed = [folders[k] for k in rng.permutation(len(folders))]
+    return mixed[:len(mixed) // 2], mixed[len(mixed) // 2:]
+
+
+def write_case(folder, case, plan, runs, motion, secret, with_reference):
+    """The truth of one case, after its folders are written."""
+    rng, base = rng_of(secret, f"noise {case}"), complete(runs / "base")
+    now, earlier = halves(base, rng) if plan.runs == "base" else (complete(runs / plan.runs), base)
+    errors = Errors.draw(rng)
+    piles = [float(r["angle_deg"]) for r in csv.DictReader(open(HERE / "piles.csv"))]
+    laid = {} if plan.runs != "base" else plan.hidden
+    trucks = drawn_trucks(now, rng)
+    write_folder(folder / "measured" / case, trucks, laid, motion, errors, rng, piles)
+    if with_reference:
+        write_folder(folder / "reference" / case, drawn_trucks(earlier, rng), {}, motion, errors, rng, piles)
+    return {"kind": plan.kind, "effects": plan.hidden if plan.kind in ("effect", "pair") else {},
+            "implementation": plan.hidden, "times_limit": round(plan.times, 3), "runs": plan.runs,
+            "seeds": [[d.seed for d in t] for t in trucks], "reference": with_reference,
+            "salt": hashlib.sha256(f"{secret} {case}".encode()).hexdigest()}
+
+
+def main(words):
+    if len(words) not in (2, 3):
+        print(__doc__, file=sys.stderr)
+        return 2
+    folder, secret = Path(words[0]), words[1]
+    runs = Path(words[2]) if len(words) == 3 else HERE / "runs"
+    if (folder / "sealed.csv").exists():
+        print(f"make: {folder}/sealed.csv is there already: truths are sealed once", file=sys.stderr)
+        return 2
+    motion = Motion.read(ROOT / "cases/screening/motion.csv")
+    todo, seals = plans(rng_of(secret, "plans"), runs), []
+    folder.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(folder / "truth.zip", "w", zipfile.ZIP_DEFLATED) as box:
+        for number, plan in enumerate(todo, 1):
+            case = f"m{number:02d}"
+            truth = json.dumps(write_case(folder, case, plan, runs, motion, secret, number % 2 == 0), indent=1)
+            info = zipfile.ZipInfo(f"truth/{case}.yaml", (2000, 1, 1, 0, 0, 0))  # JSON is YAML
+            box.writestr(info, truth)
+            seals.append(f"{case},{hashlib.sha256(truth.encode()).hexdigest()}")
+    (folder / "sealed.csv").write_text("case,sha256\n" + "\n".join(seals) + "\n")
+    print(f"{len(todo)} cases written, their truths sealed")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
