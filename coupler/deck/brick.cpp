@@ -165,8 +165,10 @@ std::vector<PlacedRock> loose_brick(const std::vector<RockKind>& kinds, const Br
       bool placed = false;
       for (int tries = 0; tries < kTries && !placed; ++tries) {
         Pose X;
+        // Each kind evenly over the height, so that a bench cut at any has all of them in their shares.
+        const double layer = (n + draw.between(0, 1)) / numbers[k];
         X.p = {draw.between(0, shape.side_m), draw.between(0, shape.side_m),
-               draw.between(kind.reach_m, shape.pour_height_m - kind.reach_m)};
+               kind.reach_m + layer * (shape.pour_height_m - 2 * kind.reach_m)};
         if (kind.spheres.size() > 1) X.R = draw.turn();
         std::vector<Sphere> spheres = kind.spheres;
         for (Sphere& s : spheres) s.centre_m = X * s.centre_m;
@@ -195,9 +197,12 @@ BrickLay brick_lay(std::int64_t seed, const BrickShape& shape) {
   return lay;
 }
 
-std::vector<PlacedRock> laid_bench(const std::vector<PlacedRock>& brick, const BrickShape& shape,
+std::vector<PlacedRock> laid_bench(const std::vector<PlacedRock>& brick,
+                                   const std::vector<RockKind>& kinds, const BrickShape& shape,
                                    const BrickLay& lay, const cases::Case& c,
                                    const std::function<double(double, double)>& height) {
+  std::map<std::string, const RockKind*> kind_of;
+  for (const RockKind& kind : kinds) kind_of[kind.name] = &kind;
   const PileShape pile = pile_shape(c);
   const double half = c.pile.width_m / 2;
   const Quaterniond turn(Eigen::AngleAxisd(lay.turn_rad, Vector3d::UnitZ()));
@@ -219,8 +224,14 @@ std::vector<PlacedRock> laid_bench(const std::vector<PlacedRock>& brick, const B
         const Vector3d in_bed = rock.X_WR.p + shape.side_m * Vector3d(i, j, 0);
         const Vector3d p = turn * in_bed + shift;
         if (p.x() < pile.toe_x_m || p.x() > pile.rear_x_m || std::abs(p.y()) > half) continue;
-        if (p.z() > height(p.x(), p.y())) continue;
-        bench.push_back({rock.kind, {turn * rock.X_WR.R, p}});
+        if (p.z() > kPourExcess * height(p.x(), p.y())) continue;
+        const Pose X{turn * rock.X_WR.R, p};
+        const auto& spheres = kind_of.at(rock.kind)->spheres;
+        if (std::all_of(spheres.begin(), spheres.end(), [&](const Sphere& s) {
+              const Vector3d at = X * s.centre_m;
+              return at.x() + s.radius_m < pile.rear_x_m && std::abs(at.y()) + s.radius_m < half;
+            }))
+          bench.push_back({rock.kind, X});
       }
   return bench;
 }

@@ -59,10 +59,12 @@ struct BrickLay {
 };
 BrickLay brick_lay(std::int64_t seed, const BrickShape& shape);
 
-/// The rocks of the bed whose centres are in the bench: between toe, rear and the sides, and not
-/// over `height` at their x and y.
+/// The rocks of the bed that lie as a whole behind the toe's line, before the rear and between the
+/// sides, and whose centres are not over kPourExcess times `height` at their x and y: rock sinks a
+/// little as what the walls have cut off leaves room. `kinds` are those of the brick.
 std::vector<setup::PlacedRock> laid_bench(
-    const std::vector<setup::PlacedRock>& brick, const BrickShape& shape, const BrickLay& lay,
-    const cases::Case& c, const std::function<double(double x_m, double y_m)>& height);
+    const std::vector<setup::PlacedRock>& brick, const std::vector<RockKind>& kinds,
+    const BrickShape& shape, const BrickLay& lay, const cases::Case& c,
+    const std::function<double(double x_m, double y_m)>& height);
 
 }  // namespace dipper::deck

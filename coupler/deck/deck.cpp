@@ -68,7 +68,7 @@ std::string mesh_in_deck(const std::string& name, const fs::path& mesh) {
   return mesh.is_absolute() ? "${deck}/walls/" + name + ".stl" : mesh.generic_string();
 }
 
-std::string case_in(const cases::Case& c, double reach_m) {
+std::string case_in(const cases::Case& c) {
   const PileShape pile = pile_shape(c);
   const AtomTypes types = atom_types(c);
   std::string out = "# Written by dipper from the case: what dem_in/*.in needs of it.\n";
@@ -109,8 +109,6 @@ std::string case_in(const cases::Case& c, double reach_m) {
   var("pour_run", pile.pour_run_m, "m, x from the toe to the pour's crest");
   var("pour_mass", pile.mass_kg, "kg");
   var("settle_time", c.pile.settle_s, "s, with the sheet");
-  if (c.pile.built == cases::PileBuilt::bricks)
-    var("reach", reach_m, "m, of a rock beyond its centre");
   var("relax_time", c.pile.relax_s, "s, without");
   text("pour_seed", std::to_string(prime_seed(c.seed, 0)), "");
   for (const auto& [name, mesh] : wall_meshes(c))
@@ -335,23 +333,16 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
                       "larger or the class smaller",
                       k.name, k.rocks));
 
-  const std::map<std::string, RockShape> used = used_shapes(c, shapes);
-  const double reach_m = largest_reach_m(rock_kinds(c, used));
   fs::create_directories(folder);
-  write_text(folder / "case.in", case_in(c, reach_m));
+  write_text(folder / "case.in", case_in(c));
   write_text(folder / "walls.in", walls_in(c));
-  write_rock(c, used, folder);
+  write_rock(c, used_shapes(c, shapes), folder);
   if (c.pile.surface) {
     write_text(folder / kSurfaceFile, mesh::to_stl("surface", c.pile.surface->mesh()));
   } else {
     write_text(folder / "outline.csv", cases::to_csv(bench_outline(c)));
   }
-  if (c.pile.built == cases::PileBuilt::bricks) {
-    for (const auto& [name, wall] : closing_walls(c, reach_m))
-      write_text(folder / (name + ".stl"), mesh::to_stl(name, wall));
-  } else {
-    write_text(folder / "funnel.stl", mesh::to_stl("funnel", funnel_walls(c)));
-  }
+  write_text(folder / "funnel.stl", mesh::to_stl("funnel", funnel_walls(c)));
   write_text(folder / "sides.stl", mesh::to_stl("sides", bench_walls(c)));
   for (const auto& [name, mesh] : wall_meshes(c)) {
     if (!mesh.is_absolute()) continue;

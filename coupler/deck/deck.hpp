@@ -37,8 +37,7 @@ void write_rock(const cases::Case& c, const std::map<std::string, RockShape>& sh
 ///   material.in  type-pair tables (contact_table.hpp)
 ///   rocks.in     templates of the classes and their distribution by mass
 ///   NAME.spheres one per rock shape, diameter 1 m
-///   funnel.stl   frictionless walls while poured rock settles: sides, rear, retaining sheet
-///   left.stl, right.stl, rear.stl   in its place for a bench of bricks: walls that close in on it
+///   funnel.stl   frictionless walls while the rock settles: sides, rear, retaining sheet
 ///   sides.stl    the same sides and rear cut down along the bench, for the dig
 ///   walls/       copies of the body and truck meshes that the case names by absolute paths;
 ///                relative ones start at LIGGGHTS's working folder

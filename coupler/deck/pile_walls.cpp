@@ -63,19 +63,6 @@ mesh::TriangleMesh funnel_walls(const cases::Case& c) {
   return mesh;
 }
 
-std::map<std::string, mesh::TriangleMesh> closing_walls(const cases::Case& c, double reach_m) {
-  const PileShape p = pile_shape(c);
-  const double y = c.pile.width_m / 2, x0 = p.toe_x_m - kMargin_m, x1 = p.rear_x_m + reach_m;
-  const double top = p.height_m + kMargin_m;
-  const Vector3d along(x1 - x0, 0, 0), across(0, 2 * (y + reach_m), 0), up(0, 0, top + kFoot_m);
-  const auto all = [](const Vector3d&) { return true; };
-  std::map<std::string, mesh::TriangleMesh> walls;
-  add_rectangle(walls["left"], {x0, y, -kFoot_m}, along, up, all);
-  add_rectangle(walls["right"], {x0, -y, -kFoot_m}, up, along, all);
-  add_rectangle(walls["rear"], {p.rear_x_m, -y - reach_m, -kFoot_m}, across, up, all);
-  return walls;
-}
-
 mesh::TriangleMesh bench_walls(const cases::Case& c) {
   const PileShape p = pile_shape(c);
   const cases::BenchOutline bench = bench_outline(c);

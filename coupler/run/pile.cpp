@@ -91,16 +91,16 @@ fs::path settled_brick(const PilePrograms& programs,
 /// Lays the bench from the brick and lets it relax, in `out`.
 void relax_bricks(const PilePrograms& programs, const fs::path& deck, const fs::path& out) {
   const cases::Case& c = programs.c;
-  const fs::path brick =
-      settled_brick(programs, deck::used_shapes(c, c.rock.shape_folder), deck / "brick");
+  const auto shapes = deck::used_shapes(c, c.rock.shape_folder);
+  const fs::path brick = settled_brick(programs, shapes, deck / "brick");
   const deck::BrickShape shape = deck::brick_shape(c);
   const cases::BenchOutline outline = deck::bench_outline(c);
   const auto height = [&](double x, double y) {
     return c.pile.surface ? c.pile.surface->height(x, y) : cases::outline_height(outline, x);
   };
   setup::write_placed_rocks(
-      out / "laid.csv", deck::laid_bench(setup::read_placed_rocks(brick), shape,
-                                         deck::brick_lay(c.seed, shape), c, height));
+      out / "laid.csv", deck::laid_bench(setup::read_placed_rocks(brick), deck::rock_kinds(c, shapes),
+                                         shape, deck::brick_lay(c.seed, shape), c, height));
   programs.place(out, {"put", "laid.csv", "laid.restart"}, "laid.restart", {});
   programs.settle(out, "relax", c.dem.ranks, kPileFile,
                   {"start", "laid.restart", "out", ".", "bench_cut", "./bench-cut"});

@@ -131,6 +131,9 @@ std::vector<PlacedRock> lattice(double side, int n) {
   return rocks;
 }
 
+/// Of those rocks: points but for their name.
+const std::vector<RockKind> kPoints = {{"k", 1, 1, {{Vector3d::Zero(), 0.01}}, 0.01}};
+
 TEST(LaidBench, IsOneBedWithoutSeam) {
   // A lattice that fits the brick goes on across its sides: in the bench every rock but those at the
   // edges has its four neighbours, wherever the cut lies.
@@ -139,7 +142,7 @@ TEST(LaidBench, IsOneBedWithoutSeam) {
   const double step = shape.side_m / 8;
   for (const std::int64_t seed : {1, 2, 3}) {
     const BrickLay lay = brick_lay(seed, shape);
-    const auto bench = laid_bench(lattice(shape.side_m, 8), shape, lay, c,
+    const auto bench = laid_bench(lattice(shape.side_m, 8), kPoints, shape, lay, c,
                                   [](double, double) { return 2.0; });
     const PileShape pile = pile_shape(c);
     const double area = c.pile.width_m * (pile.rear_x_m - pile.toe_x_m);
@@ -167,17 +170,35 @@ TEST(LaidBench, IsCutByTheRocksCentres) {
   const PileShape pile = pile_shape(c);
   const auto rocks = lattice(shape.side_m, 40);
   const BrickLay lay = brick_lay(1, shape);
-  const auto ramp = [](double x, double) { return (x - 14) * 0.5; };  // 1 m at x = 16
-  const auto bench = laid_bench(rocks, shape, lay, c, ramp);
+  // 1.1 m with what is laid in excess, over the rocks at 1 m, at x = 16
+  const auto ramp = [](double x, double) { return (x - 14) * 0.5 / 1.1; };
+  const auto bench = laid_bench(rocks, kPoints, shape, lay, c, ramp);
   ASSERT_FALSE(bench.empty());
   double first = 1e9;
   for (const PlacedRock& rock : bench) first = std::min(first, rock.X_WR.p.x());
   EXPECT_NEAR(first, 16, 0.2);
   for (const PlacedRock& rock : bench) {
-    EXPECT_LE(rock.X_WR.p.z(), ramp(rock.X_WR.p.x(), 0));
+    EXPECT_LE(rock.X_WR.p.z(), 1.1 * ramp(rock.X_WR.p.x(), 0) + 1e-12);
     EXPECT_LE(rock.X_WR.p.x(), pile.rear_x_m);
     EXPECT_LE(std::abs(rock.X_WR.p.y()), c.pile.width_m / 2);
   }
+}
+
+TEST(LaidBench, RocksThatTheWallsCutAreLeftOut) {
+  const cases::Case c = tiny_case();
+  const Brick brick(c);
+  const double half = c.pile.width_m / 2, rear = pile_shape(c).rear_x_m;
+  std::size_t near = 0;
+  const auto bench = laid_bench(brick.rocks, brick.kinds, brick.shape, brick_lay(1, brick.shape),
+                                c, [](double, double) { return 10.0; });
+  for (const PlacedRock& rock : bench)
+    for (const Sphere& s : brick.kind(rock).spheres) {
+      const Vector3d at = rock.X_WR * s.centre_m;
+      ASSERT_LE(std::abs(at.y()) + s.radius_m, half);
+      ASSERT_LE(at.x() + s.radius_m, rear);
+      if (half - std::abs(at.y()) - s.radius_m < 0.1) ++near;
+    }
+  EXPECT_GT(near, 5U);
 }
 
 TEST(LaidBench, SeedsCutAtOtherPlacesAndNeverAlongTheBench) {
