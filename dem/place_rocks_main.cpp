@@ -1,8 +1,8 @@
 // place-rocks put ROCKS.csv RESTART -in DECK ...   puts rocks into the box the deck makes
 // place-rocks get ROCKS.csv -in DECK ...           tells where the deck's rocks are
 //
-// What follows is for LIGGGHTS, as the program `liggghts` takes it; the deck is dem_in/place.in. ROCKS.csv:
-// coupler/setup/placed_rocks.hpp. On one rank.
+// What follows is for LIGGGHTS, as the program `liggghts` takes it; the deck is dem_in/place.in.
+// ROCKS.csv: coupler/setup/placed_rocks.hpp. On one rank.
 #include <input.h>
 #include <lammps.h>
 #include <mpi.h>

@@ -110,8 +110,7 @@ BrickShape brick_shape(const cases::Case& c) {
     s.side_m = std::max(s.side_m, kSideInRocks * 2 * rock.radius_m);
   s.height_m = std::ceil(pile_shape(c).height_m);
   s.pour_height_m = s.height_m * kPourExcess * kSettledFraction / kPouredFraction;
-  s.mass_kg =
-      kPourExcess * kSettledFraction * laden_density(c) * s.side_m * s.side_m * s.height_m;
+  s.mass_kg = kPourExcess * kSettledFraction * laden_density(c) * s.side_m * s.side_m * s.height_m;
   return s;
 }
 
@@ -165,7 +164,8 @@ std::vector<PlacedRock> loose_brick(const std::vector<RockKind>& kinds, const Br
       bool placed = false;
       for (int tries = 0; tries < kTries && !placed; ++tries) {
         Pose X;
-        // Each kind evenly over the height, so that a bench cut at any has all of them in their shares.
+        // Each kind evenly over the height, so that a bench cut at any has all of them in their
+        // shares.
         const double layer = (n + draw.between(0, 1)) / numbers[k];
         X.p = {draw.between(0, shape.side_m), draw.between(0, shape.side_m),
                kind.reach_m + layer * (shape.pour_height_m - 2 * kind.reach_m)};

@@ -1,12 +1,12 @@
-// A bench of bricks: rock that settled once, laid again and again, in place of a pour as large as the
-// bench.
+// A bench of bricks: rock that settled once, laid again and again, in place of a pour as large as
+// the bench.
 //
-// A brick is a block of the case's rock that has settled on the ground, as high as the bench, in a box
-// that repeats along x and y. So it fits itself on every side, and has no seam there: what is laid is
-// one endless bed. A bench is cut out of that bed at a place and a turn about the vertical that its
-// seed draws, and between several bricks of the same rock. A clump's mirror image would be another
-// shape, so nothing is mirrored. The turn is never along the bench, so that what repeats does not
-// stand in rows along its face.
+// A brick is a block of the case's rock that has settled on the ground, as high as the bench, in a
+// box that repeats along x and y. So it fits itself on every side, and has no seam there: what is
+// laid is one endless bed. A bench is cut out of that bed at a place and a turn about the vertical
+// that its seed draws, and between several bricks of the same rock. A clump's mirror image would be
+// another shape, so nothing is mirrored. The turn is never along the bench, so that what repeats
+// does not stand in rows along its face.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ constexpr double kSideInRocks = 8;
 
 BrickShape brick_shape(const cases::Case& c);
 
-/// Writes what dem_in/place.in and brick.in read: case.in, material.in, rocks.in and NAME.spheres, of
-/// rock whose random choices are the brick's.
+/// Writes what dem_in/place.in and brick.in read: case.in, material.in, rocks.in and NAME.spheres,
+/// of rock whose random choices are the brick's.
 void write_brick_deck(const cases::Case& c, const std::map<std::string, RockShape>& shapes,
                       const std::filesystem::path& folder);
 

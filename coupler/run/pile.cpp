@@ -66,14 +66,12 @@ fs::path settled_brick(const PilePrograms& programs,
   const deck::BrickShape shape = deck::brick_shape(c);
   const int ranks = std::min(c.dem.ranks, kBrickRanks);
   deck::write_brick_deck(c, shapes, deck);
-  std::vector<fs::path> files =
-      scripts({"place.in", "brick.in", "contact.in", "check_lost.in"});
+  std::vector<fs::path> files = scripts({"place.in", "brick.in", "contact.in", "check_lost.in"});
   files.push_back(deck / "case.in");  // all of a brick's is its own
-  const fs::path entry =
-      cache_folder() / "bricks" /
-      deck_hash(fmt::format("{}, brick {}, {} ranks\n", programs.settler(), deck::kBrickVersion,
-                            ranks),
-                files, deck);
+  const fs::path entry = cache_folder() / "bricks" /
+                         deck_hash(fmt::format("{}, brick {}, {} ranks\n", programs.settler(),
+                                               deck::kBrickVersion, ranks),
+                                   files, deck);
   const auto settle = [&](const fs::path& out) {
     const PileLinks links(out, deck);
     setup::write_placed_rocks(out / "loose.csv",
@@ -99,8 +97,9 @@ void relax_bricks(const PilePrograms& programs, const fs::path& deck, const fs::
     return c.pile.surface ? c.pile.surface->height(x, y) : cases::outline_height(outline, x);
   };
   setup::write_placed_rocks(
-      out / "laid.csv", deck::laid_bench(setup::read_placed_rocks(brick), deck::rock_kinds(c, shapes),
-                                         shape, deck::brick_lay(c.seed, shape), c, height));
+      out / "laid.csv",
+      deck::laid_bench(setup::read_placed_rocks(brick), deck::rock_kinds(c, shapes), shape,
+                       deck::brick_lay(c.seed, shape), c, height));
   programs.place(out, {"put", "laid.csv", "laid.restart"}, "laid.restart", {});
   programs.settle(out, "relax", c.dem.ranks, kPileFile,
                   {"start", "laid.restart", "out", ".", "bench_cut", "./bench-cut"});

@@ -16,12 +16,13 @@ struct PilePrograms {
   std::filesystem::path logs;  ///< where LIGGGHTS's output goes
   launch::MpiPlaces places;    ///< of the ranks
 
-  /// A word by which what the case's LIGGGHTS settled is kept: it changes with the order of its sums.
+  /// A word by which what the case's LIGGGHTS settled is kept: it changes with the order of its
+  /// sums.
   std::string settler() const;
 
-  /// Runs dem_in/SCRIPT.in under LIGGGHTS in `folder`, which has PileLinks, to make the file `makes`
-  /// there. `variables` are names and values in turn. Throws std::runtime_error with LIGGGHTS's own
-  /// message.
+  /// Runs dem_in/SCRIPT.in under LIGGGHTS in `folder`, which has PileLinks, to make the file
+  /// `makes` there. `variables` are names and values in turn. Throws std::runtime_error with
+  /// LIGGGHTS's own message.
   void settle(const std::filesystem::path& folder, const std::string& script, int ranks,
               const std::string& makes, std::vector<std::string> variables) const;
 

@@ -53,8 +53,7 @@ TEST(Brick, SizesComeFromTheRockAndTheHeight) {
   const BrickShape s = brick_shape(c);
   EXPECT_DOUBLE_EQ(s.side_m, 8 * 0.8);
   EXPECT_DOUBLE_EQ(s.height_m, 3);
-  EXPECT_DOUBLE_EQ(s.mass_kg,
-                   1.1 * 0.60 * c.rock.density_kg_m3 * s.side_m * s.side_m * s.height_m);
+  EXPECT_DOUBLE_EQ(s.mass_kg, 1.1 * 0.60 * c.rock.density_kg_m3 * s.side_m * s.side_m * s.height_m);
   cases::Case other = c;
   other.pile.height_m = 2.2;
   other.pile.width_m = 20;
@@ -78,8 +77,7 @@ TEST(Brick, LooseRockOverlapsNowhereNotAcrossTheSides) {
     EXPECT_GE(spheres[i].centre_m.z(), spheres[i].radius_m);
     for (std::size_t j = i + left; j < spheres.size(); ++j) {  // of other rocks
       Vector3d apart = spheres[j].centre_m - spheres[i].centre_m;
-      for (int k = 0; k < 2; ++k)
-        apart[k] = std::remainder(apart[k], brick.shape.side_m);
+      for (int k = 0; k < 2; ++k) apart[k] = std::remainder(apart[k], brick.shape.side_m);
       ASSERT_GE(apart.norm(), spheres[i].radius_m + spheres[j].radius_m - 1e-12);
     }
   }
@@ -135,8 +133,8 @@ std::vector<PlacedRock> lattice(double side, int n) {
 const std::vector<RockKind> kPoints = {{"k", 1, 1, {{Vector3d::Zero(), 0.01}}, 0.01}};
 
 TEST(LaidBench, IsOneBedWithoutSeam) {
-  // A lattice that fits the brick goes on across its sides: in the bench every rock but those at the
-  // edges has its four neighbours, wherever the cut lies.
+  // A lattice that fits the brick goes on across its sides: in the bench every rock but those at
+  // the edges has its four neighbours, wherever the cut lies.
   const cases::Case c = tiny_case();
   const BrickShape shape = brick_shape(c);
   const double step = shape.side_m / 8;
@@ -149,8 +147,8 @@ TEST(LaidBench, IsOneBedWithoutSeam) {
     EXPECT_NEAR(static_cast<double>(bench.size()), area / (step * step), 6) << seed;
     for (const PlacedRock& rock : bench) {
       const Vector3d& p = rock.X_WR.p;
-      EXPECT_NEAR(rotation_vector(rock.X_WR.R).z(),
-                  std::remainder(lay.turn_rad, 2 * radians(180)), 1e-12);
+      EXPECT_NEAR(rotation_vector(rock.X_WR.R).z(), std::remainder(lay.turn_rad, 2 * radians(180)),
+                  1e-12);
       if (p.x() - pile.toe_x_m < step || pile.rear_x_m - p.x() < step ||
           c.pile.width_m / 2 - std::abs(p.y()) < step)
         continue;
@@ -189,8 +187,8 @@ TEST(LaidBench, RocksThatTheWallsCutAreLeftOut) {
   const Brick brick(c);
   const double half = c.pile.width_m / 2, rear = pile_shape(c).rear_x_m;
   std::size_t near = 0;
-  const auto bench = laid_bench(brick.rocks, brick.kinds, brick.shape, brick_lay(1, brick.shape),
-                                c, [](double, double) { return 10.0; });
+  const auto bench = laid_bench(brick.rocks, brick.kinds, brick.shape, brick_lay(1, brick.shape), c,
+                                [](double, double) { return 10.0; });
   for (const PlacedRock& rock : bench)
     for (const Sphere& s : brick.kind(rock).spheres) {
       const Vector3d at = rock.X_WR * s.centre_m;
