@@ -46,11 +46,12 @@ DriveEfforts LimitedDrives::efforts(const machine::DriveState& to,
           effort(swing_, &machine::Drives::swing)};
 }
 
+double DriveEffort::overload() const {
+  return wanted * sent_speed >= 0 ? std::abs(wanted) / most : 0.0;
+}
+
 Overload DriveEfforts::overload() const {
-  const auto of = [](const DriveEffort& e) {
-    return e.wanted * e.sent_speed >= 0 ? std::abs(e.wanted) / e.most : 0.0;
-  };
-  return {of(crowd), std::max(of(hoist), of(swing))};
+  return {crowd.overload(), std::max(hoist.overload(), swing.overload())};
 }
 
 }  // namespace dipper::mbs

@@ -15,6 +15,10 @@ struct DriveEffort {
   double speed;
   double sent_speed;
   bool saturated() const { return wanted > most || wanted < -most; }
+
+  /// The force it wants over the most it can give. Zero for a drive that brakes: it is ahead of its
+  /// set point, and a slower set point would not help.
+  double overload() const;
 };
 
 /// What a drive wants over what it can do, of those that push the way they are sent.
@@ -26,8 +30,6 @@ struct Overload {
 struct DriveEfforts {
   DriveEffort hoist, crowd, swing;
 
-  /// Zero for a drive that brakes: it is ahead of its set point, and a slower set point would not
-  /// help.
   Overload overload() const;
 };
 

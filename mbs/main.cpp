@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <utility>
 #include <variant>
 
 #include "common/angles.hpp"
@@ -12,7 +13,9 @@
 #include "machine/machine_condition.hpp"
 #include "machine/motion.hpp"
 #include "mbs/led_bodies.hpp"
+#include "mbs/path_follower.hpp"
 #include "mbs/shovel.hpp"
+#include "mbs/told_operator.hpp"
 
 namespace dipper::mbs {
 namespace {
@@ -20,10 +23,16 @@ namespace {
 std::unique_ptr<core::Machine> make(const setup::ShovelSetup& s) {
   Pose X_W0;
   X_W0.p = s.base_position_m;
-  return std::make_unique<Shovel>(
-      machine::in_condition(machine::load_machine(s.model), s.condition),
-      machine::Motion::load(s.motion), X_W0, radians(s.rake_angle_deg), kLongestSubstep_ns,
-      s.drives, s.contact_on_return);
+  const machine::MachineData data =
+      machine::in_condition(machine::load_machine(s.model), s.condition);
+  const auto motion = std::make_shared<const machine::Motion>(machine::Motion::load(s.motion));
+  std::unique_ptr<Operator> from;
+  if (s.told)
+    from = std::make_unique<ToldOperator>(motion->value(0));
+  else if (s.drives == machine::DriveMode::limited)
+    from = std::make_unique<PathFollower>(motion, data.limits.crowd_min);
+  return std::make_unique<Shovel>(data, motion, X_W0, radians(s.rake_angle_deg), std::move(from),
+                                  kLongestSubstep_ns, s.contact_on_return);
 }
 
 std::unique_ptr<core::Machine> make(const setup::PosesSetup& s) {

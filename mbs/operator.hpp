@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "coupler/core/server.hpp"
@@ -31,6 +32,12 @@ class Operator {
   /// Decides what to do from now on. \param feel  tells what he feels at that time, once it is
   /// asked
   virtual void update(double t_s, const std::function<Felt()>& feel) = 0;
+
+  /// Is told what to do, at the start of a window. Throws std::invalid_argument: most are told
+  /// nothing.
+  virtual void take(double, const core::Order&) {
+    throw std::invalid_argument("an order for drives that follow their motion");
+  }
 
   /// All that he will decide by, besides what he sees; always as many numbers.
   virtual std::vector<double> state(double t_s) const = 0;

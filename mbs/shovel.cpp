@@ -60,6 +60,12 @@ struct Shovel::Impl {
     system.hold(committed.F_Bo_W);
   }
 
+  void take(const core::Order& order) {
+    if (!sender) throw std::invalid_argument("an order for prescribed drives");
+    sender->take(seconds(committed.t_ns), order);
+    system.set_points_changed();
+  }
+
   /// Integrates from the committed state, with the wrenches of `to`, to the time of `to`.
   void integrate(Snapshot& to) {
     const std::int64_t t0_ns = committed.t_ns, t1_ns = to.t_ns;
@@ -229,6 +235,7 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
   to.F_Bo_W = {step.F_Bo_W[0], step.F_Bo_W[1]};
   core::MachineState result;
   try {
+    if (!step.order.to.empty()) impl_->take(step.order);
     impl_->integrate(to);
     const ShovelNumbers& n = to.numbers;
     if (!n.q.allFinite() || !n.u.allFinite() || !n.works.allFinite() || !n.rope.allFinite())

@@ -81,6 +81,7 @@ json run_table(const run::RunData& run, const io::DumpFolder& dumps, const Surve
   if (run.is_run) out["status"] = run.summary.is_object() ? run.summary["status"] : "unfinished";
   copy("state_hash");
   copy("warnings");
+  copy("operator");
   copy("truck");
   out["sim_s"] = run.is_run ? run.signals.pass.time_s.back() : dumps.time_s.back();
   copy("cpu_s_per_sim_s");

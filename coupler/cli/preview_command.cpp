@@ -44,7 +44,7 @@ int write_dry_page(cases::Case c, dry::RockModel rock, const fs::path& page, Rep
   const TemporaryFolder scratch("dipper-preview");
   const result::RunFolder folder = result::RunFolder::create(scratch.path() / c.name);
   enter_own_network(reporter);
-  const run::RunStatus status = dry::dry_run(c, rock, folder, reporter);
+  const run::RunStatus status = dry::dry_run(c, rock, folder, std::nullopt, reporter);
   if (status != run::RunStatus::complete) return static_cast<int>(status);
   analysis::report::write_dry_page(folder.root(), page);
   reporter.line(page.string());

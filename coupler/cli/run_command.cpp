@@ -23,8 +23,10 @@
 #include "coupler/dry/dry_run.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/rank_places.hpp"
+#include "coupler/operate/conversation.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/paired_run.hpp"
+#include "coupler/run/preparation.hpp"
 #include "coupler/run/same_run.hpp"
 #include "coupler/run/settings.hpp"
 
@@ -40,7 +42,9 @@ struct RunOptions {
   std::optional<long> seed;
   std::optional<std::string> mpirun;  ///< its options
   bool resume = false;
-  std::string no_rock;  ///< "none" or "estimate"; empty: there is rock
+  std::string no_rock;                 ///< "none" or "estimate"; empty: there is rock
+  std::optional<std::string> program;  ///< that drives the machine
+  bool truth = false;                  ///< it sees the simulation's
 };
 
 /// The folder given, or runs/NAME, runs/NAME-2, ...: results are never overwritten.
@@ -59,20 +63,61 @@ double resumed_from_s(const result::RunFolder& folder, const cases::Case& c) {
   return last ? static_cast<double>(last->coupling.dem_step) * c.dem.timestep_s : 0;
 }
 
-constexpr const char* kMpirun = "mpirun";  // a run's only setting that is no key of the case
+// The settings of a run that are no keys of its case.
+constexpr const char* kMpirun = "mpirun";
+constexpr const char* kOperator = "operator";
+constexpr const char* kOperatorFolder = "operator_folder";
+constexpr const char* kOperatorTruth = "operator_truth";
 
-/// mpirun's options: those given, else those kept, which are removed from the settings.
-std::string take_mpirun(const std::optional<std::string>& asked,
-                        std::vector<cases::Override>& kept) {
+/// Such a setting: the value given, else the one kept, which is removed from the settings.
+std::string take(const char* name, const std::optional<std::string>& asked,
+                 std::vector<cases::Override>& kept) {
   std::string text = asked.value_or("");
-  const auto of_mpirun = [](const cases::Override& o) { return o.key == kMpirun; };
-  const auto found = std::find_if(kept.begin(), kept.end(), of_mpirun);
+  const auto is_it = [&](const cases::Override& o) { return o.key == name; };
+  const auto found = std::find_if(kept.begin(), kept.end(), is_it);
   if (found != kept.end()) {
     if (!asked) text = found->value;
     kept.erase(found);
   }
   std::replace(text.begin(), text.end(), '\n', ' ');  // a line a setting
   return text;
+}
+
+/// The program that drives: the one given, with the current folder as its own, else the one kept.
+/// Throws InputError.
+std::optional<operate::Program> take_program(const RunOptions& o,
+                                             std::vector<cases::Override>& kept) {
+  const bool was_driven =
+      std::any_of(kept.begin(), kept.end(), [](const auto& one) { return one.key == kOperator; });
+  const auto given = [&](const std::string& value) {
+    return o.program ? std::optional(value) : std::nullopt;
+  };
+  operate::Program program;
+  program.command = take(kOperator, o.program, kept);
+  program.folder = take(kOperatorFolder, given(fs::current_path().string()), kept);
+  program.sees_truth =
+      take(kOperatorTruth, o.truth ? std::optional<std::string>("on") : given(""), kept) == "on";
+  if (o.resume && o.program && !was_driven)
+    throw InputError({{{},
+                       0,
+                       "--operator",
+                       "the run so far followed its motion; a program can drive from the start of "
+                       "a run only"}});
+  if (program.command.empty()) {
+    if (o.program) throw InputError({{{}, 0, "--operator", "names no program"}});
+    if (o.truth) throw InputError({{{}, 0, "--operator-truth", "goes with --operator"}});
+    return std::nullopt;
+  }
+  operate::words_of(program);
+  return program;
+}
+
+void keep_program(const std::optional<operate::Program>& program,
+                  std::vector<cases::Override>& settings) {
+  if (!program) return;
+  settings.push_back({kOperator, program->command});
+  settings.push_back({kOperatorFolder, program->folder.string()});
+  if (program->sees_truth) settings.push_back({kOperatorTruth, "on"});
 }
 
 /// Where the ranks will be; over several hosts, reports what that means for the run's messages.
@@ -97,7 +142,8 @@ int run(const RunOptions& o, Reporter& reporter) {
   // A resumed run keeps the options it was started with, except those given now.
   std::vector<cases::Override> set;
   if (o.resume) set = run::read_settings(out);
-  const std::string mpirun = take_mpirun(o.mpirun, set);
+  const std::string mpirun = take(kMpirun, o.mpirun, set);
+  const std::optional<operate::Program> program = take_program(o, set);
   for (const cases::Override& one : overrides_of(o.set, "coupling.scheme=serial"))
     set.push_back(one);
   if (o.ranks > 0) set.push_back({"dem.ranks", std::to_string(o.ranks)});
@@ -123,6 +169,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   if (o.no_rock.empty()) make_writable(cache_folder(), kOtherCache);
   try {
     if (!o.no_rock.empty()) dry::require_drives(*c);
+    if (program) run::require_operable(*c);
     const launch::MpiPlaces places =
         o.no_rock.empty() ? place(c->dem.ranks, mpirun, reporter) : launch::MpiPlaces{};
     const result::RunFolder folder =
@@ -135,16 +182,17 @@ int run(const RunOptions& o, Reporter& reporter) {
       reporter.error(fmt::format("differs from {}: {}", out.string(), line));
     if (!changed.empty()) return 2;
     if (!mpirun.empty()) set.push_back({kMpirun, mpirun});
+    keep_program(program, set);
     run::write_settings(folder.root(), set);
     if (!places.several_hosts && enter_own_network(reporter) && o.no_rock.empty())
       reporter.line("network: the run's own, as all ranks are on this host");
     if (!o.no_rock.empty()) {
       const auto rock = o.no_rock == "none" ? dry::RockModel::none : dry::RockModel::estimate;
-      const run::RunStatus status = dry::dry_run(*c, rock, folder, reporter);
+      const run::RunStatus status = dry::dry_run(*c, rock, folder, program, reporter);
       if (status == run::RunStatus::complete) reporter.line(folder.summary().string());
       return static_cast<int>(status);
     }
-    return static_cast<int>(run::paired_run(*c, folder, o.resume, places, reporter));
+    return static_cast<int>(run::paired_run(*c, folder, o.resume, places, program, reporter));
   } catch (const InputError& e) {
     reporter.error(e.what());
     return 2;
@@ -173,6 +221,11 @@ Command add_run_command(CLI::App& app, Reporter& reporter) {
                   "options of mpirun, such as its hosts: --mpirun '--hostfile hosts'");
   sub->add_option("--seed", o->seed, "seed of the pile")->check(whole_number_in(kSeeds));
   sub->add_flag("--resume", o->resume, "continue the run in --out from its last checkpoint");
+  sub->add_option("--operator", o->program,
+                  "PROGRAM that drives the machine in place of the motion, by lines of JSON: "
+                  "--operator 'python3 mine.py'");
+  sub->add_flag("--operator-truth", o->truth,
+                "show it the simulation's truth too, which no instrument of a machine has");
   sub->add_flag(
          "--no-rock{none}", o->no_rock,
          "the machine alone, in seconds; --no-rock=estimate: against an estimate of the rock")

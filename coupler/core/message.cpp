@@ -40,7 +40,13 @@ struct MessageCheck {
     for (std::size_t b = 0; b < list.size(); ++b) check(list[b], b);
   }
 
-  void operator()(const MachineStep& m) const { all(m.F_Bo_W); }
+  void operator()(const MachineStep& m) const {
+    all(m.F_Bo_W);
+    for (const double x : m.order.to)
+      if (!std::isfinite(x))
+        throw std::runtime_error(fmt::format("{} sent an order that is not finite (t = {:.6f} s)",
+                                             side, static_cast<double>(envelope.t_ns) * 1e-9));
+  }
   void operator()(const MachineState& m) const {
     all(m.bodies);
     all(m.X_WB_next);

@@ -45,12 +45,19 @@ struct MachineState {
   std::vector<Pose> X_WB_next;  ///< where the bodies will be, extrapolated to the time asked for
 };
 
+/// Where a machine's drives are to be at a time, in the machine's own order; nothing: as before.
+struct Order {
+  std::int64_t by_ns = 0;
+  std::vector<double> to = {};
+};
+
 /// A window of the machine.
 struct MachineStep {
   std::int64_t t_end_ns = 0;
   std::vector<Wrench> F_Bo_W;   ///< rock on body, about the body's moving origin, world axes; held
   std::int64_t t_next_ns = 0;   ///< end of the window that follows; not after t_end_ns: none does
   std::int64_t step_index = 0;  ///< windows completed before it
+  Order order = {};             ///< of who drives it from outside, given at the window's start
 };
 
 /// The machine (Simbody): wrenches in, motion out. It only goes forward.

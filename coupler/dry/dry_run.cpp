@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/record/record.hpp"
+#include "common/seconds.hpp"
 #include "common/text_file.hpp"
 #include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
@@ -14,6 +15,7 @@
 #include "coupler/dry/estimated_rock.hpp"
 #include "coupler/dry/machine_limits.hpp"
 #include "coupler/launch/interrupt.hpp"
+#include "coupler/operate/operated_machine.hpp"
 #include "coupler/result/drive_limits_met.hpp"
 #include "coupler/result/pass_rows.hpp"
 #include "coupler/run/lone_machine.hpp"
@@ -22,9 +24,11 @@
 #include "coupler/run/run_record.hpp"
 #include "coupler/run/same_run.hpp"
 #include "coupler/run/stepper.hpp"
+#include "coupler/run/timed_rock.hpp"
 #include "coupler/sides/dipper_layers.hpp"
 #include "coupler/sides/sides_setup.hpp"
 #include "coupler/transport/lcm_transport.hpp"
+#include "coupler/transport/link.hpp"
 
 namespace dipper::dry {
 namespace fs = std::filesystem;
@@ -34,15 +38,15 @@ using json = nlohmann::ordered_json;
 
 constexpr double kSummaryTrim = 1e-3;  // m: of the faces' points, a page draws no finer
 
-setup::PeerConfig machine_config(const cases::Case& c, const result::RunFolder& folder) {
+setup::PeerConfig machine_config(const cases::Case& c, const result::RunFolder& folder, bool told) {
   setup::PeerConfig config;
   config.lcm_url = transport::kLcmUrl;
   config.secret = setup::random_secret();
   config.identity.run_id = folder.root().filename().string();
   config.identity.case_hash = cases::case_hash(c);
   config.checkpoints = folder.checkpoints();
-  config.settings = to_json(
-      sides::machine_setup(c, sides::dipper_layers(c, sides::read_mesh_facts(c).dipper.cavity)));
+  config.settings = to_json(sides::machine_setup(
+      c, sides::dipper_layers(c, sides::read_mesh_facts(c).dipper.cavity), told));
   return config;
 }
 
@@ -58,20 +62,36 @@ void write_scene(const cases::Case& c, const result::RunFolder& folder) {
 }
 
 /// Steps to the end of the motion, or until interrupted. Whether the end is reached.
-bool step_through(const cases::Case& c, EstimatedRock& rock, run::LoneMachine& lone,
-                  const result::RunFolder& folder, Reporter& reporter) {
-  core::Coupling coupling(lone.machine(), rock, c.coupling.scheme);
-  const run::RunEnd end = run::run_end(c);
-  run::RunRecord record(folder.record(), lone.machine().info(), rock.info(),
-                        run::record_attributes(c, lone.machine().info(), rock.info()),
+bool step_through(const cases::Case& c, EstimatedRock& estimated, core::Machine& lone,
+                  const result::RunFolder& folder, const std::optional<operate::Program>& program,
+                  Reporter& reporter) {
+  run::TimedRock rock(estimated);
+  std::optional<operate::OperatedMachine> operated;
+  if (program)
+    operated.emplace(
+        lone, run::operated(c, *program, folder, ""), false,
+        operate::RockTruth{rock.info(), [&]() -> const core::RockState& { return rock.last(); }});
+  core::Machine& machine = operated ? *operated : lone;
+  core::Coupling coupling(machine, rock, c.coupling.scheme);
+  const run::RunEnd end = run::run_end(c, program.has_value());
+  run::RunRecord record(folder.record(), machine.info(), rock.info(),
+                        run::record_attributes(c, machine.info(), rock.info(), program),
                         run::RecordPosition{});
   run::Stepper stepper(coupling, c.coupling.sync_steps, end.step);
-  run::Progress progress(reporter, c, end, lone.machine().info(), rock.info());
-  run::end_with_path(stepper, end, lone.machine().info());
+  run::Progress progress(reporter, c, end, machine.info(), rock.info());
+  run::end_with_path(stepper, end, machine.info());
+  if (operated) stepper.end_when([&](const core::MachineState&) { return operated->done(); });
   stepper.add(record);
   stepper.add(progress);
-  stepper.start();
-  const bool complete = stepper.run([] { return launch::interrupts() > 0; });
+  bool complete = false;
+  try {
+    stepper.start();
+    complete = stepper.run([] { return launch::interrupts() > 0; });
+  } catch (const transport::PeerError& e) {
+    throw std::runtime_error(fmt::format("the {} side failed at t = {:.4f} s: {}", e.side,
+                                         seconds(coupling.t_ns()), e.what()));
+  }
+  if (operated) operated->end();
   record.flush();
   return complete;
 }
@@ -151,7 +171,7 @@ void require_drives(const cases::Case& c) {
 }
 
 run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFolder& folder,
-                       Reporter& reporter) {
+                       const std::optional<operate::Program>& program, Reporter& reporter) {
   DiggingEstimate estimate = digging_estimate(c);
   estimate.there_is_rock = rock == RockModel::estimate;
   run::write_identity(folder.root(), c);
@@ -160,10 +180,13 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
   double mbs_cpu_s = 0;
   try {
     EstimatedRock estimated(CutBench(c), estimate, c.dem.timestep_s);
-    run::LoneMachine lone(machine_config(c, folder), folder.logs());
-    complete = step_through(c, estimated, lone, folder, reporter);
+    run::LoneMachine lone(machine_config(c, folder, program.has_value()), folder.logs());
+    complete = step_through(c, estimated, lone.machine(), folder, program, reporter);
     mbs_cpu_s = lone.cpu_s();
   } catch (const launch::Interrupted&) {
+  } catch (const transport::PeerError& e) {
+    reporter.error(fmt::format("the {} side failed as it started: {}", e.side, e.what()));
+    return run::RunStatus::failed;
   } catch (const std::exception& e) {
     reporter.error(e.what());
     return run::RunStatus::failed;
@@ -178,6 +201,7 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
       limit_uses(folder.record(), machine::load_machine(c.machine.model));
   json summary = summarise(c, rock, folder, limits, mbs_cpu_s);
   summary["status"] = "complete";
+  if (program) summary["operator"] = program->command;
   result::tell_drives(c, folder.record(), summary, reporter);
   write_text(folder.summary(), summary.dump(2) + '\n');
   if (rock == RockModel::estimate) result::tell_passes(summary.at("passes"), reporter);

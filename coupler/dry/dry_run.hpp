@@ -1,6 +1,8 @@
 // The machine alone, in seconds: a path tried before rock is computed.
 #pragma once
 
+#include <optional>
+
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/result/run_folder.hpp"
@@ -18,8 +20,9 @@ void require_drives(const cases::Case& c);
 
 /// Runs the machine's process through the case's motion and leaves record.h5 and summary.json,
 /// which `dipper report` makes a page of. Tells the passes, and what of the machine's limits was
-/// reached. A run that was interrupted cannot go on: it is begun anew. Throws InputError.
+/// reached. A run that was interrupted cannot go on: it is begun anew. \param program  that drives
+/// the machine in place of the motion. Throws InputError.
 run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFolder& folder,
-                       Reporter& reporter);
+                       const std::optional<operate::Program>& program, Reporter& reporter);
 
 }  // namespace dipper::dry

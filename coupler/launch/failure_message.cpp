@@ -13,7 +13,8 @@ std::vector<std::string> lines(const std::filesystem::path& file) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
     // Open MPI's own errors in passing a message on are not the cause.
-    const bool mpis = line.find("ORTE_ERROR_LOG") != std::string::npos;
+    // "[host:pid] PMIX ERROR: ...", "[host:pid] [[1,0],0] ORTE_ERROR_LOG: ...".
+    const bool mpis = line[0] == '[' && line.find("ERROR") != std::string::npos;
     if (!line.empty() && !mpis) all.push_back(line);
   }
   return all;

@@ -19,7 +19,7 @@
 namespace dipper::launch {
 
 Process::Process(const std::vector<std::string>& command, const std::filesystem::path& log,
-                 const std::filesystem::path& folder)
+                 const std::filesystem::path& folder, const Streams& streams)
     : name_(std::filesystem::path(command[0]).filename()) {
   std::vector<std::string> words = command;
   std::vector<char*> argv;
@@ -38,9 +38,9 @@ Process::Process(const std::vector<std::string>& command, const std::filesystem:
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
     signal(SIGPIPE, SIG_DFL);  // an ignored signal would stay ignored
-    const int in = open("/dev/null", O_RDONLY);
+    const int in = streams.in >= 0 ? streams.in : open("/dev/null", O_RDONLY);
     dup2(in, 0);
-    dup2(out, 1);
+    dup2(streams.out >= 0 ? streams.out : out, 1);
     dup2(out, 2);
     if (!folder.empty() && chdir(folder.c_str()) != 0) {
       dprintf(2, "cannot work in %s: %s\n", folder.c_str(), strerror(errno));

@@ -10,14 +10,20 @@
 
 namespace dipper::launch {
 
+/// Files that a child process reads and writes in place of /dev/null and its log; -1: none.
+struct Streams {
+  int in = -1, out = -1;
+};
+
 /// A child process. It cannot outlive the launcher, also when that is killed. stdout and stderr go
 /// to `log`.
 class Process {
  public:
   /// \param folder  its working folder; empty: the launcher's
+  /// \param streams  the caller closes them
   /// Throws std::runtime_error when the program cannot be started.
   Process(const std::vector<std::string>& command, const std::filesystem::path& log,
-          const std::filesystem::path& folder = {});
+          const std::filesystem::path& folder = {}, const Streams& streams = {});
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;

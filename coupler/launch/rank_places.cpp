@@ -1,7 +1,6 @@
 #include "coupler/launch/rank_places.hpp"
 
 #include <fmt/format.h>
-#include <glib.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +16,7 @@
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/mpi_scratch.hpp"
 #include "coupler/launch/process.hpp"
+#include "coupler/launch/shell_words.hpp"
 
 namespace dipper::launch {
 namespace fs = std::filesystem;
@@ -113,17 +113,7 @@ std::vector<RankPlace> ask_ranks(int ranks, const MpiPlaces& places, const std::
 }  // namespace
 
 std::vector<std::string> mpirun_options(const std::string& text) {
-  if (text.find_first_not_of(' ') == std::string::npos) return {};
-  int count = 0;
-  char** words = nullptr;
-  GError* error = nullptr;
-  if (g_shell_parse_argv(text.c_str(), &count, &words, &error) == FALSE) {
-    const std::string why = error->message;
-    g_error_free(error);
-    refuse(why);
-  }
-  std::vector<std::string> options(words, words + count);
-  g_strfreev(words);
+  std::vector<std::string> options = shell_words(text, "--mpirun");
   for (std::size_t k = 0; k + 1 < options.size(); ++k) {
     if (!names_hostfile(options[k])) continue;
     std::string& file = options[k + 1];

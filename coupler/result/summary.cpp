@@ -63,6 +63,7 @@ json summarise(const cases::Case& c, const RunFacts& f, const RunFolder& folder)
       {"sim_s", sim_s},
       {"cpu_s_per_sim_s", ratio(cpu_s, sim_s)},
       {"state_hash", f.state_hash}};
+  if (!f.operator_command.empty()) out["operator"] = f.operator_command;
   if (!f.failure.empty()) out["failure"] = f.failure;
   return out;
 }

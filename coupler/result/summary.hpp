@@ -20,6 +20,7 @@ struct RunFacts {
   double interface_work_J = 0, energy_residual_J = 0;
   RunCost cost;
   std::string state_hash;
+  std::string operator_command;  ///< of the program that drove the machine; "": none did
 };
 
 /// Writes the keys of docs/results.md for a run whose record is closed, and deck/achieved.csv.

@@ -63,14 +63,15 @@ void conclude(const cases::Case& c, const result::RunFolder& folder,
 }  // namespace
 
 RunStatus paired_run(const cases::Case& c, const result::RunFolder& folder, bool resume,
-                     const launch::MpiPlaces& places, Reporter& reporter) {
+                     const launch::MpiPlaces& places,
+                     const std::optional<operate::Program>& program, Reporter& reporter) {
   const auto from = resume ? last_checkpoint(folder.checkpoints()) : std::nullopt;
   if (resume && result::summary_status(folder.summary()) == "complete") {
     if (!from)
       throw InputError({{folder.checkpoints(), 0, "",
                          "holds no checkpoint of this complete run to continue from; run the case "
                          "again into another --out"}});
-    if (is_done(run_end(c), from->coupling.dem_step, folder.record())) {
+    if (is_done(run_end(c, program.has_value()), from->coupling.dem_step, folder.record())) {
       reporter.line("complete already: " + folder.summary().string());
       return RunStatus::complete;
     }
@@ -84,7 +85,7 @@ RunStatus paired_run(const cases::Case& c, const result::RunFolder& folder, bool
     return fmt::format("at t = {:.4f} s (sync step {})", time_s(at, c), at.step_index);
   };
   try {
-    session = std::make_unique<Session>(c, folder, from, places, reporter);
+    session = std::make_unique<Session>(c, folder, from, places, program, reporter);
     status = session->run() ? RunStatus::complete : RunStatus::interrupted;
   } catch (const launch::Interrupted&) {
     status = RunStatus::interrupted;

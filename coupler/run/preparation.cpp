@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cmath>
 
+#include "common/angles.hpp"
+#include "common/input_error.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
 #include "common/seconds.hpp"
@@ -48,13 +51,14 @@ std::vector<setup::WallMemory> wall_memory(const core::CouplingState& state) {
 
 }  // namespace
 
-RunEnd run_end(const cases::Case& c) {
+RunEnd run_end(const cases::Case& c, bool told) {
   const double motion_s = cases::motion_end_s(c);
   const auto step = [&](double t_s) { return std::llround(t_s / c.dem.timestep_s); };
-  if (c.end_s > 0) return {step(c.end_s), std::nullopt};
+  if (c.end_s > 0) return {step(c.end_s), std::nullopt, told};
   if (c.machine.drives != machine::DriveMode::limited) return {step(motion_s), std::nullopt};
   constexpr double kLongest = 2;  // of the motion's time: a cycle that takes longer has gone wrong
   constexpr double kEarly_s = 1e-6;  // a path that was never slowed ends with the motion
+  if (told) return {step(kLongest * motion_s), std::nullopt, true};
   return {step(kLongest * motion_s), motion_s - kEarly_s};
 }
 
@@ -71,15 +75,17 @@ void end_with_path(Stepper& stepper, const RunEnd& end, const core::ServerInfo& 
   });
 }
 
-std::map<std::string, std::string> record_attributes(const cases::Case& c,
-                                                     const core::ServerInfo& machine,
-                                                     const core::ServerInfo& rock) {
-  return {{"case", c.text},
-          {"case_folder", c.folder.string()},
-          {"case_hash", cases::case_hash(c)},
-          {"version", version()},
-          {"machine_version", machine.version},
-          {"rock_version", rock.version}};
+std::map<std::string, std::string> record_attributes(
+    const cases::Case& c, const core::ServerInfo& machine, const core::ServerInfo& rock,
+    const std::optional<operate::Program>& program) {
+  std::map<std::string, std::string> all = {{"case", c.text},
+                                            {"case_folder", c.folder.string()},
+                                            {"case_hash", cases::case_hash(c)},
+                                            {"version", version()},
+                                            {"machine_version", machine.version},
+                                            {"rock_version", rock.version}};
+  if (program) all["operator"] = program->command;
+  return all;
 }
 
 void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
@@ -91,7 +97,7 @@ void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
 
 sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
-                          Reporter& reporter) {
+                          bool told, Reporter& reporter) {
   folder.unseal();
   const sides::MeshFacts shovel = sides::read_mesh_facts(c);
   const sides::DipperLayers layers = c.machine.kind == cases::MachineKind::shovel
@@ -100,10 +106,10 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
   write_decks(c, layers, folder.deck());
   write_identity(folder.root(), c);
 
-  const RunEnd end = run_end(c);
+  const RunEnd end = run_end(c, told);
   const std::int64_t steps = end.step;
   reporter.line(fmt::format("{}: {}{:.2f} s, {} windows of {} steps, {} rank{}", c.name,
-                            end.path_s ? "at most " : "",
+                            end.path_s || (told && c.end_s == 0) ? "at most " : "",
                             static_cast<double>(steps) * c.dem.timestep_s,
                             (steps + c.coupling.sync_steps - 1) / c.coupling.sync_steps,
                             c.coupling.sync_steps, c.dem.ranks, c.dem.ranks == 1 ? "" : "s"));
@@ -128,8 +134,36 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
   setup.rock = sides::rock_setup(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
                                  from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
   write_scales(folder, setup.rock, shovel.dipper.struck_volume_m3);
-  setup.machine = sides::machine_setup(c, layers);
+  setup.machine = sides::machine_setup(c, layers, told);
   return setup;
+}
+
+operate::Operated operated(const cases::Case& c, const operate::Program& program,
+                           const result::RunFolder& folder, const std::string& segment) {
+  operate::Operated o;
+  o.case_name = c.name;
+  o.motion = c.machine.motion;
+  o.machine = machine::load_machine(c.machine.model);
+  o.rake = radians(c.machine.rake_angle_deg);
+  o.program = program;
+  o.patience = std::chrono::milliseconds(std::llround(1e3 * c.coupling.timeout_s));
+  o.log = fs::absolute(folder.logs() / ("operator" + segment + ".log"));
+  return o;
+}
+
+void require_operable(const cases::Case& c) {
+  const auto refuse = [&](const char* key, const char* why) {
+    throw InputError({cases::finding_at(c, key, why)});
+  };
+  if (c.machine.kind != cases::MachineKind::shovel)
+    refuse("machine.kind", "poses have no drives, which is what --operator drives");
+  if (c.machine.drives != machine::DriveMode::limited)
+    refuse("machine.drives",
+           "prescribed drives follow their motion, whatever it takes; with --operator write "
+           "limited");
+  if (!c.machine.contact_on_return)
+    refuse("machine.contact_on_return",
+           "off follows the motion, which --operator does not; write on");
 }
 
 }  // namespace dipper::run

@@ -8,6 +8,7 @@
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
+#include "coupler/operate/operated_machine.hpp"
 #include "coupler/result/run_folder.hpp"
 #include "coupler/run/checkpoint.hpp"
 #include "coupler/run/stepper.hpp"
@@ -21,12 +22,13 @@ struct RunEnd {
   /// Or as soon as the machine's channel path_time is there [s]: limited drives, which come to the
   /// motion's end when they can.
   std::optional<double> path_s;
+  bool told = false;  ///< a program drives, and may end it
 };
 
 /// Of end_s; where it is 0, prescribed drives end with the motion, and limited ones when they have
-/// come to its end, or have not in twice its time. Throws InputError for a motion that cannot be
-/// read.
-RunEnd run_end(const cases::Case& c);
+/// come to its end, or have not in twice its time; driven by a program (`told`), in that time at
+/// the latest. Throws InputError for a motion that cannot be read.
+RunEnd run_end(const cases::Case& c, bool told = false);
 
 /// Whether a run whose record stands at that step is done. Throws std::runtime_error naming the
 /// record.
@@ -36,9 +38,9 @@ bool is_done(const RunEnd& end, std::int64_t dem_step, const std::filesystem::pa
 void end_with_path(Stepper& stepper, const RunEnd& end, const core::ServerInfo& machine);
 
 /// What record.h5 says of its run.
-std::map<std::string, std::string> record_attributes(const cases::Case& c,
-                                                     const core::ServerInfo& machine,
-                                                     const core::ServerInfo& rock);
+std::map<std::string, std::string> record_attributes(
+    const cases::Case& c, const core::ServerInfo& machine, const core::ServerInfo& rock,
+    const std::optional<operate::Program>& program);
 
 /// Writes scales.json of dipper-dem's set-up: for those who may not read the run's secret, which
 /// is beside the settings. With it what the dipper holds, which its meshes alone do not tell.
@@ -48,9 +50,17 @@ void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
 
 /// Writes deck and identity into the run's folder, settles the pile or finds it in the cache, and
 /// says so. \param from  what the run goes on from; nothing: a new run. \param places  of the
-/// ranks. Throws what settled_pile throws, launch::Interrupted too.
+/// ranks. \param told  a program drives. Throws what settled_pile throws, launch::Interrupted too.
 sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
-                          Reporter& reporter);
+                          bool told, Reporter& reporter);
+
+/// What is needed of a run to have a program drive its machine. \param segment  of the run, for the
+/// name of its log
+operate::Operated operated(const cases::Case& c, const operate::Program& program,
+                           const result::RunFolder& folder, const std::string& segment);
+
+/// Refuses a case that a program cannot drive. Throws InputError.
+void require_operable(const cases::Case& c);
 
 }  // namespace dipper::run

@@ -29,8 +29,9 @@ Progress::Progress(Reporter& reporter, const cases::Case& c, const RunEnd& end,
       end_s_(end.path_s.value_or(static_cast<double>(end.step) * c.dem.timestep_s)),
       by_motion_(end.path_s.has_value()) {
   if (c.machine.kind != cases::MachineKind::shovel) return;
-  phases_.emplace(machine::Motion::load(c.machine.motion));
   payload_ = core::channel_index(rock, "mass_in_dipper");
+  if (end.told) return;
+  phases_.emplace(machine::Motion::load(c.machine.motion));
   if (c.machine.drives == machine::DriveMode::limited)
     path_time_ = core::channel_index(machine, "path_time");
 }
@@ -47,9 +48,8 @@ void Progress::window(const core::Window& w) {
   std::string line =
       fmt::format("[{}{}] {:.1f}{} s", std::string(filled, '#'), std::string(kBar - filled, '.'),
                   t_s, by_motion_ ? "" : fmt::format("/{:.1f}", end_s_));
-  if (phases_)
-    line += fmt::format("  {:<11}  payload {:4.1f} t", phases_->at(along_s),
-                        w.rock.channels[payload_] * 1e-3);
+  if (phases_) line += fmt::format("  {:<11}", phases_->at(along_s));
+  if (payload_) line += fmt::format("  payload {:4.1f} t", w.rock.channels[*payload_] * 1e-3);
   const double wall_s = std::chrono::duration<double>(now.wall - first_->wall).count();
   const double done_s = now.way_s - first_->way_s, left_s = std::max(0.0, end_s_ - now.way_s);
   if (wall_s >= kWorthTelling_s && done_s >= kWorthTelling * (done_s + left_s))

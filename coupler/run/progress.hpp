@@ -37,8 +37,8 @@ class Progress final : public Observer {
   std::optional<State> first_;  ///< as the first window ended: starting up does not count
   double end_s_;
   bool by_motion_;                        ///< it ends with the motion
-  std::optional<MotionPhases> phases_;    ///< of a shovel
-  std::size_t payload_ = 0;               ///< of a shovel
+  std::optional<MotionPhases> phases_;    ///< of a shovel that follows its motion
+  std::optional<std::size_t> payload_;    ///< of a shovel
   std::optional<std::size_t> path_time_;  ///< of limited drives: how far along the motion they are
 };
 

@@ -10,13 +10,13 @@
 namespace dipper::run {
 namespace {
 
-core::Coupling coupled(const cases::Case& c, sides::Sides& sides, TimedRock& rock,
+core::Coupling coupled(const cases::Case& c, core::Machine& machine, TimedRock& rock,
                        const std::optional<Checkpoint>& from) {
-  core::Coupling coupling(sides.machine(), rock, c.coupling.scheme);
+  core::Coupling coupling(machine, rock, c.coupling.scheme);
   if (from) {
     std::vector<Pose> X_WB;
     for (const core::WallState& wall : from->coupling.walls) X_WB.push_back(wall.X_WB);
-    sides.machine().load(from->machine());
+    machine.load(from->machine());
     rock.place(X_WB);
     coupling.resume(from->coupling);
   }
@@ -31,32 +31,48 @@ double channel(const core::Window& w, const core::ServerInfo& rock, const std::s
 
 Session::Session(const cases::Case& c, const result::RunFolder& folder,
                  const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
-                 Reporter& reporter)
-    : Session(c, folder, from, reporter, prepare(c, folder, from, places, reporter)) {}
+                 const std::optional<operate::Program>& program, Reporter& reporter)
+    : Session(c, folder, from, program, reporter,
+              prepare(c, folder, from, places, program.has_value(), reporter)) {}
 
 Session::Session(const cases::Case& c, const result::RunFolder& folder,
-                 const std::optional<Checkpoint>& from, Reporter& reporter,
+                 const std::optional<Checkpoint>& from,
+                 const std::optional<operate::Program>& program, Reporter& reporter,
                  const sides::SidesSetup& setup)
     : case_(c),
       folder_(folder),
       reporter_(reporter),
       resumed_(from.has_value()),
       cost_before_(from ? from->cost : result::RunCost{}),
+      operator_command_(program ? program->command : ""),
       sides_(setup),
       rock_(sides_.rock()),
-      coupling_(coupled(c, sides_, rock_, from)),
+      operated_(program ? std::make_unique<operate::OperatedMachine>(
+                              sides_.machine(), operated(c, *program, folder, setup.segment),
+                              from.has_value(),
+                              operate::RockTruth{
+                                  sides_.rock().info(),
+                                  [this]() -> const core::RockState& { return rock_.last(); }})
+                        : nullptr),
+      coupling_(coupled(c, machine(), rock_, from)),
       record_(folder.record(), sides_.machine().info(), rock_.info(),
-              record_attributes(c, sides_.machine().info(), rock_.info()),
+              record_attributes(c, sides_.machine().info(), rock_.info(), program),
               from ? from->record : RecordPosition{}),
-      end_(run_end(c)),
+      end_(run_end(c, program.has_value())),
       stepper_(coupling_, c.coupling.sync_steps, end_.step),
       progress_(reporter, c, end_, sides_.machine().info(), rock_.info()),
       checkpointer_(folder.checkpoints(), c.output.checkpoint_every_s,
-                    {coupling_, sides_.machine(), rock_, record_, [this] { return cost(); }}) {
+                    {coupling_, machine(), rock_, record_, [this] { return cost(); }}) {
   end_with_path(stepper_, end_, sides_.machine().info());
+  if (operated_) stepper_.end_when([this](const core::MachineState&) { return operated_->done(); });
   stepper_.add(record_);
   stepper_.add(progress_);
   stepper_.add(checkpointer_);
+}
+
+core::Machine& Session::machine() {
+  if (operated_) return *operated_;
+  return sides_.machine();
 }
 
 bool Session::run() {
@@ -85,10 +101,12 @@ result::RunCost Session::cost() const {
 }
 
 result::RunFacts Session::close(bool orderly) {
+  if (orderly && operated_) operated_->end();
   if (orderly) sides_.stop();
   sides_.end();
   result::RunFacts f;
   f.state_hash = state_hash_;
+  f.operator_command = operator_command_;
   f.resends = sides_.machine_link().resends() + sides_.rock_link().resends();
   f.foreign_messages = sides_.machine_link().foreign() + sides_.rock_link().foreign();
   f.cost = cost();

@@ -1,12 +1,14 @@
 // A run under way.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/core/coupling.hpp"
+#include "coupler/operate/operated_machine.hpp"
 #include "coupler/result/run_folder.hpp"
 #include "coupler/result/summary.hpp"
 #include "coupler/run/checkpointer.hpp"
@@ -23,11 +25,12 @@ namespace dipper::run {
 /// them, the record, and the stepper that drives them.
 class Session {
  public:
-  /// Prepares the run and starts both sides. `c` and `folder` must outlive this. Throws
-  /// transport::PeerError, launch::Interrupted, std::runtime_error.
+  /// Prepares the run and starts both sides, and the program that drives the machine if there is
+  /// one. `c` and `folder` must outlive this. Throws transport::PeerError, launch::Interrupted,
+  /// std::runtime_error.
   Session(const cases::Case& c, const result::RunFolder& folder,
           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
-          Reporter& reporter);
+          const std::optional<operate::Program>& program, Reporter& reporter);
 
   /// Steps to the end, or until the user interrupts, after which a checkpoint is saved. Whether the
   /// end is reached. Throws as the constructor does.
@@ -40,8 +43,9 @@ class Session {
 
  private:
   Session(const cases::Case& c, const result::RunFolder& folder,
-          const std::optional<Checkpoint>& from, Reporter& reporter,
-          const sides::SidesSetup& setup);
+          const std::optional<Checkpoint>& from, const std::optional<operate::Program>& program,
+          Reporter& reporter, const sides::SidesSetup& setup);
+  core::Machine& machine();
   result::RunCost cost() const;
   void tell_removed_rocks(const core::Window& first);
 
@@ -50,8 +54,10 @@ class Session {
   Reporter& reporter_;
   bool resumed_;
   result::RunCost cost_before_;
+  std::string operator_command_;
   sides::Sides sides_;
   TimedRock rock_;
+  std::unique_ptr<operate::OperatedMachine> operated_;  ///< none: no program drives
   core::Coupling coupling_;
   RunRecord record_;
   RunEnd end_;

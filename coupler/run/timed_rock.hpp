@@ -7,31 +7,35 @@
 
 namespace dipper::run {
 
-/// A rock and the wall time its steps take.
+/// A rock, the wall time its steps take, and what it told last.
 class TimedRock final : public core::Rock {
  public:
   explicit TimedRock(core::Rock& rock) : rock_(rock) {}
   core::ServerInfo info() const override { return rock_.info(); }
-  core::RockState place(const std::vector<Pose>& X_WB) override { return rock_.place(X_WB); }
+  core::RockState place(const std::vector<Pose>& X_WB) override {
+    return last_ = rock_.place(X_WB);
+  }
   void start(const core::RockStep& step) override {
     began_ = Clock::now();
     rock_.start(step);
   }
   core::RockState finish() override {
-    core::RockState s = rock_.finish();
+    last_ = rock_.finish();
     busy_s_ += std::chrono::duration<double>(Clock::now() - began_).count();
-    return s;
+    return last_;
   }
   void save(const std::filesystem::path& file) override { rock_.save(file); }
   std::string state_hash() override { return rock_.state_hash(); }
 
   double busy_s() const { return busy_s_; }
+  const core::RockState& last() const { return last_; }
 
  private:
   using Clock = std::chrono::steady_clock;
   core::Rock& rock_;
   Clock::time_point began_;
   double busy_s_ = 0;
+  core::RockState last_;
 };
 
 }  // namespace dipper::run

@@ -16,6 +16,7 @@ json json_of_setup(const ShovelSetup& s) {
           {"model", s.model.string()},
           {"motion", s.motion.string()},
           {"limited_drives", s.drives == DriveMode::limited},
+          {"told", s.told},
           {"contact_on_return", s.contact_on_return},
           {"base_position_m", json_of(s.base_position_m)},
           {"rake_angle_deg", s.rake_angle_deg},
@@ -36,6 +37,7 @@ ShovelSetup shovel_from(const json& j) {
   s.model = j.at("model").get<std::string>();
   s.motion = j.at("motion").get<std::string>();
   s.drives = j.at("limited_drives").get<bool>() ? DriveMode::limited : DriveMode::prescribed;
+  s.told = j.at("told");
   s.contact_on_return = j.at("contact_on_return");
   s.base_position_m = vector_from(j.at("base_position_m"));
   s.rake_angle_deg = j.at("rake_angle_deg");

@@ -13,11 +13,12 @@
 
 namespace dipper::setup {
 
-/// A shovel that follows a motion.
+/// A shovel that follows a motion, or is told where its drives go.
 struct ShovelSetup {
   std::filesystem::path model;   ///< dimensions and masses, YAML
   std::filesystem::path motion;  ///< CSV
   machine::DriveMode drives = machine::DriveMode::prescribed;
+  bool told = false;  ///< limited drives go where each window's order says, from the motion's start
   bool contact_on_return = true;
   Vector3d base_position_m = Vector3d::Zero();  ///< swing axis at ground level, in W
   double rake_angle_deg = 0;

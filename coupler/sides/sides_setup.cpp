@@ -101,13 +101,14 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
   return setup;
 }
 
-setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers) {
+setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers, bool told) {
   if (c.machine.kind == cases::MachineKind::poses)
     return setup::PosesSetup{c.machine.poses, body_names(c)};
   setup::ShovelSetup setup;
   setup.model = c.machine.model;
   setup.motion = c.machine.motion;
   setup.drives = c.machine.drives;
+  setup.told = told;
   setup.contact_on_return = c.machine.contact_on_return;
   setup.base_position_m = c.machine.base_position_m;
   setup.rake_angle_deg = c.machine.rake_angle_deg;

@@ -33,7 +33,8 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts,
                             const std::filesystem::path& logs, const std::filesystem::path& restart,
                             const std::optional<std::vector<setup::WallMemory>>& resumed);
 
-/// What dipper-mbs is started with.
-setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers);
+/// What dipper-mbs is started with. `told`: a program drives (coupler/operate).
+setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers,
+                                  bool told = false);
 
 }  // namespace dipper::sides

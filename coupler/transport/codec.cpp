@@ -75,7 +75,7 @@ class Fields {
   void visit(BodyState& b) { (*this)(b.X_WB, b.V_WB_W); }
   void visit(core::BodyLoad& b) { (*this)(b.mean, b.end, b.X_WB); }
   void visit(core::MachineStep& m) {
-    (*this)(m.t_next_ns, m.F_Bo_W);
+    (*this)(m.t_next_ns, m.F_Bo_W, m.order.by_ns, m.order.to);
     m.t_end_ns = header_->t_ns;
     m.step_index = header_->step_index;
   }

@@ -3,10 +3,12 @@
 A dig's wrench is DEM's; between digs the load is carried, dumped and the empty dipper brought back by statics. What
 is hidden in the machine or in the load (effects.py) is laid over here, by a Hidden.
 """
+import json
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from rock import Material
 from shovel import Arm, Motion, Shovel, drive_forces
 
 RATE_HZ = 20.0
@@ -26,8 +28,11 @@ class Dig:
 
     @classmethod
     def load(cls, folder, number):
-        return cls(np.loadtxt(folder / f"pass_{number}.csv", delimiter=",", skiprows=1),
-                   np.loadtxt(folder / f"face_{number}.csv", delimiter=",", skiprows=1), int(folder.name))
+        """A dig that was made before the last calibration of the density is scaled to it (effects.rock_density)."""
+        made = json.loads((folder / "run.json").read_text())
+        table = np.loadtxt(folder / f"pass_{number}.csv", delimiter=",", skiprows=1)
+        table[:, 1:8] *= Material().density * made["keys"]["density"] / made["material"]["density"]
+        return cls(table, np.loadtxt(folder / f"face_{number}.csv", delimiter=",", skiprows=1), int(folder.name))
 
     def weight(self):
         """Mean force [N] along the dipper's x and z and moment [N m] about its origin, at the end of the dig."""
@@ -69,7 +74,7 @@ def dig_spans(digs, motion):
 def cycle(digs, motion, hidden=None):
     """The truck of these digs, one a pass."""
     hidden = hidden or Hidden()
-    t = np.arange(0.0, motion.end, 1 / RATE_HZ)
+    t = np.arange(0.5 / RATE_HZ, motion.end, 1 / RATE_HZ)  # a reading is the mean about it
     arm = Arm(hidden.shovel, motion, t)
     rock, load = np.zeros((3, len(t))), np.zeros(len(t))
     dumped = []

@@ -7,9 +7,9 @@ from rock import Scene
 from shovel import Arm
 
 BEGIN_S, END_S = 0.5, 13.6        # of a pass, by the plan: before the teeth meet rock, after the dipper is clear of it
-ACTIVE_M, HELD_M = 4.0, 5.2       # beside the boom's plane: rock that moves, rock that is held; beyond it is left out
-DEEP_M, FLOOR_M = 3.4, 4.6        # the same below the surveyed face, normal to it
-LED_STEPS, LOG_S = 6, 0.048
+ACTIVE_M, HELD_M = 3.7, 4.8       # beside the boom's plane: rock that moves, rock that is held; beyond it is left out
+DEEP_M, FLOOR_M = 2.9, 4.0        # the same below the surveyed face, normal to it
+LED_STEPS, LOG_S, LOOK_S = 6, 0.048, 0.24   # steps a lead; s a row of forces, and a look at where the rock is
 
 
 def parts(rocks, heading, outline):
@@ -78,8 +78,8 @@ def dig(rocks, material, outline, shovel, motion, start_s, log=print, end_s=END_
     """Digs one pass through `rocks`. Returns (table, rocks left, notes).
 
     table: (n, 9) time in the pass [s]; force of the rock on the dipper [N] and moment about its origin [N m] in its
-    axes, means over LOG_S; mass of the rock in the dipper by place [kg], each LOG_S; share of the bench that is faster
-    than 0.1 m/s.
+    axes, means over LOG_S; mass of the rock in the dipper by place [kg] and share of the rock that is faster than
+    0.1 m/s, both straight between looks.
     """
     heading = float(motion(start_s + 2.0)[2])
     t = start_s + BEGIN_S + np.arange(0, end_s - BEGIN_S + 0.5, LED_STEPS * material.step)
@@ -102,12 +102,12 @@ def dig(rocks, material, outline, shovel, motion, start_s, log=print, end_s=END_
     scene.start()
     like, place = rocks.take(near), []
     while led.first_s + led.k * led.dt < end_s:
-        scene.run(LOG_S)
-        now = scene.rocks(like)
-        inside = led.inside(now)
-        place.append([float((like.volumes() * inside).sum() * material.density), float((scene.speeds() > 0.1).mean())])
-    n = min(len(place), len(led.rows))
-    table = np.c_[np.array(led.rows[:n]), np.array(place[:n])]
+        scene.run(LOOK_S)
+        inside = led.inside(scene.rocks(like))
+        place.append([led.first_s + led.k * led.dt, float((like.volumes() * inside).sum() * material.density),
+                      float((scene.speeds() > 0.1).mean())])
+    table, place = np.array(led.rows), np.array(place)
+    table = np.c_[table, *(np.interp(table[:, 0], place[:, 0], place[:, k]) for k in (1, 2))]
     now, inside = scene.rocks(like), led.inside(scene.rocks(like))
     left = rocks.take(np.flatnonzero(~(moves | held)))
     stay = now.take(~inside)

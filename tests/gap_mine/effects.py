@@ -38,7 +38,7 @@ class Log:
 
 RUN = {"standoff": lambda s: [f"toe_m={s:g}"],            # the face is nearer
        "rake_offset": lambda s: [f"rake_deg={s:g}"],
-       "coarser_rock": lambda s: [f"size={1 + s:g}"],     # every rock larger by a share
+       "grading": lambda s: [f"size={1 + s:g}"],          # every rock larger by a share
        "slippery_steel": lambda s: [f"steel={0.45 * (1 - s):g}"]}
 
 
@@ -131,9 +131,9 @@ def scale_gain(log, s):
     return replace(log, tonnes=log.tonnes * (1 + s))
 
 
-def scale_tare(log, s):
-    """The scale is read before the truck is at rest: s t too little a pass."""
-    return replace(log, tonnes=np.maximum(log.tonnes - s, 0.0))
+def payload_bias(log, s):
+    """Of s t a pass, the first truck is read with 0.3 t less and the last with as much more (its tank runs dry)."""
+    return replace(log, tonnes=np.maximum(log.tonnes + s + 0.3 * np.clip((log.truck - 2.5) / 1.5, -1, 1), 0.0))
 
 
 def logger_offset(log, s):
@@ -143,12 +143,25 @@ def logger_offset(log, s):
                           for n in ("hoist_force_kN", "crowd_force_kN")})
 
 
+def _gained(force, s):
+    """Off by the share s in the mean: by less at small forces, by more at large ones (a gauge that comes loose)."""
+    return force * (1 + s * (0.85 + 0.3 * np.abs(force) / (np.abs(force) + np.abs(force).mean())))
+
+
 def hoist_cell_drift(log, s):
-    """Its zero wanders off by s kN an hour as it warms up, half of it before the first truck."""
-    return log.changed(hoist_force_kN=log.signals["hoist_force_kN"] + s * (0.5 + log.hours()))
+    return log.changed(hoist_force_kN=_gained(log.signals["hoist_force_kN"], s))
 
 
 def crowd_cell_drift(log, s):
+    return log.changed(crowd_force_kN=_gained(log.signals["crowd_force_kN"], s))
+
+
+def hoist_zero_drift(log, s):
+    """The cell's zero wanders off by s kN an hour as it warms up, half of it before the first truck."""
+    return log.changed(hoist_force_kN=log.signals["hoist_force_kN"] + s * (0.5 + log.hours()))
+
+
+def crowd_zero_drift(log, s):
     return log.changed(crowd_force_kN=log.signals["crowd_force_kN"] + s * (0.5 + log.hours()))
 
 
@@ -167,10 +180,11 @@ def lazy_cell(log, s):
     return log.changed(hoist_force_kN=out)
 
 
-LOGGED = {f.__name__: f for f in (truck_spillage, scale_gain, scale_tare, logger_offset, hoist_cell_drift,
-                                  crowd_cell_drift, clipped_cell, lazy_cell)}
+LOGGED = {f.__name__: f for f in (truck_spillage, scale_gain, payload_bias, logger_offset, hoist_cell_drift,
+                                  crowd_cell_drift, hoist_zero_drift, crowd_zero_drift, clipped_cell, lazy_cell)}
 CATALOGUE = ("carry_back", "liners", "hoist_drive_loss", "crowd_friction", "truck_spillage", "scale_gain",
-             "logger_offset", "standoff", "rake_offset")
+             "logger_offset", "payload_bias", "hoist_cell_drift", "crowd_cell_drift", "standoff", "rake_offset",
+             "grading")
 NUISANCE = ("rock_density",)
-OUTSIDE = ("leaking_door", "sticky_load", "sloping_ground", "tight_crowd", "cable_drag", "scale_tare",
-           "hoist_cell_drift", "crowd_cell_drift", "clipped_cell", "lazy_cell", "coarser_rock", "slippery_steel")
+OUTSIDE = ("leaking_door", "sticky_load", "sloping_ground", "tight_crowd", "cable_drag", "hoist_zero_drift",
+           "crowd_zero_drift", "clipped_cell", "lazy_cell", "slippery_steel")

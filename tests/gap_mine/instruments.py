@@ -6,13 +6,14 @@ import numpy as np
 from cycle import RATE_HZ, Hidden, cycle
 from effects import DRIVES, LOGGED, MACHINE, Log
 
-# channel: unit, role, error of one reading, error that all readings of these instruments share
-CHANNELS = {"truck_mass_t": ("t", "response", 0.8, 1.0),
-            "hoist_m": ("m", "driven", 0.005, 0.0),
-            "crowd_m": ("m", "driven", 0.005, 0.0),
-            "swing_rad": ("rad", "driven", 0.001, 0.0),
-            "hoist_force_kN": ("kN", "response", 25.0, 15.0),
-            "crowd_force_kN": ("kN", "response", 25.0, 15.0)}
+# channel: unit, role, error of one reading, error that all readings of these instruments share, and by how much that
+# has moved since earlier trucks
+CHANNELS = {"truck_mass_t": ("t", "response", 0.8, 1.0, 0.3),
+            "hoist_m": ("m", "driven", 0.005, 0.0, 0.0),
+            "crowd_m": ("m", "driven", 0.005, 0.0, 0.0),
+            "swing_rad": ("rad", "driven", 0.001, 0.0, 0.0),
+            "hoist_force_kN": ("kN", "response", 25.0, 15.0, 5.0),
+            "crowd_force_kN": ("kN", "response", 25.0, 15.0, 5.0)}
 STEP = {"truck_mass_t": 0.1, "hoist_m": 0.001, "crowd_m": 0.001, "swing_rad": 1e-4, "hoist_force_kN": 5.0,
         "crowd_force_kN": 5.0}     # of the displays
 CHANGE_S = 60.0                    # from truck to truck, nothing logged
@@ -50,12 +51,17 @@ class Errors:
     def draw(cls, rng):
         return cls({n: rng.normal(0, c[3]) for n, c in CHANNELS.items()}, rng.normal(0, SURVEY_COMMON_M))
 
+    def moved(self, rng):
+        """Of the same instruments at another time."""
+        return Errors({n: e + rng.normal(0, CHANNELS[n][4]) for n, e in self.common.items()},
+                      rng.normal(0, SURVEY_COMMON_M))
+
 
 def second_means(log):
     """Times and means of each second of a log's signals."""
     every = int(RATE_HZ)
     n = len(log.time_s) // every * every
-    return (log.time_s[:n].reshape(-1, every)[:, -1] + 1 / RATE_HZ,
+    return (log.time_s[:n].reshape(-1, every)[:, -1] + 0.5 / RATE_HZ,
             {k: v[:n].reshape(-1, every).mean(axis=1) for k, v in log.signals.items()})
 
 
@@ -68,13 +74,14 @@ def write_folder(folder, trucks, hidden, motion, errors, rng, pile_deg=()):
     """A measured folder of trucks, each a list of digs, through the instruments. pile_deg: true angles of piles."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "channels.yaml").write_text("".join(
-        f"{n}: {{unit: {u}, role: {r}, sigma: {s:g}, common_sigma: {c:g}}}\n" for n, (u, r, s, c) in CHANNELS.items()))
+        f"{n}: {{unit: {u}, role: {r}, sigma: {s:g}, common_sigma: {c:g}{f', drift_sigma: {d:g}' if d else ''}}}\n"
+        for n, (u, r, s, c, d) in CHANNELS.items()))
     passes, rows, faces, start = [], [], [], 0.0
     for number, digs in enumerate(trucks, 1):
         log, spans = truck_log(digs, motion, hidden, number)
         time, means = second_means(log)
         seen = {n: _read(n, v, errors, rng) for n, v in means.items()}
-        rows += ["%.3f," % (start + t) + ",".join("%.4f" % seen[n][k] for n in means) for k, t in enumerate(time)]
+        rows += ["%.3f," % (start + t) + ",".join("%.5g" % seen[n][k] for n in means) for k, t in enumerate(time)]
         tonnes = np.maximum(_read("truck_mass_t", log.tonnes, errors, rng), 0)
         passes += [f"{k},{start + a:.3f},{start + b:.3f},{m:.1f},{number}"
                    for k, ((a, _, b), m) in enumerate(zip(spans, tonnes), 1)]

@@ -30,13 +30,13 @@ TRUCKS, PASSES = 4, 3
 JITTER = 0.1                        # of a strength, so that it is no round multiple
 LIMITED = ("hoist_drive_loss", "crowd_friction", "truck_spillage", "logger_offset", "carry_back", "liners")
 BOUND = {"hoist_drive_loss": 0.27, "crowd_friction": 360.0, "truck_spillage": 0.45, "logger_offset": 2.7,
-         "carry_back": 0.54, "liners": 0.135, "standoff": 0.95, "rake_offset": 5.7}
-UNLIMITED = {"scale_gain": -0.12}   # 2.5 of the prior's standard deviation
+         "carry_back": 0.54, "liners": 0.135, "standoff": 0.95, "rake_offset": 5.7, "grading": 0.45}
+# 2.5 of the prior's standard deviation: the model's table has no limit for them
+UNLIMITED = {"scale_gain": -0.12, "payload_bias": -7.5, "hoist_cell_drift": 0.2, "crowd_cell_drift": 0.2}
 PAIRS = (("crowd_friction", "truck_spillage"), ("hoist_drive_loss", "logger_offset"), ("carry_back", "crowd_friction"),
          ("hoist_drive_loss", "truck_spillage"), ("liners", "hoist_drive_loss"), ("crowd_friction", "logger_offset"))
 OUTSIDE = {"leaking_door": 0.10, "sticky_load": 0.12, "sloping_ground": 2.5, "tight_crowd": 40.0, "cable_drag": 110.0,
-           "scale_tare": 6.0, "hoist_cell_drift": 180.0, "crowd_cell_drift": 150.0, "clipped_cell": 1600.0,
-           "lazy_cell": 1.2}
+           "hoist_zero_drift": 180.0, "crowd_zero_drift": 150.0, "clipped_cell": 1600.0, "lazy_cell": 1.2}
 DECOYS = {"rock_density": 0.015}
 CONTROLS, DECOYED = 6, 2
 
@@ -85,7 +85,7 @@ def plans(rng, runs):
             continue
         known = name in BOUND
         out.append(Plan("effect" if known else "outside", {name: float(s)},
-                        float(s) / limit[name] if known and limit[name] else 1.0, folder.name))
+                        float(s) / limit[name] if known and limit.get(name) else 1.0, folder.name))
     for k, again in enumerate(("hoist_drive_loss", "crowd_friction", "truck_spillage", "logger_offset")):
         if len(out) < 40 + 4:               # half the limit, as far as there is room
             out.append(Plan("effect", {again: strength(again, 0.5, rng, limit)}, 0.5))
@@ -124,7 +124,8 @@ def write_case(folder, case, plan, runs, motion, secret, with_reference):
     trucks = drawn_trucks(now, rng)
     write_folder(folder / "measured" / case, trucks, laid, motion, errors, rng, piles)
     if with_reference:
-        write_folder(folder / "reference" / case, drawn_trucks(earlier, rng), {}, motion, errors, rng, piles)
+        before = errors.moved(rng)
+        write_folder(folder / "reference" / case, drawn_trucks(earlier, rng), {}, motion, before, rng, piles)
     return {"kind": plan.kind, "effects": plan.hidden if plan.kind in ("effect", "pair") else {},
             "implementation": plan.hidden, "times_limit": round(plan.times, 3), "runs": plan.runs,
             "seeds": [[d.seed for d in t] for t in trucks], "reference": with_reference,

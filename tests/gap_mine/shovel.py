@@ -12,7 +12,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.interpolate import CubicSpline
-from scipy.optimize import brentq
 
 G = 9.81
 
@@ -78,16 +77,18 @@ class Motion:
 
 
 def rope_run(shovel, bail):
-    """Length [m] of the taut rope from drum over sheave to a bail (x, z), and the unit vector along it off the bail."""
-    c, r = np.array(shovel.sheave), shovel.sheave_radius
-    a, b = np.array(shovel.drum) - c, np.asarray(bail) - c
+    """Length [m] of the taut rope from drum over sheave to a bail (2, ...), the unit vector along it off the bail, and
+    its free length [m].
+    """
+    r = shovel.sheave_radius
+    a = np.array(shovel.drum) - shovel.sheave
+    b = np.array([bail[0] - shovel.sheave[0], bail[1] - shovel.sheave[1]])
     la, lb = np.hypot(*a), np.hypot(*b)
     on_a = np.arctan2(a[1], a[0]) - np.arccos(r / la)      # where the rope from the drum meets the sheave
     on_b = np.arctan2(b[1], b[0]) + np.arccos(r / lb)      # and where it leaves for the bail
-    wrap = np.mod(on_a - on_b, 2 * np.pi)
-    foot = r * np.array([np.cos(on_b), np.sin(on_b)])
     free = np.sqrt(lb**2 - r**2)
-    return np.sqrt(la**2 - r**2) + r * wrap + free, (foot - b) / free, free
+    toward = (r * np.array([np.cos(on_b), np.sin(on_b)]) - b) / free
+    return np.sqrt(la**2 - r**2) + r * np.mod(on_a - on_b, 2 * np.pi) + free, toward, free
 
 
 class Arm:
@@ -96,20 +97,23 @@ class Arm:
     def __init__(self, shovel, motion, t):
         self.shovel, self.t = shovel, np.atleast_1d(np.asarray(t, float))
         self.hoist, self.crowd, self.swing, self.door = motion(self.t)
-        self.pitch = np.array([self._pitch(h, c) for h, c in zip(self.hoist, self.crowd)])
+        self.pitch = self._pitch()
         self.out = np.array([np.cos(self.pitch), np.sin(self.pitch)])
         self.end = np.array(shovel.saddle)[:, None] + (shovel.reach + self.crowd) * self.out
         self.tilt = self.pitch + shovel.rake                # of the dipper's x axis above the level
         self.origin = self.end - turned(self.tilt, shovel.handle_end)
 
-    def _pitch(self, hoist, crowd):
+    def _pitch(self):
+        """Of the handle, by bisection: the higher it is, the shorter is the rope."""
         s = self.shovel
-
-        def too_long(pitch):
-            end = np.array(s.saddle) + (s.reach + crowd) * np.array([np.cos(pitch), np.sin(pitch)])
+        low, high = np.full_like(self.t, -np.pi / 2), np.full_like(self.t, np.radians(25))
+        for _ in range(50):
+            pitch = 0.5 * (low + high)
+            end = (np.array(s.saddle) + ((s.reach + self.crowd) * np.array([np.cos(pitch), np.sin(pitch)])).T).T
             offset = np.array(s.bail) - np.array(s.handle_end)
-            return rope_run(s, end + turned(pitch + s.rake, offset))[0] - s.rope_length - hoist
-        return brentq(too_long, -np.pi / 2, np.radians(25), xtol=1e-12)
+            long = rope_run(s, end + turned(pitch + s.rake, offset))[0] > s.rope_length + self.hoist
+            low, high = np.where(long, pitch, low), np.where(long, high, pitch)
+        return 0.5 * (low + high)
 
     def point(self, place):
         """(2, n): a point of the dipper in the boom's plane."""
@@ -146,8 +150,7 @@ def drive_forces(arm, rock, load_kg, load_centre, slope=0.0):
     hinge = arm.point(s.hinge)
     door = hinge + turned(arm.tilt - arm.door, s.door_centre)
     bail = arm.point(s.bail)
-    rope = np.array([np.r_[rope_run(s, p)[1:][0], rope_run(s, p)[2]] for p in bail.T]).T
-    toward, free = rope[:2], rope[2]
+    _, toward, free = rope_run(s, bail)
     bodies = [(s.handle_mass, arm.end + s.handle_centre * arm.out, s.handle_inertia),
               (s.dipper_mass, arm.point(s.dipper_centre), s.dipper_inertia),
               (s.door_mass, door, s.door_inertia),

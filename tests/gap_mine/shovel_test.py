@@ -11,6 +11,7 @@ ROOT = HERE.parents[1]
 sys.path.insert(0, str(HERE))
 from cycle import Dig, Hidden, cycle  # noqa: E402
 from effects import DRIVES, LOGGED, MACHINE, NUISANCE, OUTSIDE, CATALOGUE, RUN, crowd_friction  # noqa: E402
+from instruments import second_means, truck_log  # noqa: E402
 from shovel import G, Arm, Motion, Shovel, drive_forces, rope_run  # noqa: E402
 
 MOTION = Motion.read(ROOT / "cases/screening/motion.csv")
@@ -31,7 +32,7 @@ def a_dig(seconds=13.6, kg=LOAD_KG, number=0):
 
 def test_the_rope_is_as_long_as_told_at_every_drive():
     arm = Arm(Shovel(), MOTION, np.linspace(0, MOTION.end, 200))
-    long = [rope_run(arm.shovel, p)[0] for p in arm.point(arm.shovel.bail).T]
+    long = rope_run(arm.shovel, arm.point(arm.shovel.bail))[0]
     assert np.allclose(long, arm.shovel.rope_length + arm.hoist, atol=1e-9)
 
 
@@ -85,6 +86,17 @@ def test_a_carried_load_is_weighed_and_what_leaks_is_lost():
     extra = plain.forces[0] - empty.forces[0]
     assert np.all(extra[swing] > 250e3)
     assert abs(extra[dug][-1] - extra[swing][0]) < 0.1 * extra[dug][-1]
+
+
+def test_an_empty_cycle_takes_the_forces_that_a_multibody_code_has():
+    """empty_cycle.csv: `dipper run cases/screening --no-rock`, observed at 1 Hz. Ropes here have weight, there not."""
+    seen = np.loadtxt(HERE / "empty_cycle.csv", delimiter=",", skiprows=2)
+    digs = [a_dig(kg=0.0)] * 3
+    time, means = second_means(truck_log(digs, MOTION, {})[0])
+    assert np.allclose(time, seen[:, 0])
+    for name, column, within in (("hoist_m", 1, 0.003), ("crowd_m", 2, 0.003), ("hoist_force_kN", 3, 12),
+                                 ("crowd_force_kN", 4, 8)):
+        assert np.abs(means[name] - seen[:, column]).max() < within, name
 
 
 def test_friction_turns_with_the_crowd_and_costs_what_it_is_told():

@@ -62,7 +62,8 @@ def as_lines(told, catalogue):
     rows = [["", "unit", *head, *(f"+ {t} before" for t in told.trucks)]]
     for n in sorted(told.limits, key=lambda n: _ease(told.limits[n], catalogue[n])):
         e, ways = catalogue[n], told.limits[n]
-        rows.append([n, "" if e.unit in ("-", "1") else e.unit, *map(_text, ways["model"]), *map(_text, ways["reference"])])
+        unit = "" if e.unit in ("-", "1") else e.unit
+        rows.append([n, unit, *map(_text, ways["model"]), *map(_text, ways["reference"])])
     widths = [max(len(r[k]) for r in rows) for k in range(len(rows[0]))]
     return ["  ".join(c.ljust(w) if k < 2 else c.rjust(w) for k, (c, w) in enumerate(zip(r, widths))) for r in rows]
 

@@ -27,6 +27,9 @@ def as_json(out, catalogue, hashes):
         "trucks": out.trucks,
         "reference": _reference(out),
         "history": _history(out, catalogue),
+        "law": _law(out.law) if out.law else None,
+        "face": [{"what": f.kind, "unit": f.unit, "before": f.before, "now": f.now, "p_adjusted": f.p}
+                 for f in out.faces],
         "runs": out.runs,
         "ended_early": out.early,
         "seeds": out.seeds,
@@ -44,6 +47,11 @@ def _parameter(out, catalogue, name):
     e = catalogue[name]
     return {"name": e.parameter, "unit": e.unit, "estimate": out.effects[name],
             "interval90": list(out.intervals[name])}
+
+
+def _law(law):
+    return {"channel": law.channel, "terms": [{"term": n, "kN": a} for n, a in law.terms], "words": law.words,
+            "p": law.p, "holdout_explained": law.explained}
 
 
 def _reference(out):

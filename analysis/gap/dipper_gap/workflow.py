@@ -16,9 +16,12 @@ import numpy as np
 
 from .decision.confirm import confirm, drawn
 from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
+from .decision.law import find_law
 from .decision.next_experiment import propose
 from .history import History, history
 from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
+from .readings.before import check_reference
+from .readings.face import CHANGED_P, compare_faces
 from .simulation.plan import FRESH_SEEDS, make_plan, statement, without_runs
 from .simulation.simulator import request
 from .statistics.isolability import Isolability, isolability
@@ -89,6 +92,8 @@ class Outcome:
     reference: int = 0      # trucks of the reference
     fidelity: float = None  # mean z^2 by which the reference differs from the model, in the model's own spread
     history: History = None  # truck by truck since the reference
+    law: object = None      # decision.law.Law, where the catalogue has no name
+    faces: tuple = ()       # readings.face.FaceChange of the surveys of both periods
     runs: int = 0
     seeds: dict = field(default_factory=dict)
 
@@ -104,8 +109,8 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
         known = _known(first, measured, before, runner)
         if omnibus(known[1], *compare(*known, measured)) >= EARLY_P:
             left = len(plan.requests()) - len(first.requests())
-            told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs and "
-                    "the effects that need none show no gap to explain",)
+            told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs "
+                    "and the effects that need none show no gap to explain",)
             out = conclude(*known, measured, runner, before)
             return replace(out, early=True, warnings=(*out.warnings, *told))
     return conclude(*_known(plan, measured, before, runner), measured, runner, before)
@@ -150,10 +155,14 @@ def conclude(model, prediction, measured, runner, before=None):
     if before:
         reference = prediction.baseline.reference
         names = list(out.effects) or [n for n in out.look.verdict.members[:1]]
-        out = replace(out, reference=reference.trucks, fidelity=fidelity(prediction.baseline))
+        out = replace(out, reference=reference.trucks, fidelity=fidelity(prediction.baseline),
+                      faces=compare_faces(measured, before))
+        out = replace(out, warnings=(*out.warnings, *other_faces(out.faces)))
         if out.look.verdict.verdict != "no-gap":
             told = history(model, prediction, names, seen.training.at, measured, before)
             out = replace(out, history=told, warnings=(*out.warnings, *within(told, reference.trucks)))
+    if out.look.verdict.verdict == "unknown":
+        out = replace(out, law=find_law(model, prediction.baseline, seen.holdout.passes, measured, before))
     lines, loads = drawn(model, prediction, seen.holdout, measured, after, before)
     return replace(out, curves=lines, masses=loads, proposals=tuple(experiments(out)))
 
@@ -164,12 +173,19 @@ def fidelity(b):
     return float(np.mean((b.reference.shift / plain.sd) ** 2))
 
 
+def other_faces(faces):
+    """Where the trucks did not dig at faces like the reference's."""
+    return tuple(f"the face is another one than in the reference: {f.kind} {f.now:.3g} {f.unit} for {f.before:.3g} (p "
+                 f"{f.p:.2g}): what the rock and the place of the shovel do is in the difference too"
+                 for f in faces if f.kind in ("slope", "toe", "crest") and f.p < CHANGED_P)
+
+
 def within(told, before):
     """Of a change that came while the measured trucks were loaded: their mean, which is what is named, is less."""
     if not (told and told.trend and told.trend.interval90[0] > before):
         return ()
-    return (f"it began after {told.trend.began - before} of the measured trucks: what is said here is of the mean of them "
-            "all; give the trucks since then alone, and those before it to the reference",)
+    return (f"it began after {told.trend.began - before} of the measured trucks: what is said here is of the mean of "
+            "them all; give the trucks since then alone, and those before it to the reference",)
 
 
 def warnings(model, prediction, measured, before=None):
@@ -198,7 +214,7 @@ def motion_warnings(model, measured):
 
 def reference_warnings(model, measured, before):
     """Where the trucks now take another time than those before: what a drive does otherwise is no effect."""
-    out = list(before.questions())
+    out = [*before.questions(), *check_reference(measured, before)]
     (now, then) = (model.vectors.of_mine(m.seen_by(measured.channels))[2] for m in (measured, before))
     for k, number in enumerate(model.passes):
         for phase in dict.fromkeys(p for t in (*now, *then) for p in t[k]):

@@ -46,7 +46,8 @@ def figures(run):
             "dig_phases_force_mean_MN": mean(passes, "dig_phases_force_mean_N", 1e6),
             "dig_force_peak_MN": max((p["dig_force_peak_N"] for p in passes), default=np.nan) / 1e6,
             "dig_work_MJ": mean(worked, "dig_work_J", 1e6), "passes": len(passes),
-            "passes_to_fill": truck.get("passes_to_fill", np.nan), "truck_filled_fraction": truck.get("filled_fraction", np.nan),
+            "passes_to_fill": truck.get("passes_to_fill", np.nan),
+            "truck_filled_fraction": truck.get("filled_fraction", np.nan),
             "cpu_s": run.summary["dem"]["cpu_s"] + run.summary["mbs"]["cpu_s"]}
 
 

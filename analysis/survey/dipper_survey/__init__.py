@@ -1,1 +1,1 @@
-"""From a point cloud in a mine's coordinates to the surface or section that `pile.profile` takes. See docs/survey.md."""
+"""From a point cloud in a mine's coordinates to the surface or section of `pile.profile`. See docs/survey.md."""

@@ -62,7 +62,7 @@ def site_of(values, args):
 
 def box_of(values, rear):
     """The part of W where the case's bench is to be: from the shovel to the rear wall."""
-    x0 = values.get("machine.base_position_m", [0])[0]
+    x0 = values["machine.base_position_m" if "machine.base_position_m" in values else "domain.min_m"][0]
     most = values["domain.max_m"][0] - MARGIN_m
     x1 = most
     if "pile.toe_x_m" in values:
@@ -118,8 +118,8 @@ def next_step(case, out, values):
     if profile and (case / profile).resolve() == out.resolve():
         told = check_json(case)
         if told["sound"]:
-            return [f"check: {told['case']} is sound with it: about {told['size']['rocks']:.0f} rocks; look at {out.stem}"
-                    f".png, and at dipper preview {case}"]
+            return [f"check: {told['case']} is sound with it: about {told['size']['rocks']:.0f} rocks; look at "
+                    f"{out.stem}.png, and at dipper preview {case}"]
         return ["check: the case has these errors with it:"] + [f"{f['key']}: {f['message']}" for f in told["findings"]]
     path = os.path.relpath(out, case)
     return [f"in {case / 'case.yaml'}, in place of {REPLACED}:",

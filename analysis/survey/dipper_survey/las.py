@@ -1,4 +1,4 @@
-"""LAS 1.0 to 1.4 (ASPRS, LAS Specification 1.4-R15), not compressed. Debian has no library for it: docs/decisions.md."""
+"""LAS 1.0 to 1.4 (ASPRS, LAS Specification 1.4-R15), not compressed. Debian has no library: docs/decisions.md."""
 import struct
 
 import numpy as np

@@ -121,5 +121,5 @@ def _refuse_rounded(path, points):
     largest = np.nanmax(np.abs(points[np.isfinite(points).all(axis=1)]), initial=0)
     step = float(np.spacing(np.float32(largest)))
     if step > 0.01:
-        raise BadInput([f"{path}: PLY: coordinates up to {largest:.0f} m in single precision are rounded to {step:g} m; "
-                        "export it in double precision (property double), or shifted to an origin nearby"])
+        raise BadInput([f"{path}: PLY: coordinates up to {largest:.0f} m in single precision are rounded to {step:g} "
+                        "m; export it in double precision (property double), or shifted to an origin nearby"])

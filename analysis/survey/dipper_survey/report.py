@@ -12,15 +12,15 @@ def words(made, path):
     area = (s.x[-1] - s.x[0]) * (s.y[-1] - s.y[0])
     out = [f"{path.name}: {looked.points:,} points ({made.kind}), {looked.on_bench:,} over the bench's place"
            + (f"; {looked.none:,} rows without a reading" if looked.none else ""),
-           f"surface: x {s.x[0]:.2f} to {s.x[-1]:.2f} m, y {s.y[0]:.2f} to {s.y[-1]:.2f} m, up to z = {s.z.max():.2f} m, a "
-           f"height each {cell[0]:.2f} x {cell[1]:.2f} m",
+           f"surface: x {s.x[0]:.2f} to {s.x[-1]:.2f} m, y {s.y[0]:.2f} to {s.y[-1]:.2f} m, up to z = {s.z.max():.2f} "
+           f"m, a height each {cell[0]:.2f} x {cell[1]:.2f} m",
            f"gaps: {100 * s.filled.mean():.1f} % of {area:.0f} m2 not seen, filled from what is round them"
            + (f"; the largest {s.hole_m2:.1f} m2" if s.filled.any() else "")]
     left = sum(i.points for i in s.islands)
     out.append(f"left out: {s.above + left + s.columns.outside:,} points: {s.above:,} over the surface, "
                f"{left:,} in {len(s.islands)} islands that stand off it, {s.columns.outside:,} over or under the box")
-    out += [f"  island at x = {i.x:.1f} m, y = {i.y:.1f} m: {i.points:,} points on {i.area_m2:.1f} m2, {abs(i.off_m):.1f} m "
-            f"{'over' if i.off_m > 0 else 'under'} its surroundings" for i in s.islands[:MOST]]
+    out += [f"  island at x = {i.x:.1f} m, y = {i.y:.1f} m: {i.points:,} points on {i.area_m2:.1f} m2, "
+            f"{abs(i.off_m):.1f} m {'over' if i.off_m > 0 else 'under'} its surroundings" for i in s.islands[:MOST]]
     if len(s.islands) > MOST:
         out.append(f"  and {len(s.islands) - MOST} smaller ones")
     return out + [f"  {n}" for n in made.notes if not n.startswith("warning: ")] + \
@@ -37,7 +37,7 @@ def to_stl(surface):
     x, y = np.meshgrid(surface.x, surface.y, indexing="ij")
     p = np.stack([x, y, surface.z], axis=-1)
     a, b, c, d = p[:-1, :-1], p[1:, :-1], p[1:, 1:], p[:-1, 1:]
-    corners = np.concatenate([np.stack([a, b, c], axis=-2).reshape(-1, 3, 3), np.stack([a, c, d], axis=-2).reshape(-1, 3, 3)])
+    corners = np.concatenate([np.stack(three, axis=-2).reshape(-1, 3, 3) for three in ((a, b, c), (a, c, d))])
     facets = np.zeros(len(corners), np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("word", "<u2")]))
     normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     facets["normal"] = normal / np.linalg.norm(normal, axis=1, keepdims=True)

@@ -3,7 +3,8 @@
 Points are counted in cells of x, y and z, so that memory is that of the bench's box and not of the cloud. In each
 column of cells the surface is the median of what lies up to LAYER_m over the column's lowest points: dust, a boom or
 ropes over ground that is seen are left out by that. Columns in which only the machine or dust is seen stand off their
-surroundings by a step along most of their edge; such islands are left out, too. What is not seen is filled linearly between what is.
+surroundings by a step along most of their edge; such islands are left out, too. What is not seen is filled linearly
+between what is.
 """
 from dataclasses import dataclass
 
@@ -217,15 +218,17 @@ def fill(height, kept, step):
 
 def find_bench(columns, z, kept, to_rear):
     """(first, last) of columns.x: from just before the rock's foot to the rear, and the floor's height before it."""
+    z = z.copy()
+    z[:int(np.argmax(kept.mean(axis=1) >= SEEN_SHARE))] = 0.0  # not seen before the face: ground
     labels, n = ndimage.label(z > ROCK_m)
     at_shovel = np.isin(range(1, n + 1), labels[0])
     if n == 0:
         raise NoSurface(f"no rock: nothing is more than {ROCK_m} m over the ground, the highest is at z = "
                         f"{z.max():.2f} m; the elevation of the ground for the third number of site.origin_m")
     if at_shovel.all():
-        raise NoSurface(f"no toe: rock or what looks like it is {z[0].min():.2f} m or more over the ground right from x = "
-                        f"{columns.x[0]:.2f} m, the shovel's place; the elevation of the ground for the third number of "
-                        "site.origin_m, or a cloud that the shovel does not hide")
+        raise NoSurface(f"no toe: rock or what looks like it is {z[0].min():.2f} m or more over the ground right from x"
+                        f" = {columns.x[0]:.2f} m, the shovel's place; the ground's elevation for the third "
+                        "number of site.origin_m, or a cloud that the shovel does not hide")
     volume = np.where(at_shovel, 0, ndimage.sum_labels(z, labels, range(1, n + 1)))
     bench = labels == 1 + int(np.argmax(volume))
     share = bench.mean(axis=1)

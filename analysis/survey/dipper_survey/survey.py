@@ -51,8 +51,8 @@ def survey(path, site, box, to_rear=False):
     if looked.on_bench == 0:
         raise BadInput([_nothing_there(path, looked, site, box)])
     if looked.under > looked.on_bench:
-        raise BadInput([f"{path}: cloud: {looked.under:,} of its points are more than {DEEP_m:g} m under the ground of the "
-                        f"case, z = 0, and {looked.on_bench:,} over it; is the elevation in site.origin_m another?"])
+        raise BadInput([f"{path}: cloud: {looked.under:,} of its points are more than {DEEP_m:g} m under the ground of "
+                        f"the case, z = 0, and {looked.on_bench:,} over it; is site.origin_m's elevation another?"])
     box = Box(box.x0, box.x1, box.half_width, float(min(box.top, max(looked.top, 0) + TOP_m)))
     cell = max(cell_for(looked.on_bench, box), *(min(s, 1.0) for s in looked.steps[:2]))
     while (box.x1 - box.x0) * 2 * box.half_width / cell ** 2 * (box.top + 3) / 0.05 > MOST_CELLS:
@@ -103,8 +103,11 @@ def _step(values):
     """The largest of STEPS_m whose multiples all of the values are, where they differ; else 0."""
     if len(values) < 10 or np.ptp(values) == 0:
         return 0
-    return next((s for s in STEPS_m if np.ptp(values) >= s and (np.abs(values / s - np.round(values / s)) < 1e-6).all()),
-                0)
+
+    def fits(step):
+        return np.ptp(values) >= step and (np.abs(values / step - np.round(values / step)) < 1e-6).all()
+
+    return next(filter(fits, STEPS_m), 0)
 
 
 def _span(low, high):
@@ -116,33 +119,35 @@ def _nothing_there(path, looked, site, box):
             f"{-box.half_width:g} to {box.half_width:g} m, z {-DEEP_m:g} to {box.top:g} m in W; ")
     if looked.points == looked.none:
         return said + "no row has three numbers that are finite"
-    said += (f"in the file it has {_span(looked.low, looked.high)}, in W {_span(looked.local_low, looked.local_high)}; ")
+    said += (f"in the file it has {_span(looked.low, looked.high)}, in W "
+             f"{_span(looked.local_low, looked.local_high)}; ")
     if looked.swapped:
-        return said + (f"with the first two columns exchanged {looked.swapped:,} points are there: name them in a header, "
-                       "northing,easting,elevation")
+        return said + (f"with the first two columns exchanged {looked.swapped:,} points are there: name them in a "
+                       "header, northing,easting,elevation")
     extent = float((looked.high - looked.low).max())
     if extent > 2e3:
         return said + f"it is {extent:.0f} m wide: is it in millimetres? The coordinates are to be in metres"
     if site == Site():
         return said + ("say where W lies in the mine's coordinates: site.origin_m and site.azimuth_deg in the case, or "
                        "--origin and --azimuth")
-    return said + "is site.origin_m (easting, northing, elevation) or site.azimuth_deg another?"
+    return said + ("is site.origin_m (easting, northing, elevation) or site.azimuth_deg another? Are x, y and z the "
+                   "first columns of the file, or named in a header?")
 
 
 def _doubts(looked, surface, cell):
     notes = []
     for axis, step in zip(("x", "y", "heights"), looked.steps):
         if step:
-            notes.append(f"warning: {axis} stand{'s' * (axis != 'heights')} in steps of {step:g} m: a grid, or coordinates "
-                         "that an export has rounded (single precision, too few digits)")
+            notes.append(f"warning: {axis} stand{'s' * (axis != 'heights')} in steps of {step:g} m: a grid, or "
+                         "coordinates that an export has rounded (single precision, too few digits)")
     if abs(surface.floor_m) > FLOOR_m:
-        notes.append(f"warning: the floor in front of the toe is at z = {surface.floor_m:.2f} m, and the case's ground at "
-                     f"0: is the elevation in site.origin_m right? {abs(surface.floor_m):.2f} m "
+        notes.append(f"warning: the floor in front of the toe is at z = {surface.floor_m:.2f} m, and the case's ground "
+                     f"at 0: is the elevation in site.origin_m right? {abs(surface.floor_m):.2f} m "
                      f"{'more' if surface.floor_m > 0 else 'less'} would level it")
     share = surface.filled.mean()
     if share > 0.3:
-        notes.append(f"warning: {100 * share:.0f} % of the bench is not seen and filled from what is: scan it from another "
-                     "place as well, or make pile.width_m less")
+        notes.append(f"warning: {100 * share:.0f} % of the bench is not seen and filled from what is: scan it from "
+                     "another place as well, or make pile.width_m less")
     if cell > 2 * CELL_m:
         notes.append(f"warning: the cloud is thin: {looked.on_bench:,} points over the bench give a height each "
                      f"{cell:.2g} m")

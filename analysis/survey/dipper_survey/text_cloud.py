@@ -3,7 +3,7 @@ import io
 
 import numpy as np
 
-from dipper_run.csv_text import WITH_DECIMAL_COMMA, cells_of, find_decimal
+from dipper_run.csv_text import WITH_DECIMAL_COMMA, cells_of, decimal_number, find_decimal
 from dipper_run.findings import BadInput
 from dipper_run.text_file import BOM, number
 
@@ -45,6 +45,7 @@ def _find_table(path, found):
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
     lines = lines if whole else lines[:-1]
     header = words = None
+    counts = 0  # lines of one number: a .pts has one, of how many points follow
     for i, line in enumerate(lines, 1):
         bare = line.strip().lstrip("#/").strip()
         if not bare:
@@ -57,10 +58,15 @@ def _find_table(path, found):
             elif len(cells) >= 3 and not comment:
                 words = (i, cells)
             continue
-        if len(cells) == 1:  # of a .pts: how many points follow
+        if len(cells) == 1:
+            counts += 1
             continue
+        if counts > 1:
+            found.add(path, 1, "file", "is a PTX, whose points are in the scanner's own frame",
+                      "export it as x y z, PLY or LAS in the mine's coordinates")
+            return None
         return _table_from(path, lines, i, delimiter, cells, header or words, returns, found)
-    found.add(path, 1, "file", f"no line of three numbers, it begins with '{lines[0].strip()[:SHOWN]}'",
+    found.add(path, 1, "file", f"no line of three numbers, it begins with '{text.strip()[:SHOWN]}'",
               "a point cloud: x y z a line, or a header and a CSV")
     return None
 
@@ -169,6 +175,6 @@ def _tell_line(path, data, line, table):
         if len(cells) < max(table.columns) + 1:
             raise BadInput([f"{path}:{i}: point: has {len(cells)} cells, '{row[:SHOWN]}'; {table.cells}, as the first"])
         for c in table.columns:
-            if number(cells[c]) is None and cells[c].lower() not in NONE:
-                raise BadInput([f"{path}:{i}: point: '{cells[c][:SHOWN]}' is no number"
-                                "; a coordinate in m, with nothing between its thousands"])
+            if decimal_number(cells[c], table.decimal) is None and cells[c].lower() not in NONE:
+                raise BadInput([f"{path}:{i}: point: '{cells[c][:SHOWN]}' is no number; a coordinate in m, with "
+                                "nothing between its thousands, and a header where x y z are not the first columns"])

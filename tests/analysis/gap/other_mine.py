@@ -29,9 +29,9 @@ def periods(before, now, seed, drift_told=True, spread=1.0):
     moved = {n: shared[n] + DRIFT * c.common_sigma * rng.standard_normal() for n, c in channels.items()}
     told = {n: replace(c, drift_sigma=DRIFT * c.common_sigma if drift_told else None) for n, c in channels.items()}
     first = 1000 * seed + 50_000
-    then = _folder([unlike(synthetic.run(e, first + k, spread=spread)) for k, e in enumerate(before)], shared, told, rng)
-    late = _folder([unlike(synthetic.run(e, first + 500 + k, spread=spread)) for k, e in enumerate(now)], moved, told,
-                   rng)
+    runs, late_runs = ([unlike(synthetic.run(e, start + k, spread=spread)) for k, e in enumerate(effects)]
+                       for start, effects in ((first, before), (first + 500, now)))
+    then, late = _folder(runs, shared, told, rng), _folder(late_runs, moved, told, rng)
     passes = tuple(replace(p, t_start_s=p.t_start_s + LATER_S, t_end_s=p.t_end_s + LATER_S) for p in late.passes)
     return replace(late, passes=passes, time_s=late.time_s + LATER_S), then
 

@@ -7,10 +7,12 @@ import pytest
 
 import fake_mine
 import synthetic
+from dipper_gap import model as model_stage
 from dipper_gap.gap_json import as_json
 from dipper_gap.model import learn, predict, predict_change
 from dipper_gap.report import page
 from dipper_gap.simulation.plan import make_plan
+from dipper_gap.statistics.null import simulate_null
 from dipper_gap.workflow import Runner, conclude
 from other_mine import periods
 from trucks import in_a_row
@@ -18,6 +20,12 @@ from trucks import in_a_row
 SMALL = {n: fake_mine.CATALOGUE[n]
          for n in ("fines", "crowd_friction", "scale_gain", "cohesion", "truck_spillage", "density")}
 TRUCKS, BEFORE = 4, 6
+FEW_DRAWS = 200  # of the null: enough for p below 0.01, in a fifth of the time
+
+
+@pytest.fixture(autouse=True)
+def few_draws(monkeypatch):
+    monkeypatch.setattr(model_stage, "simulate_null", functools.partial(simulate_null, draws=FEW_DRAWS))
 
 
 @functools.lru_cache(None)
@@ -57,7 +65,7 @@ def test_what_has_changed_is_named_and_stands_against_the_reference():
     assert [t["period"] for t in trucks] == ["reference"] * BEFORE + ["measured"] * TRUCKS
     shown = json.loads(json.dumps(page(out, a, SMALL, "synthetic"), allow_nan=False))
     before_mass = np.mean([p.truck_mass_t for t in before.trucks() for p in t.passes if p.number == 1])
-    assert shown["masses"][0]["before"] == pytest.approx(before_mass, abs=0.01)  # the reference stands in the model's place
+    assert shown["masses"][0]["before"] == pytest.approx(before_mass, abs=0.01)  # in the model's place
     assert np.mean(np.abs(np.subtract(shown["curves"][0]["measured"], shown["curves"][0]["before"]))) < 100
 
 
@@ -75,4 +83,5 @@ def test_what_no_effect_explains_has_a_day_too():
     a = judge(now, before)[1]
     assert a["verdict"] == "unknown" and a["history"]["effect"] is None
     assert a["history"]["began"]["after_trucks"] == BEFORE
+    assert a["law"]["channel"] == "hoist_force_kN" and [x["term"] for x in a["law"]["terms"]] == ["swing moves"]
     assert np.mean([t["strength"] for t in a["history"]["trucks"][BEFORE:]]) == pytest.approx(1, abs=0.2)

@@ -44,7 +44,7 @@ def rows(between=" ", mark=".", end="\n", columns=(0, 1, 2), more=()):
     rows("\t", ","), rows(" ", ","), "\ufeff" + rows(), rows().rstrip("\n"),
     "x y z\n" + rows(), "\ufeffX;Y;Z\n" + rows(";", ","), "//X,Y,Z,R,G,B\n" + rows(",", more=("10", "20", "30")),
     "# made by a scanner of ours, today\n" + rows(), f"{len(POINTS)}\n" + rows(more=("-512", "1", "2", "3")),
-    "Northing,Easting,Elevation\n" + rows(",", columns=(1, 0, 2)),
+    rows(";", ",", more=("a.b",)), "Northing,Easting,Elevation\n" + rows(",", columns=(1, 0, 2)),
     "Bench 12\nEasting (m);Northing (m);RL (m);Code\nm;m;m;-\n" + rows(";", more=("rock",)),
     '"Point","E [m]","N [m]","H [m]"\n' + "".join(f'"P{i}","{a:.3f}","{b:.3f}","{c:.3f}"\n'
                                                   for i, (a, b, c) in enumerate(POINTS))])
@@ -68,6 +68,10 @@ def test_rows_without_a_return_are_kept_as_such(tmp_path):
     ("a;b;c\n" + rows(";"), ":1: header: has 'a', 'b', 'c'; columns called x, y, z"),
     ("1;2\n3;4\n", ":1: point: is '1;2'; x, y and z"),
     ("Dear all,\nhere is the scan\n", ":1: file: no line of three numbers"),
+    ("3\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n" + rows(), ":1: file: is a PTX"),
+    ("v " + rows(end="\nv "), ":1: point: 'v' is no number; a coordinate in m"),
+    ("x" * 99_999, ":1: file: no line of three numbers, it begins with 'xxx"),
+    (rows(";", ",", more=("a.b",)) + "512.345,2;7443210,9;1,5;a.b\n", f":{len(POINTS) + 1}: point: '512.345,2' is no"),
     ("", ": file: is empty"), (b"\x00\x01\x02" * 99, ": file: is neither text nor PLY nor LAS"),
     (rows().encode("utf-16"), ": file: is UTF-16"), (b"\x1f\x8b" + b"x" * 99, ": file: is compressed by gzip"),
     ("solid face\n", ": file: is an STL"), (b"ASTM-E57" + b"\0" * 99, ": file: is an E57"),
@@ -147,7 +151,8 @@ def las_file(tmp_path, version=(1, 2), form=3, flags=None, classes=None, cut=0):
     return text(tmp_path, data[:len(data) - cut], "scan.las")
 
 
-@pytest.mark.parametrize("version, form", [((1, 0), 0), ((1, 2), 3), ((1, 3), 5), ((1, 4), 6), ((1, 4), 7), ((1, 4), 1)])
+@pytest.mark.parametrize("version, form", [((1, 0), 0), ((1, 2), 3), ((1, 3), 5), ((1, 4), 6), ((1, 4), 7),
+                                           ((1, 4), 1)])
 def test_las(tmp_path, version, form, monkeypatch):
     monkeypatch.setattr(las, "PART", 700)
     np.testing.assert_allclose(read(las_file(tmp_path, version, form)), POINTS, rtol=0, atol=6e-4)

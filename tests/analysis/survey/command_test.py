@@ -63,7 +63,7 @@ def test_a_case_takes_the_face(case, cloud):
     first = (case / "face.stl").read_bytes()
     (case / "face.stl").unlink()
     said = dipper("survey", cloud, "--case", case, "--rear", "29.639")
-    assert "check: quick is sound with it: about" in said, "place and azimuth from the case, whose face is not there yet"
+    assert "check: quick is sound with it: about" in said, "place and azimuth of the case, before its face is there"
     assert len((case / "face.stl").read_bytes()) == len(first)
 
 
@@ -75,7 +75,8 @@ def test_a_section_is_a_profile_too(case, cloud, tmp_path):
 
 
 @pytest.mark.parametrize("words, said", [
-    ((), "site.origin_m"), (("--origin", "1,2"), "--origin: is '1,2'"), (("--azimuth", "north"), "--azimuth: is 'north'"),
+    ((), "site.origin_m"), (("--origin", "1,2"), "--origin: is '1,2'"),
+    (("--azimuth", "north"), "--azimuth: is 'north'"),
     ((*AT, "--rear", "300"), "--rear: is 300"), ((*AT, "--out", "face.obj"), "--out: is 'face.obj'")])
 def test_bad_input_writes_nothing(case, cloud, tmp_path, words, said):
     before = sorted(p for p in tmp_path.rglob("*"))

@@ -52,8 +52,8 @@ def scene(n=60_000, seed=1, shovel=True, dust=True):
             inside = ((points[:, :2] > low[:2]) & (points[:, :2] < high[:2])).all(axis=1)
             points = points[~inside]
             parts.append(box_points(n // 30, rng, low, high))
-        handle = rng.uniform(0, 1, (n // 100, 1)) * [[10.5, 0, -3.5]] + [[5, 0.6, 9]] + rng.normal(0, 0.15, (n // 100, 3))
-        parts.append(handle)
+        handle = rng.uniform(0, 1, (n // 100, 1)) * [[10.5, 0, -3.5]] + [[5, 0.6, 9]]
+        parts.append(handle + rng.normal(0, 0.15, handle.shape))
     if dust:
         parts.append(rng.uniform((14, -6, 4), (26, 6, 14), (n // 100, 3)))
         parts.append(rng.uniform((10, -6, -9), (26, 6, -2), (20, 3)))  # mirrored echoes

@@ -88,6 +88,12 @@ def test_a_crest_that_hides_the_bench_ends_it(tmp_path):
     assert to_rear.surface.x[-1] == 30 and to_rear.surface.filled[-3:].all()
 
 
+def test_a_cloud_of_the_face_alone_begins_where_it_is_seen(tmp_path):
+    points = scanned_face.scene(60_000, shovel=False, dust=False)
+    s = survey_of(tmp_path, points[points[:, 2] > 2]).surface
+    assert 14.4 < s.x[0] < 15.5 and s.z[2:].min() > 1.5
+
+
 def fault(tmp_path, points, site=SITE, box=BOX):
     with pytest.raises(BadInput) as e:
         survey(scan(tmp_path, points), site, box)

@@ -58,6 +58,28 @@ TEST_F(FailureMessage, OpenMpisTroubleWithAMessageIsNotTheCause) {
   EXPECT_EQ(error_line(log), "dipper-liggghts: 1 rank came up where 2 belong");
 }
 
+TEST_F(FailureMessage, LiggghtsLineIsFoundAmongWhatMpiSaysAfterIt) {
+  const std::string box =
+      "--------------------------------------------------------------------------\n"
+      "MPI_ABORT was invoked on rank 1 in communicator MPI_COMM_WORLD\nwith errorcode 1.\n"
+      "--------------------------------------------------------------------------\n"
+      "[h1:77] PMIX ERROR: UNREACHABLE in file server/pmix_server.c at line 2198\n"
+      "[h1:77] 1 more process has sent help message help-mpi-api.txt / mpi-abort\n"
+      "mpirun has exited due to process rank 1\n";
+  const char* own[] = {
+      "ERROR on proc 1: Out of range atoms - cannot compute (pppm.cpp:1945)",
+      "ERROR: Fix mesh/surface/stress (id dipper): mesh has 2 faces with an angle of 0.03 "
+      "degree (surface_mesh_I.h:503)",
+      "ERROR: Unknown command: paire_style gran (../input.cpp:275)",
+      "ERROR: Lost atoms: original 120 current 119 (thermo.cpp:437)",
+  };
+  for (const std::string line : own) {
+    EXPECT_EQ(error_line(write("log", line + "\n" + box)), line);
+    EXPECT_EQ(error_line(write("log", box), write("screen", "Setting up run\n" + line + "\n")),
+              line);
+  }
+}
+
 TEST_F(FailureMessage, AHostThatIsGoneIsNamed) {
   const auto log = write("log",
                          "Please note that this is a mesh\n-----\n"

@@ -40,7 +40,8 @@ class Container(RunTest):
     @two_cores
     @unittest.skipIf(subprocess.run([*SMALL_SHM, "true"], capture_output=True).returncode, "no mount namespaces here")
     def test_a_small_dev_shm(self):
-        self.assertIn("16M", subprocess.run([*SMALL_SHM, "df", "-h", "/dev/shm"], capture_output=True, text=True).stdout)
+        room = subprocess.run([*SMALL_SHM, "df", "-h", "/dev/shm"], capture_output=True, text=True).stdout
+        self.assertIn("16M", room)
         self.dipper("run", TINY, *SHORT, "--out", self.folder / "run", before=SMALL_SHM)
 
     @two_cores

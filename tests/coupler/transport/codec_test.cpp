@@ -20,6 +20,7 @@ bool same(const Pose& a, const Pose& b) { return a.R.coeffs() == b.R.coeffs() &&
 bool same(const Wrench& a, const Wrench& b) { return a.torque == b.torque && a.force == b.force; }
 
 const Pose kPose{Quaterniond(0.5, -0.5, 0.5, 0.5), {10, 20, 1.0 / 3}};
+const core::Order kOrder{58'000'000'000, {1.0 / 3, -5e-308}};
 const Wrench kWrench{{0.1, -1e300, 3}, {4, 5e-308, 6}};
 
 TEST(Codec, TheRocksMessagesSurviveToTheLastBit) {
@@ -56,12 +57,15 @@ TEST(Codec, TheRocksMessagesSurviveToTheLastBit) {
 
 TEST(Codec, TheMachinesMessagesSurvive) {
   const auto step = std::get<core::MachineStep>(
-      decode(encode({envelope(), core::MachineStep{1, {kWrench, {}}, 57'000'000'000}})).body);
+      decode(encode({envelope(), core::MachineStep{1, {kWrench, {}}, 57'000'000'000, 0, kOrder}}))
+          .body);
   EXPECT_EQ(step.t_end_ns, 56'000'000'000) << "the header's";
   EXPECT_EQ(step.t_next_ns, 57'000'000'000);
   EXPECT_EQ(step.step_index, 12);
   ASSERT_EQ(step.F_Bo_W.size(), 2u);
   EXPECT_TRUE(same(step.F_Bo_W[0], kWrench));
+  EXPECT_EQ(step.order.by_ns, kOrder.by_ns);
+  EXPECT_EQ(step.order.to, kOrder.to);
 
   core::MachineState s;
   s.t_ns = 55;
@@ -119,8 +123,10 @@ void expect_equal(const dipper_msg::wrench_t& t, const Wrench& F) {
 
 TEST(Codec, LcmReadsTheMachinesMessages) {
   const auto step = through_lcm<dipper_msg::machine_step_t>(
-      {envelope(), core::MachineStep{1, {kWrench}, -57'000'000'000}});
+      {envelope(), core::MachineStep{1, {kWrench}, -57'000'000'000, 0, kOrder}});
   EXPECT_EQ(step.t_next_ns, -57'000'000'000);
+  EXPECT_EQ(step.order_by_ns, kOrder.by_ns);
+  EXPECT_EQ(step.order, kOrder.to);
   ASSERT_EQ(step.n_bodies, 1);
   expect_equal(step.wrenches[0], kWrench);
 
@@ -176,7 +182,7 @@ TEST(Codec, LcmReadsCommandAndStatus) {
 
 TEST(Codec, RefusesEveryCutAndEveryExtension) {
   const std::vector<core::Body> bodies = {
-      core::MachineStep{0, {kWrench, kWrench}},
+      core::MachineStep{0, {kWrench, kWrench}, 0, 0, kOrder},
       core::MachineState{0, {{kPose, {}}, {kPose, {}}}, {1, 2}, true, {kPose, kPose}},
       core::RockPlace{{kPose, kPose}},
       core::RockStep{5, {kPose, kPose}},

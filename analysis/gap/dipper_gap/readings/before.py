@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 
-from dipper_run.findings import BadInput, Findings
+from dipper_run.findings import Findings
 
 from .measured import MASS, RESPONSE
 from .passes import NEED_PASSES
@@ -16,7 +16,7 @@ def check_reference(measured, before):
     """What is legal and hardly meant, a line each; throws BadInput for what cannot be compared."""
     found = Findings()
     now, then = Path(measured.folder), Path(before.folder)
-    if now.resolve() == then.resolve():
+    if measured.folder and now.resolve() == then.resolve():
         found.add(then, 0, "--reference", "is the measured folder itself", "a folder of earlier trucks")
         found.raise_if_any()
     missing = [n for n in (*measured.responses(), MASS) if n in measured.channels and n not in before.channels]
@@ -49,9 +49,9 @@ def _questions(measured, before, both, passes):
         channel = measured.channels.get(name)
         if channel and channel.drift_sigma is None and (channel.common_sigma or before.channels[name].common_sigma):
             size = np.hypot(channel.common_sigma, before.channels[name].common_sigma)
-            out.append(f"{name}: no drift_sigma: its shared error may have changed by {size:.3g} {channel.unit} since the "
-                       "reference, as if another instrument had read it; drift_sigma in channels.yaml says how far the "
-                       "same one drifts, and less is hidden")
+            out.append(f"{name}: no drift_sigma: its shared error may have changed by {size:.3g} {channel.unit} since "
+                       "the reference, as if another instrument had read it; drift_sigma in channels.yaml says how far "
+                       "the same one drifts, and less is hidden")
     if len(measured.trucks()) + len(before.trucks()) - 2 < FEW_TRUCKS:
         out.append(f"{len(measured.trucks())} and {len(before.trucks())} trucks hardly tell how the mine's own trucks "
                    "scatter: the model's scatter is taken")

@@ -41,18 +41,18 @@ def curves(measured, before, after, numbers, held, share, reference=None):
     out = []
     trucks = measured.trucks()
     time, driven = trucks[0].time_s, [trucks[0].signals[name] for name in ("crowd_m", "swing_rad")]
-    passes = [_pass(trucks[0], number) for number in numbers]
+    passes = [one_pass(trucks[0], number) for number in numbers]
     found = find_phases(time, *driven, [(p.t_start_s, p.t_end_s) for p in passes])
     for number, mine, phases in zip(numbers, passes, found):
         t = time[(time >= mine.t_start_s) & (time <= mine.t_end_s)] - mine.t_start_s
         phases = {name: (a - mine.t_start_s, b - mine.t_start_s) for name, (a, b) in phases.items()}
         for channel in measured.responses():
-            seen = np.mean([_read(m, number, channel, t) for m in trucks], axis=0)
-            runs = np.array([_read(m, number, channel, t) for m in before])
-            new = np.mean([_read(m, number, channel, t) for m in after], axis=0) if after else None
+            seen = np.mean([read_signal(m, number, channel, t) for m in trucks], axis=0)
+            runs = np.array([read_signal(m, number, channel, t) for m in before])
+            new = np.mean([read_signal(m, number, channel, t) for m in after], axis=0) if after else None
             usual = runs.mean(axis=0)
             if reference:
-                then = np.mean([_read(m, number, channel, t) for m in reference.trucks()], axis=0)
+                then = np.mean([read_signal(m, number, channel, t) for m in reference.trucks()], axis=0)
                 usual, new = then, None if new is None else new + then - usual
             out.append(Curve(number, number in held, channel, t, seen, usual,
                              runs.std(axis=0, ddof=1) * np.sqrt(share), new, phases))
@@ -69,18 +69,18 @@ def masses(measured, before, after, numbers, held, share, reference=None):
         if reference:
             then = _mass(reference.trucks(), number)
             usual, new = then, None if new is None else new + then - usual
-        spread = np.std([_pass(m, number).truck_mass_t for m in before], ddof=1) * np.sqrt(share)
+        spread = np.std([one_pass(m, number).truck_mass_t for m in before], ddof=1) * np.sqrt(share)
         out.append(Mass(number, number in held, mine, usual, float(spread), new))
     return out
 
 
 def _mass(folders, number):
-    return float(np.mean([_pass(m, number).truck_mass_t for m in folders]))
+    return float(np.mean([one_pass(m, number).truck_mass_t for m in folders]))
 
 
-def _pass(m, number):
+def one_pass(m, number):
     return next(p for p in m.passes if p.number == number)
 
 
-def _read(m, number, channel, t):
-    return np.interp(t + _pass(m, number).t_start_s, m.time_s, m.signals[channel])
+def read_signal(m, number, channel, t):
+    return np.interp(t + one_pass(m, number).t_start_s, m.time_s, m.signals[channel])

@@ -8,7 +8,7 @@
 `drift_sigma` that of what the shared error may have changed by since an earlier folder of the same instrument.
 """
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +18,8 @@ from dipper_run.csv_text import (SEPARATOR, cells_of, decimal_number, find_decim
 from dipper_run.findings import Findings
 from dipper_run.section import Section
 from dipper_run.text_file import read_text, read_yaml
+
+from .face import LEAST_POINTS
 
 DRIVEN = "driven"
 RESPONSE = "response"
@@ -81,6 +83,7 @@ class Measured:
     time_s: np.ndarray
     signals: dict
     folder: str = ""
+    profiles: dict = field(default_factory=dict)  # {(truck, pass): (x, z)}, x rising: the face before that pass
 
     def seen_by(self, channels):
         """The same as a mine with these channels would have it: what it does not log is left out."""
@@ -128,9 +131,9 @@ def read_measured(folder, need_passes=1, simulated=False):
     if simulated and signals:
         passes = [p for p in passes if _readings(time_s, p) >= LEAST_SAMPLES]
     _optional_table(folder / "pile_angle.csv", ("pile", "angle_deg"), found)
-    _optional_table(folder / "profile.csv", ("pass", "x_m", "z_m"), found)
+    profiles = read_profiles(folder / "profile.csv", found)
     found.raise_if_any()
-    return Measured(channels, tuple(passes), time_s, signals, str(folder))
+    return Measured(channels, tuple(passes), time_s, signals, str(folder), profiles)
 
 
 def read_channels(file=ASSUMED):
@@ -330,6 +333,26 @@ def _signals(file, channels, passes, found):
 
 def _readings(time, p):
     return int(np.sum((time >= p.t_start_s) & (time <= p.t_end_s)))
+
+
+def read_profiles(file, found):
+    """{(truck, pass): (x, z)} of a profile.csv, each with x rising; {} where there is none."""
+    if not file.is_file():
+        return {}
+    table, lines = read_table(file, ("pass", "x_m", "z_m"), found)
+    if not lines or any(name not in table for name in ("pass", "x_m", "z_m")):
+        return {}
+    trucks, out = table.get(TRUCK, np.ones(len(lines))), {}
+    for line, truck, number in zip(lines, trucks, table["pass"]):
+        if np.isfinite(truck + number) and not (truck == int(truck) >= 1 and number == int(number) >= 1):
+            found.add(file, line, "pass", f"is {number:g} of truck {truck:g}", "whole numbers from 1")
+    for key in dict.fromkeys(zip(trucks.tolist(), table["pass"].tolist())):
+        at = np.flatnonzero((trucks == key[0]) & (table["pass"] == key[1]))
+        x, first = np.unique(table["x_m"][at], return_index=True)
+        if len(at) and len(x) < LEAST_POINTS:
+            found.add(file, lines[at[0]], "x_m", f"{len(x)} points of pass {key[1]:g}", f"{LEAST_POINTS} or more")
+        out[tuple(int(k) if np.isfinite(k) else 0 for k in key)] = (x, table["z_m"][at][first])
+    return out
 
 
 def _optional_table(file, columns, found):

@@ -33,8 +33,8 @@ class Reference:
 
     def part(self, at):
         """The same over some of the cells."""
-        return replace(self, rows=self.rows[:, at], own=self.own[np.ix_(at, at)], drift=self.drift[:, at], shift=self.shift[at],
-                       beyond=None if self.beyond is None else self.beyond[at])
+        return replace(self, rows=self.rows[:, at], own=self.own[np.ix_(at, at)], drift=self.drift[:, at],
+                       shift=self.shift[at], beyond=None if self.beyond is None else self.beyond[at])
 
 
 def drift_sigmas(now, before, names):

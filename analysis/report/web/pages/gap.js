@@ -3,6 +3,7 @@
 import { foot, showPage } from '../page.js';
 import { apart } from '../sections/gap/apart.js';
 import { beforeAfter } from '../sections/gap/before_after.js';
+import { face } from '../sections/gap/face.js';
 import { heatMap } from '../sections/gap/heat_map.js';
 import { history } from '../sections/gap/history.js';
 import { again, experiments, rejected } from '../sections/gap/next.js';
@@ -11,5 +12,5 @@ import { head, verdict } from '../sections/gap/verdict.js';
 
 showPage((data) => {
   window.dipper = { data }; // for the console, and for tests
-  return [head(data), verdict(data), history(data), heatMap(data), ranking(data), beforeAfter(data), experiments(data), apart(data), rejected(data), again(data), foot()];
+  return [head(data), verdict(data), history(data), face(data), heatMap(data), ranking(data), beforeAfter(data), experiments(data), apart(data), rejected(data), again(data), foot()];
 });

@@ -31,8 +31,8 @@ def test_every_fault_is_told_at_once(two):
     before = before.seen_by([n for n in before.channels if n != "crowd_force_kN"])
     before = replace(before, passes=tuple(p for p in before.passes if p.number < 2))
     told = findings(now, before)
-    assert told == ["then/channels.yaml: crowd_force_kN: not there, but now has it; what the same instrument read then, "
-                    "or leave crowd_force_kN out of now",
+    assert told == ["then/channels.yaml: crowd_force_kN: not there, but now has it; what the same instrument read "
+                    "then, or leave crowd_force_kN out of now",
                     "then/passes.csv: pass: has passes 1, and now has 1, 2, 3; 2 or more that both have"]
 
 

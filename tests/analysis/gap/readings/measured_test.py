@@ -232,11 +232,11 @@ def test_one_cause_is_one_line(folder):
     rows = (folder / "signals.csv").read_text().splitlines()
     (folder / "signals.csv").write_text("\n".join(rows[:1] + [r.replace(".", ",") for r in rows[1:]]))
     told = [f for f in findings(folder) if "signals.csv" in f and "readings within" not in f]
-    assert len(told) == 1 and f"and so in {len(rows) - 2} more lines" in told[0]
+    assert len(told) == 1 and f"and the same in {len(rows) - 2} more lines" in told[0]
     assert "with decimal commas, part the columns by semicolons" in told[0]
     (folder / "signals.csv").write_text("\n".join(rows[:1] + list(reversed(rows[1:]))))
     told = [f for f in findings(folder) if "later times only" in f]
-    assert len(told) == 1 and f"and so in {len(rows) - 3} more lines" in told[0]
+    assert len(told) == 1 and f"and the same in {len(rows) - 3} more lines" in told[0]
 
 
 PIECES = [b"", b"[", b"{", b": ", b",", b"\n", b"\0", b"\xff", b"nan", b"1e999", b"&a *a", b"\"", b"- ", b"\x85"]

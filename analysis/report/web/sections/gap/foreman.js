@@ -4,6 +4,7 @@ import { facts } from '../../parts/table.js';
 import { channelName, strengthText, title } from './words.js';
 
 const PLACES = 3;
+const LEVELS = ['mean', 'mass', 'balance'];
 
 export function foreman(data) {
   const { answer } = data;
@@ -22,20 +23,20 @@ function what(data) {
   const changed = answer.reference ? 'has changed since the reference' : 'is missing in the model';
   if (answer.verdict === 'named') return `${title(data, answer.effect)} ${changed}.`;
   if (answer.verdict === 'class') return `One of these ${changed}: ${answer.class.map((effect) => title(data, effect)).join('; ')}.`;
-  if (answer.verdict === 'unknown') return answer.reference ? 'Something has changed that the catalogue has no name for.' : 'Something that the catalogue has no name for.';
+  if (answer.verdict === 'unknown') return answer.reference ? 'Something has changed; these data do not tell what.' : 'Something is missing in the model; these data do not tell what.';
   return answer.reference ? 'Nothing that these data can show has changed.' : 'Nothing that these data can show is missing.';
 }
 
-/// The places that stand out, one a phase and channel, each with its direction.
+/// The places that stand out, one a phase and channel, each with its direction: by its mean, where that stands out too.
 function where(answer) {
   if (answer.verdict === 'no-gap' || !answer.disagreement.length) return null;
   const places = new Map();
   for (const { channel, phase, feature, z } of answer.disagreement) {
-    const size = feature === 'slope' ? 'rises otherwise' : z > 0 ? 'higher' : 'lower';
     const place = feature === 'balance' ? 'truck mass against the load on the rope' : `${channelName(channel)[0]}${feature === 'mass' ? '' : ` in ${phase}`}`;
-    if (!places.has(place)) places.set(place, size);
+    const level = LEVELS.includes(feature) ? (z > 0 ? 'higher' : 'lower') : null;
+    places.set(place, places.get(place) ?? level);
   }
-  return [...places].slice(0, PLACES).map(([place, size]) => `${place}: ${size}`).join('; ');
+  return [...places].slice(0, PLACES).map(([place, level]) => `${place}: ${level ?? 'of another shape'}`).join('; ');
 }
 
 function howMuch(data) {
@@ -61,11 +62,11 @@ export function since(answer) {
 
 function howSure(answer) {
   if (answer.verdict === 'no-gap') return `Noise alone gives a gap like this in ${percent(answer.omnibus_p)} of cases.`;
-  const probability = `${percent(answer.probability, 1)} of the evidence`;
+  const probability = `Probability ${percent(answer.probability, 1)}`;
   if (answer.verdict === 'named' && answer.gap.holdout_closure !== null) {
     return `${probability}; with it the model closes ${percent(Math.min(answer.gap.holdout_closure, 1))} of the gap on passes that it had not seen.`;
   }
-  return answer.verdict === 'named' ? `${probability}; the passes held out do not show it.` : `That something is there: sure. Which: ${answer.verdict === 'class' ? probability : 'not told by these data'}.`;
+  return answer.verdict === 'named' ? `${probability}; the passes held out do not show it.` : `That something is there: noise alone gives such a gap in ${percent(answer.omnibus_p, 1)} of cases. What it is: ${answer.verdict === 'class' ? `one of these, ${probability.toLowerCase()}` : 'open'}.`;
 }
 
 function next(data) {

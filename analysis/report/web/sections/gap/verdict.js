@@ -27,7 +27,7 @@ export function verdict(data) {
   const { answer } = data;
   return h('section', { id: 'verdict', 'aria-label': 'Verdict', style: 'padding-top:0' },
     h('div', { class: `verdict ${answer.verdict}` }, h('p.head', headline(data)), h('p', (answer.reference ? CHANGED : WORDS)[answer.verdict], clearest(data)),
-      answer.reasons?.length > 0 && h('ul', answer.reasons.map((text) => h('li', text))), second(data)),
+      answer.reasons?.length > 0 && h('ul', answer.reasons.map((text) => h('li', text))), law(data), second(data)),
     foreman(data),
     h('dl.figures', figures(data).map(([name, value, more]) => h('div', h('dt', name), h('dd', value, more && h('small', more))))));
 }
@@ -45,6 +45,13 @@ function clearest(data, count = 3) {
   const cells = data.cells.filter((c) => c.p_adjusted !== undefined).sort((a, b) => Math.abs(b.z) - Math.abs(a.z));
   const places = new Set(cells.map((c) => `${channelName(c.channel)[0]} in ${c.phase}`));
   return ` It is clearest in ${[...places].slice(0, count).join(', ')}.`;
+}
+
+/// What the residual follows from, where no effect of the catalogue explains it.
+function law({ answer: { law: found } }) {
+  if (!found) return null;
+  return h('p', 'The difference follows from the motion. ', h('b', `${channelName(found.channel)[0]}: ${found.words}`),
+    `. That explains ${percent(found.holdout_explained)} of it on the passes held out.`);
 }
 
 function second(data) {

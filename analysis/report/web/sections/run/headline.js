@@ -13,6 +13,7 @@ export function head(model) {
       run.sim_s && `${seconds(run.sim_s, 1)} of digging`,
       run.cpu_s && `computed in ${duration(run.cpu_s)} of processor time`,
       run.seed !== undefined && `seed ${run.seed}`,
+      run.operator && `driven by ${run.operator}`,
     ].filter(Boolean).join(' · '),
     run.status && run.status !== 'complete' && `This run is ${run.status}: the figures cover the part that exists.`,
     ...(run.warnings ?? []));
@@ -49,12 +50,12 @@ export function headline(model) {
 
 /// Notes that a reader needs to judge the figures.
 function notes(model) {
-  const { passes, drives, metrics } = model;
+  const { passes, run, drives, metrics } = model;
   const rated = metrics.dipper?.rated_load_kg;
   return h('ul.notes', [
     rated && ['Rated load', `${tonnes(rated, 0)} t${metrics.dipper.rated_load_assumed ? ' (assumed, not a maker’s figure)' : ''}; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
     model.run.truck && ['Truck', truck(model.run.truck)],
-    drives && ['Drives', stalls(drives), ' ', h('a', { href: '#demand' }, 'By phase')],
+    drives && ['Drives', stalls(drives, run.operator), ' ', h('a', { href: '#demand' }, 'By phase')],
     model.coupling && ['Scatter', scatter(metrics.dipper?.machine)],
     ['Dig force', 'The mean is over penetrate, fill and breakout. The mean to the dump is the paper\'s: from first contact until the door opens, with the swing.'],
     ['Dig work', 'Of hoist and crowd over penetrate, fill and breakout, with the lifting of dipper and load. Per payload: that work divided by the payload; 1000 J/kg is 1 MJ/t.'],
@@ -80,9 +81,12 @@ function scatter(machine) {
   return `This is one seed, one pile of this rock. ${known} To measure it for this case, run several seeds: dipper study.`;
 }
 
-function stalls(drives) {
+/// A program that drives follows no motion: it is not behind one.
+function stalls(drives, program) {
   const held = ['hoist', 'crowd', 'swing'].map((name) => [name, drives[`${name}_saturated_s`]]).filter(([, s]) => s >= 0.05);
   if (!held.length) return 'None reached its limits.';
-  return `At the limit: ${held.map(([name, s]) => `${name} for ${fixed(s, 1)} s`).join(', ')}. The machine ended ${fixed(drives.late_s, 1)} s behind its motion, `
+  const limits = `At the limit: ${held.map(([name, s]) => `${name} for ${fixed(s, 1)} s`).join(', ')}.`;
+  if (program) return limits;
+  return `${limits} The machine ended ${fixed(drives.late_s, 1)} s behind its motion, `
     + `and the operator moved the crowd back by up to ${fixed(drives.crowd_relief_most_m, 2)} m.`;
 }

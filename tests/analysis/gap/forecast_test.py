@@ -1,0 +1,39 @@
+"""What 2, 4 and 8 trucks would show, from runs alone."""
+import json
+
+import pytest
+
+import fake_mine
+from dipper_gap.forecast import as_lines, forecast, write_forecast
+from dipper_gap.readings.measured import read_channels
+
+SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_gain", "density")}
+
+
+@pytest.fixture(scope="module")
+def told():
+    said = []
+    out = forecast(read_channels(), fake_mine.FakeSimulator(), SMALL, 1, said.append)
+    return out, said
+
+
+def test_more_trucks_show_less_and_a_reference_shows_the_scale(told, tmp_path):
+    out, said = told
+    assert set(out.limits) == set(SMALL) - {"density"} and out.runs == 16 + 3 * 3 and "25 runs" in said[0]
+    for name, ways in out.limits.items():
+        for way in ways.values():
+            found = [x if x is not None else float("inf") for x in way]
+            assert found[0] >= found[1] >= found[2], (name, way)
+    friction, gain = out.limits["crowd_friction"], out.limits["scale_gain"]
+    assert 10 < friction["model"][1] < 150
+    # The scale's shared tonne hides its gain; of one scale half a tonne at most has changed.
+    assert gain["reference"][2] < gain["model"][2]
+    write_forecast(out, SMALL, tmp_path / "plan.json")
+    kept = json.loads((tmp_path / "plan.json").read_text())
+    assert kept["trucks"] == [2, 4, 8] and kept["effects"]["fines"]["reference"] == out.limits["fines"]["reference"]
+    lines = as_lines(out, SMALL)
+    assert len(lines) == 1 + 3 and "+ 8 before" in lines[0] and len({len(line) for line in lines}) == 1
+
+
+def test_assumed_instruments_are_a_channels_file():
+    assert read_channels()["hoist_force_kN"].drift_sigma == 7.5
