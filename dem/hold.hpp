@@ -73,6 +73,7 @@ class HoldRock {
 
   /// Rock that is not in LIGGGHTS, on this rank. Changes only within the methods above.
   const std::vector<ParkedRock::Mass>& parked() const { return parked_.masses(); }
+  const std::vector<ParkedRock::Sphere>& parked_spheres() const { return parked_.spheres(); }
   long spheres_parked() const { return static_cast<long>(parked_.spheres().size()); }
 
  private:

@@ -83,4 +83,9 @@ const std::vector<ParkedRock::Mass>& Holding::parked() const {
   return hold_ ? hold_->parked() : none;
 }
 
+const std::vector<ParkedRock::Sphere>& Holding::parked_spheres() const {
+  static const std::vector<ParkedRock::Sphere> none;
+  return hold_ ? hold_->parked_spheres() : none;
+}
+
 }  // namespace dipper::dem

@@ -34,6 +34,7 @@ class Holding final : public RockFeature {
 
   /// Rock that is not in LIGGGHTS, on this rank.
   const std::vector<ParkedRock::Mass>& parked() const;
+  const std::vector<ParkedRock::Sphere>& parked_spheres() const;
   long spheres_parked() const { return hold_ ? hold_->spheres_parked() : 0; }
 
  private:

@@ -22,6 +22,7 @@
 #include "dem/moist/register_moist.hpp"
 #include "dem/rock_dump.hpp"
 #include "dem/rock_image.hpp"
+#include "dem/rock_look.hpp"
 #include "dem/time_loop.hpp"
 #include "dem/wall_motion.hpp"
 #include "dem/weighing.hpp"
@@ -139,6 +140,10 @@ void LiggghtsRock::resume_from(const std::filesystem::path& file) {
   } catch (const std::runtime_error& e) {
     throw std::runtime_error(file.string() + ": " + e.what());
   }
+}
+
+HeightMap LiggghtsRock::look(const HeightGrid& grid) {
+  return look_at_rock(*lmp_, holding_, grid);
 }
 
 std::string LiggghtsRock::state_hash() {

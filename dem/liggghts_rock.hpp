@@ -40,6 +40,7 @@ class LiggghtsRock final : public core::LocalRock {
   /// run needs as well. Changes nothing: a run that saves continues as one that does not, to the
   /// bit.
   void save(const std::filesystem::path& file) override;
+  HeightMap look(const HeightGrid& grid) override;
   std::string state_hash() override;
 
   /// LIGGGHTS itself: the tests read its meshes, contacts and momenta.

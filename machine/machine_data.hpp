@@ -103,6 +103,9 @@ struct MachineData {
 /// Drives that follow the motion with any force, or as far as their limits allow.
 enum class DriveMode { prescribed, limited };
 
+/// What an operator who plans wants most payload for.
+enum class DigGoal { time, energy };
+
 /// Reads the file. Every entry must be there as {value, unit, source} with the unit expected here;
 /// unknown keys, keys given twice and numbers out of their range are errors. Throws InputError with
 /// every fault and its line.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "common/angles.hpp"
 #include "common/csv_table.hpp"
@@ -68,6 +69,25 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
     sort_by_line(faults);
     throw InputError(std::move(faults));
   }
+  set_slopes();
+}
+
+Motion Motion::standing() const {
+  constexpr std::int64_t kStand_ns = 10'000'000;
+  Motion still;
+  still.t_ns_ = {start_ns(), start_ns() + kStand_ns};
+  still.position_ = {position_.front(), position_.front()};
+  still.set_slopes();
+  return still;
+}
+
+void Motion::extend(const Motion& more) {
+  if (more.start_ns() <= end_ns())
+    throw std::invalid_argument(fmt::format(
+        "a motion that ends at {} s cannot go on with a row at {} s", seconds(end_ns()),
+        seconds(more.start_ns())));
+  t_ns_.insert(t_ns_.end(), more.t_ns_.begin(), more.t_ns_.end());
+  position_.insert(position_.end(), more.position_.begin(), more.position_.end());
   set_slopes();
 }
 

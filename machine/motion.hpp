@@ -42,6 +42,13 @@ class Motion {
   /// The same from text; `name` stands for the file in messages.
   static Motion parse(std::string_view text, const std::string& name);
 
+  /// One that stands where this begins.
+  Motion standing() const;
+
+  /// Goes on with the rows of another motion. Throws std::invalid_argument when its first row is
+  /// not after the last of this one.
+  void extend(const Motion& more);
+
   Drives value(std::int64_t t_ns) const;
   Drives rate(std::int64_t t_ns) const;
   Drives acceleration(std::int64_t t_ns) const;
@@ -57,6 +64,7 @@ class Motion {
   std::int64_t end_ns() const { return t_ns_.back(); }
 
  private:
+  Motion() = default;
   Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& file,
          std::vector<Finding> faults);
   void set_slopes();

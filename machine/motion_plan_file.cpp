@@ -49,7 +49,10 @@ class PlanReader {
     p.lift = points(y, "lift_m", "[x, z] in m");
     p.dump_rad = radians(y.number("dump_deg", "a number in deg"));
     p.door_rad = radians(y.number("door_deg", "a number in deg"));
-    read_passes(y, p);
+    if (y.find("choose") != nullptr)
+      file.choice = choice(y.section("choose", "what an operator chooses from"));
+    else
+      read_passes(y, p);
     y.refuse_others();
     return file;
   }
@@ -75,6 +78,37 @@ class PlanReader {
       out.emplace_back(v[0], v[1]);
     }
     return out;
+  }
+
+  /// The values of a range, its ends among them.
+  std::vector<double> range(YamlSection& y, const std::string& key) {
+    const std::string what = "[from, to, step]";
+    const std::vector<double> v = y.numbers(key, 3, what);
+    constexpr double kMostValues = 50;
+    std::vector<double> out;
+    if (v.size() < 3 || y.find(key) == nullptr) return out;
+    if (!(v[1] >= v[0] && v[2] > 0 && (v[1] - v[0]) / v[2] <= kMostValues)) {
+      y.fault(*y.find(key), key,
+              fmt::format("must rise in at most {} steps; write {}", kMostValues, what));
+      return out;
+    }
+    for (int i = 0; v[0] + i * v[2] <= v[1] + 1e-9; ++i) out.push_back(v[0] + i * v[2]);
+    return out;
+  }
+
+  DigChoice choice(YamlSection y) {
+    DigChoice c;
+    for (const double deg : range(y, "heading_deg")) c.heading_rad.push_back(radians(deg));
+    c.depth_m = range(y, "depth_m");
+    c.floor_rise = range(y, "floor_rise");
+    c.exit_z_m = range(y, "exit_z_m");
+    const std::vector<double> start = y.numbers("start_m", 2, "[x, z] in m");
+    c.start = {start[0], start[1]};
+    c.smooth_m = y.number("smooth_m", "a number in m", kPlanNotNegative);
+    c.crowd_max_m = y.number("crowd_max_m", "a number in m");
+    c.teeth_m_s = y.number("teeth_m_s", "a number in m/s", kPlanPositive);
+    y.refuse_others();
+    return c;
   }
 
   void read_passes(YamlSection& y, MotionPlan& plan) {

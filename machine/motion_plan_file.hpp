@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "machine/motion_plan.hpp"
+#include "machine/pass_choice.hpp"
 
 namespace dipper::machine {
 
@@ -16,6 +18,7 @@ using FaceNamed = std::function<TeethPath(const std::string& name, double headin
 struct PlanFile {
   std::string source;  ///< the source of the curves, for the head of motion.csv
   MotionPlan plan;
+  std::optional<DigChoice> choice;  ///< in place of the plan's passes: an operator chooses them
 };
 
 /// Reads a plan (docs/motion.md has its keys) and computes its cuts through the faces. Throws

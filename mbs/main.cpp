@@ -25,7 +25,8 @@ std::unique_ptr<core::Machine> make(const setup::ShovelSetup& s) {
   X_W0.p = s.base_position_m;
   const machine::MachineData data =
       machine::in_condition(machine::load_machine(s.model), s.condition);
-  const auto motion = std::make_shared<const machine::Motion>(machine::Motion::load(s.motion));
+  const machine::Motion whole = machine::Motion::load(s.motion);
+  const auto motion = std::make_shared<machine::Motion>(s.planned ? whole.standing() : whole);
   std::unique_ptr<Operator> from;
   if (s.told)
     from = std::make_unique<ToldOperator>(motion->value(0));

@@ -8,6 +8,7 @@
 
 #include "common/seconds.hpp"
 #include "machine/kinematics.hpp"
+#include "machine/motion_row.hpp"
 #include "machine/return_legs.hpp"
 #include "mbs/path_follower.hpp"
 #include "mbs/shovel_channels.hpp"
@@ -25,11 +26,13 @@ std::int64_t pieces(std::int64_t length_ns, std::int64_t longest_ns) {
 }  // namespace
 
 struct Shovel::Impl {
-  Impl(const machine::MachineData& machine, std::shared_ptr<const machine::Motion> motion_in,
+  Impl(const machine::MachineData& machine, std::shared_ptr<machine::Motion> motion_in,
        const Pose& X_W0, double rake, std::unique_ptr<Operator> from, std::int64_t max_substep,
-       bool contact_on_return)
-      : motion(std::move(motion_in)),
+       bool contact_on_return_in)
+      : begun(*motion_in),
+        motion(std::move(motion_in)),
         sender(std::move(from)),
+        contact_on_return(contact_on_return_in),
         return_legs(contact_on_return ? std::vector<machine::ReturnLeg>{}
                                       : machine::return_legs(*motion)),
         max_substep_ns(max_substep),
@@ -111,8 +114,20 @@ struct Shovel::Impl {
         committed.numbers.u[kSaddle]));
   }
 
-  std::shared_ptr<const machine::Motion> motion;
+  /// The motion goes on with these rows after those it has begun with. The operator has the same
+  /// motion.
+  void follow(const std::string& rows) {
+    machine::Motion whole = begun;
+    if (!rows.empty()) whole.extend(machine::Motion::parse(rows, "the rows to follow"));
+    *motion = std::move(whole);
+    if (!contact_on_return) return_legs = machine::return_legs(*motion);
+    system.set_points_changed();
+  }
+
+  machine::Motion begun;  ///< what it was started with
+  std::shared_ptr<machine::Motion> motion;
   std::unique_ptr<Operator> sender;             ///< none: the drives are prescribed
+  bool contact_on_return;
   std::vector<machine::ReturnLeg> return_legs;  ///< on which the bodies meet no rock
   std::int64_t max_substep_ns;  ///< of the integrator, and between the operator's updates
   ShovelSystem system;
@@ -120,7 +135,7 @@ struct Shovel::Impl {
   double energy_at_start = 0;
 };
 
-Shovel::Shovel(const machine::MachineData& machine, std::shared_ptr<const machine::Motion> motion,
+Shovel::Shovel(const machine::MachineData& machine, std::shared_ptr<machine::Motion> motion,
                const Pose& X_W0, double rake, std::unique_ptr<Operator> from,
                std::int64_t max_substep_ns, bool contact_on_return)
     : impl_(std::make_unique<Impl>(machine, std::move(motion), X_W0, rake, std::move(from),
@@ -129,7 +144,7 @@ Shovel::Shovel(const machine::MachineData& machine, std::shared_ptr<const machin
 Shovel::Shovel(const machine::MachineData& machine, machine::Motion motion, const Pose& X_W0,
                double rake, std::int64_t max_substep_ns, machine::DriveMode mode,
                bool contact_on_return) {
-  auto way = std::make_shared<const machine::Motion>(std::move(motion));
+  auto way = std::make_shared<machine::Motion>(std::move(motion));
   std::unique_ptr<Operator> follower;
   if (mode == machine::DriveMode::limited)
     follower = std::make_unique<PathFollower>(way, machine.limits.crowd_min);
@@ -231,6 +246,7 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
     }
   }
   Snapshot to;
+  to.rows = impl_->committed.rows;
   to.t_ns = step.t_end_ns;
   to.F_Bo_W = {step.F_Bo_W[0], step.F_Bo_W[1]};
   core::MachineState result;
@@ -253,7 +269,14 @@ void Shovel::save(const std::filesystem::path& file) { dipper::mbs::save(impl_->
 
 void Shovel::load(const std::filesystem::path& file) {
   impl_->committed = load_snapshot(file, impl_->committed);
+  impl_->follow(impl_->committed.rows);
   impl_->restore();
+}
+
+void Shovel::follow(const std::string& rows) {
+  std::string all = impl_->committed.rows.empty() ? machine::kMotionHead : impl_->committed.rows;
+  impl_->follow(all += rows);
+  impl_->committed.rows = std::move(all);
 }
 
 }  // namespace dipper::mbs

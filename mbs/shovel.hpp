@@ -39,7 +39,7 @@ class Shovel : public core::Machine {
   /// \param contact_on_return  whether the bodies meet rock on the motion's way back from the truck
   ///        (machine/return_legs.hpp), where an operator comes later
   /// \param from  who sends limited drives; none: they are prescribed, by the motion
-  Shovel(const machine::MachineData& machine, std::shared_ptr<const machine::Motion> motion,
+  Shovel(const machine::MachineData& machine, std::shared_ptr<machine::Motion> motion,
          const Pose& X_W0, double rake, std::unique_ptr<Operator> from,
          std::int64_t max_substep_ns = kLongestSubstep_ns, bool contact_on_return = true);
 
@@ -54,6 +54,8 @@ class Shovel : public core::Machine {
   core::MachineState step(const core::MachineStep& step) override;
   void save(const std::filesystem::path& file) override;
   void load(const std::filesystem::path& file) override;
+  /// Throws InputError for rows that are none, std::invalid_argument for rows that are not later.
+  void follow(const std::string& rows) override;
 
  private:
   struct Impl;

@@ -13,6 +13,8 @@ namespace {
 // The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, operator, rope and
 // wrenches as they are in memory: a checkpoint can be read only on the kind of
 // machine that wrote it.
+// Rows that the motion has gone on with follow, behind their length, where there are any.
+constexpr std::uint64_t kMostRows = 1 << 26;  // bytes: a day's motion is shorter
 constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
 constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
 // Drives that are told where to go, by more numbers.
@@ -61,6 +63,10 @@ void save(const Snapshot& s, const std::filesystem::path& file) {
   put(out, sizes(s));
   put(out, s.t_ns);
   each_number(s, [&](const double& x) { put(out, x); });
+  if (!s.rows.empty()) {
+    put(out, static_cast<std::uint64_t>(s.rows.size()));
+    out << s.rows;
+  }
   out.flush();
   if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
@@ -91,6 +97,15 @@ Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like) 
     finite = finite && std::isfinite(x);
   });
   if (!in) fail("ends too early");
+  s.rows.clear();
+  if (in.peek() != std::ifstream::traits_type::eof()) {
+    std::uint64_t size = 0;
+    get(in, size);
+    if (!in || size == 0 || size > kMostRows) fail("is longer than a saved shovel");
+    s.rows.resize(size);
+    in.read(s.rows.data(), static_cast<std::streamsize>(size));
+    if (!in) fail("ends too early");
+  }
   if (in.peek() != std::ifstream::traits_type::eof()) fail("is longer than a saved shovel");
   if (s.t_ns < 0 || !finite) fail("holds a negative time or numbers that are not finite");
   return s;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "mbs/shovel_system.hpp"
@@ -15,6 +16,7 @@ struct Snapshot {
   ShovelNumbers numbers;
   std::vector<double> sender;  ///< the operator's state; none: the drives are prescribed
   Wrenches F_Bo_W;             ///< held on dipper and door over the last window
+  std::string rows;            ///< that its motion has gone on with, a motion.csv; empty: none
 };
 
 /// Throws std::runtime_error naming the file.

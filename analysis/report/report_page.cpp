@@ -95,6 +95,7 @@ std::string report_page(const std::string& title, const ReportInput& input,
                {"case_text", input.case_text},
                {"curves", curves_json(input)},
                {"slices", slices(input)}};
+  if (!input.decisions.is_null()) data["operator"] = input.decisions;
   std::vector<std::vector<std::uint8_t>> blocks;
   if (input.replay && !input.replay->times_s().empty()) {
     auto replay = encode_replay(*input.replay, limits);

@@ -25,6 +25,7 @@ struct ReportInput {
   std::vector<double> time_s;  ///< of every curve
   std::vector<ReportCurve> curves;
   std::string case_text;  ///< key=value lines
+  nlohmann::json decisions;  ///< of an operator who plans: {decisions: [...], end}; null: none
   const ReplaySource* replay = nullptr;
   run::Figure figure;  ///< drawn in the replay
 };

@@ -1,11 +1,35 @@
 #include "analysis/report/run_page.hpp"
 
+#include <fstream>
+#include <string>
+
 #include "analysis/report/dump_replay.hpp"
 #include "analysis/report/record_curves.hpp"
 #include "analysis/report/report_page.hpp"
 #include "common/json_values.hpp"
 
 namespace dipper::analysis::report {
+namespace {
+
+/// What an operator who plans left in a run's folder, pass by pass; null: nothing.
+nlohmann::json decisions(const std::filesystem::path& run) {
+  const auto read = [&](const std::string& name) {
+    std::ifstream in(run / "operator" / name);
+    return in ? nlohmann::json::parse(in, nullptr, false) : nlohmann::json();
+  };
+  nlohmann::json all = nlohmann::json::array();
+  for (int pass = 1;; ++pass) {
+    nlohmann::json one = read("pass_" + std::to_string(pass) + ".json");
+    if (!one.is_object()) break;
+    one.erase("rows");  // of the motion: for those who want it again
+    all.push_back(std::move(one));
+  }
+  if (all.empty()) return nullptr;
+  const nlohmann::json end = read("end.json");
+  return {{"decisions", all}, {"end", end.is_object() ? end : nlohmann::json()}};
+}
+
+}  // namespace
 
 void write_run_page(const run::RunData& run, const io::DumpFolder& dumps,
                     const nlohmann::ordered_json& metrics, const run::Figure& figure,
@@ -20,6 +44,7 @@ void write_run_page(const run::RunData& run, const io::DumpFolder& dumps,
   }
   input.case_text = run.case_text;
   input.replay = &replay;
+  input.decisions = decisions(run.folder);
   input.figure = figure;
   if (run.is_run) read_curves(run, input);
   std::string title = run.text("title");

@@ -26,6 +26,12 @@ enum class MachineKind {
   poses    ///< any bodies, led along a table of poses
 };
 
+/// Who drives a shovel.
+enum class OperatorKind {
+  motion,  ///< goes along machine.motion, whatever the face is
+  plan     ///< looks at the face before each pass and plans it (machine/pass_choice.hpp)
+};
+
 /// machine: what moves the bodies.
 struct MachineCase {
   MachineKind kind = MachineKind::shovel;
@@ -36,6 +42,8 @@ struct MachineCase {
   double rake_angle_deg = 0;  ///< dipper against handle (paper, Fig. 4b)
   /// Exactly as the motion says, or as far as they can (docs/drives.md).
   machine::DriveMode drives = machine::DriveMode::prescribed;
+  OperatorKind operated_by = OperatorKind::motion;
+  std::filesystem::path plan;  ///< of an operator who plans: the cycle, and what he chooses from
   /// false: the dipper meets no rock from the truck back to the next dig (machine/return_legs.hpp).
   bool contact_on_return = true;
 
@@ -46,6 +54,15 @@ struct MachineCase {
   double liner_thickness_m = 0;  ///< steel on the dipper's floor, roof and sides
   double carry_back_m = 0;       ///< rock that sticks to the dipper's floor, this thick
   double tooth_wear_m = 0;       ///< lost length of the teeth
+};
+
+/// operator: what an operator who plans goes by.
+struct OperatorCase {
+  machine::DigGoal goal = machine::DigGoal::time;  ///< the most payload for time, or for energy
+  int passes = 10;                ///< at most
+  double least_fill = 0.3;        ///< of the dipper: a pass that is expected to load less does not pay
+  double scan_error_m = 0;        ///< standard error of a height that he sees
+  double scan_dead_angle_deg = 0;  ///< rock that is seen at less than this is not seen
 };
 
 /// rock.classes[]: one size of the distribution (paper, Table 1). One LIGGGHTS atom type each.
@@ -213,6 +230,7 @@ struct Case {
   std::int64_t seed = 0;
   double end_s = 0;  ///< simulated time; 0: until the motion is done
   MachineCase machine;
+  OperatorCase op;
   RockCase rock;
   ContactCase contact;
   CrustCase crust;

@@ -71,6 +71,12 @@ std::vector<KeySpec> make_schema() {
        "hoist, crowd and swing: prescribed (exactly as the motion says) or limited (as far "
        "as their motors can); default prescribed",
        CHOICE(c.machine.drives, DriveMode::prescribed, DriveMode::limited)},
+      {"machine.operator", "", any, {"motion", "plan"}, optional, dig,
+       "who drives: motion (goes along machine.motion) or plan (looks at the face before each "
+       "pass and plans it; docs/operator.md); default motion",
+       CHOICE(c.machine.operated_by, OperatorKind::motion, OperatorKind::plan)},
+      {"machine.plan", "", any, {}, optional, dig,
+       "of operator plan: the cycle and what he chooses from, YAML", SLOT(c.machine.plan)},
       {"machine.base_position_m", "m", place, {}, required, dig,
        "swing axis at ground level, in W", SLOT(c.machine.base_position_m)},
       {"machine.rake_angle_deg", "deg", turn, {}, required, dig,
@@ -94,6 +100,23 @@ std::vector<KeySpec> make_schema() {
        SLOT(c.machine.carry_back_m)},
       {"machine.tooth_wear_m", "m", between(0, 1), {}, optional, dig,
        "length that the dipper's teeth have lost; default 0", SLOT(c.machine.tooth_wear_m)},
+
+      {"operator.goal", "", any, {"time", "energy"}, optional, dig,
+       "what operator plan chooses a pass by: the most payload for time or for energy; "
+       "default time",
+       CHOICE(c.op.goal, machine::DigGoal::time, machine::DigGoal::energy)},
+      {"operator.passes", "", between(1, 1000), {}, optional, dig,
+       "passes at most; default 10", SLOT(c.op.passes)},
+      {"operator.least_fill", "", between(0, 1), {}, optional, dig,
+       "fraction of a full dipper: a pass that is expected to load less does not pay; default 0.3",
+       SLOT(c.op.least_fill)},
+      {"operator.scan_error_m", "m", between(0, 10), {}, optional, dig,
+       "standard error of the heights of the face that the operator sees; default 0",
+       SLOT(c.op.scan_error_m)},
+      {"operator.scan_dead_angle_deg", "deg", between(0, 89), {}, optional, dig,
+       "he does not see rock whose surface the line of sight meets at less than this angle; "
+       "default 0",
+       SLOT(c.op.scan_dead_angle_deg)},
 
       {"rock.density_kg_m3", "kg/m3", between(100, 20000), {}, required, settling,
        "density of solid rock, not of the pile", SLOT(c.rock.density_kg_m3)},

@@ -9,9 +9,11 @@
 #include "common/input_error.hpp"
 #include "common/seconds.hpp"
 #include "coupler/check/check_parts.hpp"
+#include "coupler/deck/pile_shape.hpp"
 #include "machine/kinematics.hpp"
 #include "machine/machine_data.hpp"
 #include "machine/machine_geometry.hpp"
+#include "machine/motion_plan_file.hpp"
 
 namespace fs = std::filesystem;
 
@@ -45,6 +47,34 @@ void check_clean_floor(const cases::Case& c, Findings& findings) {
   findings.push_back(
       cases::finding_at(c, "pile.clean_floor_to_x_m",
                         "needs a return without rock; write machine.contact_on_return: off"));
+}
+
+// An operator who plans has a plan to choose from.
+void check_operator(const cases::Case& c, const machine::MachineData& machine,
+                    const machine::ShovelKinematics& shovel, Findings& findings) {
+  if (c.machine.operated_by != cases::OperatorKind::plan) return;
+  if (c.machine.plan.empty()) {
+    findings.push_back(cases::finding_at(
+        c, "machine.operator", "plan needs machine.plan: a plan.yaml with `choose` (docs/operator.md)"));
+    return;
+  }
+  if (!file_exists(c, "machine.plan", c.machine.plan, findings)) return;
+  try {
+    const machine::PlanFile plan = machine::read_plan(
+        c.machine.plan, machine, shovel, [&](const std::string&, double heading_rad) {
+          return deck::bench_along_boom(c, heading_rad);
+        });
+    if (!plan.choice)
+      findings.push_back({c.machine.plan, 0, "machine.plan",
+                          "has passes; an operator who plans needs `choose` in their place "
+                          "(docs/operator.md)"});
+    else if (!plan.plan.returns)
+      findings.push_back({c.machine.plan, 0, "machine.plan",
+                          "has no way back from the truck; an operator who plans needs back, "
+                          "swing_back, door_close and lower_deg_m"});
+  } catch (const InputError& e) {
+    cases::add_file_findings(c, "machine.plan", e, findings);
+  }
 }
 
 }  // namespace
@@ -96,6 +126,7 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
         }
       },
       motion->start_ns(), motion->end_ns(), known, findings);
+  check_operator(c, *machine, shovel, findings);
   check_times_of_motion(c, findings);
   check_clean_floor(c, findings);
   check_collapse(c, shovel, *motion, known, findings);

@@ -12,6 +12,7 @@
 #include "common/angles.hpp"
 #include "common/box.hpp"
 #include "common/case_lines.hpp"
+#include "common/height_map.hpp"
 #include "common/input_error.hpp"
 #include "common/json_values.hpp"
 #include "common/text_file.hpp"
@@ -28,15 +29,20 @@ struct FaceOptions {
   double at_s = 1e300, heading_deg = 0;
 };
 
-/// In steps of 0.1 m, of the rock along the boom in a strip as wide as the dipper: x out from
-/// the swing axis, z over the ground. Throws std::invalid_argument when there is no rock there.
-rock::SurfaceProfile face_along(const io::DumpFrame& frame, const Pose& X_WBoom) {
-  constexpr double kFar_m = 1e6, kHalfWidth_m = 2;
-  const Box near{{0, -kHalfWidth_m, -kFar_m}, {kFar_m, kHalfWidth_m, kFar_m}};
-  rock::SurfaceOptions options;
-  options.step_m = 0.1;
-  options.cell_m = 0.05;
-  return rock::surface_profile(metrics::balls_in(frame, near, X_WBoom), options);
+constexpr double kHalfWidth_m = 2;  // of the rock along the boom: as wide as a dipper
+
+/// As an operator sees it (common/height_map.hpp): x out from the swing axis, z over the ground.
+/// Throws std::invalid_argument when there is no rock there.
+std::vector<Eigen::Vector2d> face_along(const io::DumpFrame& frame, const Pose& X_WBoom) {
+  constexpr double kFar_m = 1e6;
+  const Box near{{0, -kHalfWidth_m - 1, -kFar_m}, {kFar_m, kHalfWidth_m + 1, kFar_m}};
+  const std::vector<Sphere> balls = metrics::balls_in(frame, near, X_WBoom);
+  if (balls.empty()) throw std::invalid_argument("there is no rock along the boom");
+  Box all;
+  for (const Sphere& b : balls) all.add(b.centre_m, b.radius_m);
+  HeightMap map(face_grid(all.min_m.x(), all.max_m.x(), all.min_m.y(), all.max_m.y()));
+  for (const Sphere& b : balls) map.add_ball(b.centre_m, b.radius_m);
+  return map.profile(Pose{}, kHalfWidth_m);
 }
 
 int face_command(const FaceOptions& o, Reporter& reporter) {
@@ -49,13 +55,12 @@ int face_command(const FaceOptions& o, Reporter& reporter) {
     const Vector3d p_WH = vector_from(nlohmann::json::parse(base->value));
     X_WBoom.p = {p_WH.x(), p_WH.y(), 0};
   }
-  const rock::SurfaceProfile face = face_along(dumps.frames[frame], X_WBoom);
+  const auto face = face_along(dumps.frames[frame], X_WBoom);
   std::string csv = fmt::format(
       "# {} at {:.2f} s: rock along the boom at {:g} deg, x from the swing axis, by dipper face\n"
       "x_m,z_m\n",
       fs::path(o.run).lexically_normal().filename().string(), dumps.time_s[frame], o.heading_deg);
-  for (std::size_t i = 0; i < face.x_m.size(); ++i)
-    csv += fmt::format("{:.2f},{:.2f}\n", face.x_m[i], face.z_m[i]);
+  for (const auto& p : face) csv += fmt::format("{:.2f},{:.2f}\n", p.x(), p.y());
   if (o.out.empty()) {
     reporter.line(csv);
     return 0;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -17,9 +18,11 @@
 #include "coupler/check/checked_case.hpp"
 #include "coupler/cli/preview_command.hpp"
 #include "coupler/cli/set_option.hpp"
+#include "coupler/deck/bench_map.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/dry/dry_run.hpp"
 #include "coupler/launch/interrupt.hpp"
+#include "coupler/sides/dig_planner.hpp"
 #include "machine/motion_plan_file.hpp"
 #include "machine/motion_row.hpp"
 #include "machine/timed_path.hpp"
@@ -33,10 +36,23 @@ struct MotionOptions {
   std::vector<std::string> set;
 };
 
+/// The first pass of an operator who plans, on the bench as the case makes it.
+std::string chosen_rows(const cases::Case& c, const fs::path& file, Reporter& reporter) {
+  const machine::DigPlanner planner = sides::dig_planner(c, file);
+  const machine::DigDecision decision = planner.decide(
+      deck::bench_map(c).on(planner.grid()), planner.start(),
+      c.op.least_fill * planner.facts().capacity_kg, std::numeric_limits<double>::infinity());
+  if (decision.chosen < 0) throw InputError({{file, 0, "choose", decision.reason}});
+  reporter.line(decision.reason);
+  return decision.rows;
+}
+
 std::string planned_rows(const MotionOptions& o, const cases::Case& c,
                          const machine::MachineData& data,
-                         const machine::ShovelKinematics& shovel) {
-  const fs::path file = o.plan.empty() ? c.folder / "plan.yaml" : fs::path(o.plan);
+                         const machine::ShovelKinematics& shovel, Reporter& reporter) {
+  const fs::path file = !o.plan.empty()             ? fs::path(o.plan)
+                        : c.machine.plan.empty()    ? c.folder / "plan.yaml"
+                                                    : c.machine.plan;
   const machine::PlanFile plan =
       machine::read_plan(file, data, shovel, [&](const std::string& name, double heading_rad) {
         return name == "pile" ? deck::bench_along_boom(c, heading_rad)
@@ -44,7 +60,8 @@ std::string planned_rows(const MotionOptions& o, const cases::Case& c,
       });
   return fmt::format("# {}\n# Made of {} by dipper motion.\n{}{}", plan.source,
                      file.filename().string(), machine::kMotionHead,
-                     machine::motion_rows(plan.plan, shovel));
+                     plan.choice ? chosen_rows(c, file, reporter)
+                                 : machine::motion_rows(plan.plan, shovel));
 }
 
 std::string rows_along(const machine::TimedPath& path, const fs::path& file,
@@ -81,7 +98,7 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
 
   std::string text;
   if (o.path.empty()) {
-    text = planned_rows(o, c, data, shovel);
+    text = planned_rows(o, c, data, shovel, reporter);
   } else {
     const machine::TimedPath path = machine::read_timed_path(o.path);
     tell_times(path, reporter);
@@ -95,6 +112,7 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   if (!(std::ofstream(draft.path()) << text).flush())
     throw InputError({{fs::absolute(out), 0, "", "cannot be written"}});
   set.push_back({"machine.motion", in_quotes(draft.path().string())});
+  set.push_back({"machine.operator", "motion"});  // the page shows this very motion
   auto sound = check::checked_case(o.folder, set, reporter);
   if (!sound) return 2;
   const fs::path page = o.page.empty() ? fs::path(sound->name + "-motion.html") : fs::path(o.page);

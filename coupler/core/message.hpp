@@ -23,12 +23,12 @@ struct RockPlace {
   std::vector<Pose> X_WB;
 };
 
-enum class Action { hello = 1, state = 2, save = 3, load = 4, hash = 5, stop = 6 };
+enum class Action { hello = 1, state = 2, save = 3, load = 4, hash = 5, stop = 6, look = 7, follow = 8 };
 
 /// To either side. `state`: of the machine now, and where it will be at the envelope's t_ns.
 struct Command {
   Action action = Action::hello;
-  std::string file;
+  std::string text;  ///< save, load: the file; look: the grid; follow: rows of a motion
 };
 
 /// From either side.

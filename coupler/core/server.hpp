@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/frames.hpp"
+#include "common/height_map.hpp"
 
 namespace dipper::core {
 
@@ -76,6 +77,12 @@ class Machine {
   /// Writes, reads the state; load(save(s)) continues bit-exactly.
   virtual void save(const std::filesystem::path& file) = 0;
   virtual void load(const std::filesystem::path& file) = 0;
+
+  /// More of the motion it follows: rows of motion.csv without their head, all later than its last.
+  virtual void follow(const std::string& rows) {
+    static_cast<void>(rows);
+    throw std::logic_error("this machine follows no motion");
+  }
 };
 
 /// What a body felt over one window, and where it really is at the window's end.
@@ -121,6 +128,13 @@ class Rock {
   /// Writes a checkpoint. A rock is not loaded: it is started from the file (LIGGGHTS reads a
   /// restart file only into an empty simulation).
   virtual void save(const std::filesystem::path& file) = 0;
+
+  /// The rock seen from above (common/height_map.hpp), as it is between two windows. Changes
+  /// nothing.
+  virtual HeightMap look(const HeightGrid& grid) {
+    static_cast<void>(grid);
+    throw std::logic_error("this rock has no surface to look at");
+  }
 
   /// SHA-256 over every particle's id, position and velocity, in the order of ids.
   virtual std::string state_hash() = 0;

@@ -10,6 +10,7 @@
 #include "common/text_file.hpp"
 #include "common/version.hpp"
 #include "coupler/case/case_hash.hpp"
+#include "coupler/deck/bench_map.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/dry/estimated_rock.hpp"
@@ -17,8 +18,10 @@
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/operate/operated_machine.hpp"
 #include "coupler/result/drive_limits_met.hpp"
+#include "coupler/result/operator_summary.hpp"
 #include "coupler/result/pass_rows.hpp"
 #include "coupler/run/lone_machine.hpp"
+#include "coupler/run/pass_desk.hpp"
 #include "coupler/run/preparation.hpp"
 #include "coupler/run/progress.hpp"
 #include "coupler/run/run_record.hpp"
@@ -83,6 +86,13 @@ bool step_through(const cases::Case& c, EstimatedRock& estimated, core::Machine&
   if (operated) stepper.end_when([&](const core::MachineState&) { return operated->done(); });
   stepper.add(record);
   stepper.add(progress);
+  std::optional<run::PassDesk> desk;
+  if (c.machine.operated_by == cases::OperatorKind::plan && !operated) {
+    desk.emplace(c, run::PassDesk::Sides{machine, rock, machine.info(), rock.info()},
+                 folder.decisions(), nullptr, reporter);
+    stepper.add(*desk);
+    stepper.end_when([&](const core::MachineState&) { return desk->finished(); });
+  }
   bool complete = false;
   try {
     stepper.start();
@@ -179,7 +189,7 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
   bool complete = false;
   double mbs_cpu_s = 0;
   try {
-    EstimatedRock estimated(CutBench(c), estimate, c.dem.timestep_s);
+    EstimatedRock estimated(deck::bench_map(c), estimate, c.dem.timestep_s);
     run::LoneMachine lone(machine_config(c, folder, program.has_value()), folder.logs());
     complete = step_through(c, estimated, lone.machine(), folder, program, reporter);
     mbs_cpu_s = lone.cpu_s();
@@ -203,6 +213,8 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
   summary["status"] = "complete";
   if (program) summary["operator"] = program->command;
   result::tell_drives(c, folder.record(), summary, reporter);
+  if (json planned = result::operator_summary(c, folder); !planned.is_null())
+    summary["operator"] = planned;
   write_text(folder.summary(), summary.dump(2) + '\n');
   if (rock == RockModel::estimate) result::tell_passes(summary.at("passes"), reporter);
   tell_limits(limits, reporter);

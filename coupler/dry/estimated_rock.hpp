@@ -2,8 +2,9 @@
 #pragma once
 
 #include "common/box.hpp"
+#include "common/height_map.hpp"
+#include "coupler/case/case.hpp"
 #include "coupler/core/server.hpp"
-#include "coupler/dry/cut_bench.hpp"
 
 namespace dipper::dry {
 
@@ -33,11 +34,12 @@ DiggingEstimate digging_estimate(const cases::Case& c);
 class EstimatedRock final : public core::LocalRock {
  public:
   /// `timestep_s` is the case's: a window has so many of them.
-  EstimatedRock(CutBench bench, const DiggingEstimate& estimate, double timestep_s);
+  EstimatedRock(HeightMap bench, const DiggingEstimate& estimate, double timestep_s);
 
   core::ServerInfo info() const override;
   core::RockState place(const std::vector<Pose>& X_WB) override;
   core::RockState step(const core::RockStep& step) override;
+  HeightMap look(const HeightGrid& grid) override;
   /// There is nothing to go on from.
   void save(const std::filesystem::path&) override {}
   std::string state_hash() override { return ""; }
@@ -45,9 +47,8 @@ class EstimatedRock final : public core::LocalRock {
  private:
   core::RockState state() const;
   Wrench dig(const Pose& from, const core::RockStep& step);
-  double resistance(const Pose& X_WB, const Vector3d& v_W);
 
-  CutBench bench_;
+  HeightMap bench_;
   DiggingEstimate estimate_;
   Vector3d tip_B_;
   double timestep_s_;

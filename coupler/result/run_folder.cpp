@@ -27,7 +27,7 @@ RunFolder::RunFolder(const fs::path& folder, bool resume)
 
 void RunFolder::seal() const {
   dipper::seal(root_, {"case.txt", "inputs.sha256", "motion.csv", "machine.yaml", "poses.csv",
-                       "deck", record().filename(), scales().filename(), summary().filename()});
+                       "operator", "deck", record().filename(), scales().filename(), summary().filename()});
 }
 
 void RunFolder::unseal() const { fs::remove(root_ / kManifest); }

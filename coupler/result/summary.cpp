@@ -12,6 +12,7 @@
 #include "coupler/result/achieved_grading.hpp"
 #include "coupler/result/achieved_profile.hpp"
 #include "coupler/result/drive_limits_met.hpp"
+#include "coupler/result/operator_summary.hpp"
 #include "coupler/result/pass_rows.hpp"
 #include "coupler/result/run_warnings.hpp"
 #include "coupler/result/truck_load.hpp"
@@ -114,6 +115,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
     summary["truck"] = as_json(*truck);
     reporter.line("truck: " + to_text(*truck));
   }
+  if (json planned = operator_summary(c, folder); !planned.is_null()) summary["operator"] = planned;
   const std::vector<std::string> warnings = run_warnings(c, summary);
   summary["warnings"] = warnings;
   write_text(folder.summary(), summary.dump(2) + '\n');

@@ -79,7 +79,8 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
                       {"dem_cpu_s", c.cost.dem_cpu_s},
                       {"mbs_cpu_s", c.cost.mbs_cpu_s},
                       {"wall_s", c.cost.wall_s},
-                      {"rock_busy_s", c.cost.rock_busy_s}};
+                      {"rock_busy_s", c.cost.rock_busy_s},
+                      {"desk", c.desk}};
   write_text(c.folder / "coupling.json", coupling.dump(1));
   seal(c.folder);
   fs::remove_all(place);
@@ -126,6 +127,7 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   c.record = {j.at("record_rows"), j.at("record_t_ns"), j.at("rock_work_J"),
               j.at("machine_work_J")};
   c.cost = {j.at("dem_cpu_s"), j.at("mbs_cpu_s"), j.at("wall_s"), j.at("rock_busy_s")};
+  c.desk = j.value("desk", json());  // checkpoints made before have none
   return c;
 }
 

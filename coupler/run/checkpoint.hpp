@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "coupler/core/coupling.hpp"
@@ -16,6 +17,7 @@ struct Checkpoint {
   core::CouplingState coupling;
   RecordPosition record;
   result::RunCost cost;
+  nlohmann::json desk;  ///< of an operator who plans (pass_desk.hpp); null: there is none
 
   std::filesystem::path rock() const { return folder / "rock.restart"; }
   std::filesystem::path machine() const { return folder / "machine.state"; }

@@ -24,7 +24,11 @@ void Checkpointer::window(const core::Window& w) {
 void Checkpointer::save() {
   sources_.record.flush();
   save_checkpoint(folder_,
-                  {{}, sources_.coupling.state(), sources_.record.position(), sources_.cost()},
+                  {{},
+                   sources_.coupling.state(),
+                   sources_.record.position(),
+                   sources_.cost(),
+                   sources_.desk ? sources_.desk() : nlohmann::json()},
                   sources_.rock, sources_.machine);
 }
 

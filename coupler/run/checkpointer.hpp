@@ -17,6 +17,7 @@ class Checkpointer final : public Observer {
     core::Rock& rock;
     RunRecord& record;
     std::function<result::RunCost()> cost;
+    std::function<nlohmann::json()> desk;  ///< none: nobody plans
   };
 
   /// \param every_s  simulated time between two; 0: only at the end

@@ -71,7 +71,7 @@ RunStatus paired_run(const cases::Case& c, const result::RunFolder& folder, bool
       throw InputError({{folder.checkpoints(), 0, "",
                          "holds no checkpoint of this complete run to continue from; run the case "
                          "again into another --out"}});
-    if (is_done(run_end(c, program.has_value()), from->coupling.dem_step, folder.record())) {
+    if (is_done(run_end(c, program.has_value()), *from, folder.record())) {
       reporter.line("complete already: " + folder.summary().string());
       return RunStatus::complete;
     }

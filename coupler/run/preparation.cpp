@@ -16,6 +16,7 @@
 #include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/result/dump_index.hpp"
+#include "coupler/run/pass_desk.hpp"
 #include "coupler/run/pile.hpp"
 #include "coupler/run/same_run.hpp"
 #include "coupler/sides/dipper_layers.hpp"
@@ -55,15 +56,18 @@ RunEnd run_end(const cases::Case& c, bool told) {
   const double motion_s = cases::motion_end_s(c);
   const auto step = [&](double t_s) { return std::llround(t_s / c.dem.timestep_s); };
   if (c.end_s > 0) return {step(c.end_s), std::nullopt, told};
-  if (c.machine.drives != machine::DriveMode::limited) return {step(motion_s), std::nullopt};
   constexpr double kLongest = 2;  // of the motion's time: a cycle that takes longer has gone wrong
+  constexpr double kCycle = 2;    // with its return, which a planned motion has not
+  if (c.machine.operated_by == cases::OperatorKind::plan && !told)
+    return {step(kLongest * kCycle * motion_s * c.op.passes), std::nullopt};
+  if (c.machine.drives != machine::DriveMode::limited) return {step(motion_s), std::nullopt};
   constexpr double kEarly_s = 1e-6;  // a path that was never slowed ends with the motion
   if (told) return {step(kLongest * motion_s), std::nullopt, true};
   return {step(kLongest * motion_s), motion_s - kEarly_s};
 }
 
-bool is_done(const RunEnd& end, std::int64_t dem_step, const fs::path& record) {
-  return dem_step >= end.step ||
+bool is_done(const RunEnd& end, const Checkpoint& last, const fs::path& record) {
+  return last.coupling.dem_step >= end.step || is_finished(last.desk) ||
          (end.path_s && record::read_channel(record, "machine/path_time").back() >= *end.path_s);
 }
 

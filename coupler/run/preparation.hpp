@@ -27,12 +27,14 @@ struct RunEnd {
 
 /// Of end_s; where it is 0, prescribed drives end with the motion, and limited ones when they have
 /// come to its end, or have not in twice its time; driven by a program (`told`), in that time at
-/// the latest. Throws InputError for a motion that cannot be read.
+/// the latest. An operator who plans ends his run himself (pass_desk.hpp), at the latest after four
+/// times the motion's time for each of his passes. Throws InputError for a motion that cannot be
+/// read.
 RunEnd run_end(const cases::Case& c, bool told = false);
 
-/// Whether a run whose record stands at that step is done. Throws std::runtime_error naming the
+/// Whether a run whose record stands at its last checkpoint is done. Throws std::runtime_error naming the
 /// record.
-bool is_done(const RunEnd& end, std::int64_t dem_step, const std::filesystem::path& record);
+bool is_done(const RunEnd& end, const Checkpoint& last, const std::filesystem::path& record);
 
 /// Lets a stepper end when the machine's path does, where the end asks for that.
 void end_with_path(Stepper& stepper, const RunEnd& end, const core::ServerInfo& machine);

@@ -30,7 +30,7 @@ Progress::Progress(Reporter& reporter, const cases::Case& c, const RunEnd& end,
       by_motion_(end.path_s.has_value()) {
   if (c.machine.kind != cases::MachineKind::shovel) return;
   payload_ = core::channel_index(rock, "mass_in_dipper");
-  if (end.told) return;
+  if (end.told || c.machine.operated_by == cases::OperatorKind::plan) return;
   phases_.emplace(machine::Motion::load(c.machine.motion));
   if (c.machine.drives == machine::DriveMode::limited)
     path_time_ = core::channel_index(machine, "path_time");

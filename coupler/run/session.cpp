@@ -62,11 +62,19 @@ Session::Session(const cases::Case& c, const result::RunFolder& folder,
       stepper_(coupling_, c.coupling.sync_steps, end_.step),
       progress_(reporter, c, end_, sides_.machine().info(), rock_.info()),
       checkpointer_(folder.checkpoints(), c.output.checkpoint_every_s,
-                    {coupling_, machine(), rock_, record_, [this] { return cost(); }}) {
+                    {coupling_, machine(), rock_, record_, [this] { return cost(); },
+                     [this] { return desk_ ? desk_->state() : nlohmann::json(); }}) {
   end_with_path(stepper_, end_, sides_.machine().info());
   if (operated_) stepper_.end_when([this](const core::MachineState&) { return operated_->done(); });
   stepper_.add(record_);
   stepper_.add(progress_);
+  if (c.machine.operated_by == cases::OperatorKind::plan && !program) {
+    desk_.emplace(c,
+                  PassDesk::Sides{sides_.machine(), rock_, sides_.machine().info(), rock_.info()},
+                  folder.decisions(), from ? from->desk : nlohmann::json(), reporter);
+    stepper_.add(*desk_);  // before a checkpoint, which has what he has decided by then
+    stepper_.end_when([this](const core::MachineState&) { return desk_->finished(); });
+  }
   stepper_.add(checkpointer_);
 }
 

@@ -12,6 +12,7 @@
 #include "coupler/result/run_folder.hpp"
 #include "coupler/result/summary.hpp"
 #include "coupler/run/checkpointer.hpp"
+#include "coupler/run/pass_desk.hpp"
 #include "coupler/run/preparation.hpp"
 #include "coupler/run/progress.hpp"
 #include "coupler/run/run_record.hpp"
@@ -61,6 +62,7 @@ class Session {
   core::Coupling coupling_;
   RunRecord record_;
   RunEnd end_;
+  std::optional<PassDesk> desk_;
   Stepper stepper_;
   Progress progress_;
   Checkpointer checkpointer_;

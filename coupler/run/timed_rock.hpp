@@ -25,6 +25,7 @@ class TimedRock final : public core::Rock {
     return last_;
   }
   void save(const std::filesystem::path& file) override { rock_.save(file); }
+  HeightMap look(const HeightGrid& grid) override { return rock_.look(grid); }
   std::string state_hash() override { return rock_.state_hash(); }
 
   double busy_s() const { return busy_s_; }

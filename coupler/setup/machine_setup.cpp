@@ -15,6 +15,7 @@ json json_of_setup(const ShovelSetup& s) {
   return {{"kind", "shovel"},
           {"model", s.model.string()},
           {"motion", s.motion.string()},
+          {"planned", s.planned},
           {"limited_drives", s.drives == DriveMode::limited},
           {"told", s.told},
           {"contact_on_return", s.contact_on_return},
@@ -36,6 +37,7 @@ ShovelSetup shovel_from(const json& j) {
   ShovelSetup s;
   s.model = j.at("model").get<std::string>();
   s.motion = j.at("motion").get<std::string>();
+  s.planned = j.value("planned", false);  // recordings made before have no such entry
   s.drives = j.at("limited_drives").get<bool>() ? DriveMode::limited : DriveMode::prescribed;
   s.told = j.at("told");
   s.contact_on_return = j.at("contact_on_return");

@@ -17,6 +17,7 @@ namespace dipper::setup {
 struct ShovelSetup {
   std::filesystem::path model;   ///< dimensions and masses, YAML
   std::filesystem::path motion;  ///< CSV
+  bool planned = false;          ///< it stands where the motion begins until it is told more
   machine::DriveMode drives = machine::DriveMode::prescribed;
   bool told = false;  ///< limited drives go where each window's order says, from the motion's start
   bool contact_on_return = true;

@@ -107,6 +107,7 @@ setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& laye
   setup::ShovelSetup setup;
   setup.model = c.machine.model;
   setup.motion = c.machine.motion;
+  setup.planned = c.machine.operated_by == cases::OperatorKind::plan;
   setup.drives = c.machine.drives;
   setup.told = told;
   setup.contact_on_return = c.machine.contact_on_return;

@@ -95,8 +95,9 @@ class Fields {
   void visit(core::Status& m) { (*this)(m.ok, m.text); }
   void visit(core::Command& m) {
     auto action = static_cast<std::int32_t>(m.action);
-    (*this)(action, m.file);
-    if (action < 1 || action > 6) throw DecodeError(fmt::format("unknown command {}", action));
+    (*this)(action, m.text);
+    if (action < 1 || action > static_cast<std::int32_t>(core::Action::follow))
+      throw DecodeError(fmt::format("unknown command {}", action));
     m.action = static_cast<core::Action>(action);
   }
 

@@ -20,8 +20,8 @@ Remote<Side>::Remote(Link& link)
 }
 
 template <class Side>
-std::string Remote<Side>::command(core::Action action, const std::string& file) {
-  return take<core::Status>(link_.ask(core::Command{action, file}, step_index_, t_ns_), link_).text;
+std::string Remote<Side>::command(core::Action action, const std::string& text) {
+  return take<core::Status>(link_.ask(core::Command{action, text}, step_index_, t_ns_), link_).text;
 }
 
 template class Remote<core::Machine>;

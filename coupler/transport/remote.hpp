@@ -18,7 +18,7 @@ class Remote : public Side {
 
  protected:
   /// The text of the reply.
-  std::string command(core::Action action, const std::string& file = "");
+  std::string command(core::Action action, const std::string& text = "");
 
   Link& link_;
   std::int64_t step_index_ = 0, t_ns_ = 0;  ///< of the last window, for the headers of commands
@@ -31,6 +31,7 @@ class RemoteMachine final : public Remote<core::Machine> {
   core::MachineState state(std::int64_t t_next_ns) override;
   core::MachineState step(const core::MachineStep& step) override;
   void load(const std::filesystem::path& file) override { command(core::Action::load, file); }
+  void follow(const std::string& rows) override { command(core::Action::follow, rows); }
 };
 
 class RemoteRock final : public Remote<core::Rock> {
@@ -39,6 +40,9 @@ class RemoteRock final : public Remote<core::Rock> {
   core::RockState place(const std::vector<Pose>& X_WB) override;
   void start(const core::RockStep& step) override;
   core::RockState finish() override;
+  HeightMap look(const HeightGrid& grid) override {
+    return height_map_from(command(core::Action::look, to_json_text(grid)));
+  }
   std::string state_hash() override { return command(core::Action::hash); }
 };
 

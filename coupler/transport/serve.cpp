@@ -11,7 +11,7 @@ template <class Side>
 core::Body execute(Side& side, const core::Command& c) {
   if (c.action == core::Action::hello) return core::Status{true, setup::to_json(side.info())};
   if (c.action == core::Action::save) {
-    side.save(c.file);
+    side.save(c.text);
   } else if (c.action != core::Action::stop) {
     throw std::runtime_error("a command this side does not know");
   }
@@ -21,7 +21,7 @@ core::Body execute(Side& side, const core::Command& c) {
 void require_in_checkpoints(const core::Message& request, const std::filesystem::path& folder) {
   const auto* c = std::get_if<core::Command>(&request.body);
   if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load)) return;
-  const auto file = std::filesystem::weakly_canonical(c->file);
+  const auto file = std::filesystem::weakly_canonical(c->text);
   const auto below = file.lexically_relative(std::filesystem::weakly_canonical(folder));
   if (!below.empty() && *below.begin() != "..") return;
   throw std::runtime_error("refused to save or load " + file.string() + ": it is not below " +
@@ -34,8 +34,12 @@ core::Body answer(core::Machine& machine, const core::Message& request) {
   if (const auto* step = std::get_if<core::MachineStep>(&request.body)) return machine.step(*step);
   if (const auto* c = std::get_if<core::Command>(&request.body)) {
     if (c->action == core::Action::state) return machine.state(request.envelope.t_ns);
+    if (c->action == core::Action::follow) {
+      machine.follow(c->text);
+      return core::Status{};
+    }
     if (c->action != core::Action::load) return execute(machine, *c);
-    machine.load(c->file);
+    machine.load(c->text);
     return core::Status{};
   }
   throw std::runtime_error("a machine answers its steps and commands only");
@@ -49,8 +53,10 @@ core::Body answer(core::Rock& rock, const core::Message& request) {
   if (const auto* place = std::get_if<core::RockPlace>(&request.body))
     return rock.place(place->X_WB);
   if (const auto* c = std::get_if<core::Command>(&request.body)) {
-    return c->action == core::Action::hash ? core::Body{core::Status{true, rock.state_hash()}}
-                                           : execute(rock, *c);
+    if (c->action == core::Action::hash) return core::Status{true, rock.state_hash()};
+    if (c->action == core::Action::look)
+      return core::Status{true, to_json_text(rock.look(height_grid_from(c->text)))};
+    return execute(rock, *c);
   }
   throw std::runtime_error("a rock answers its place, its steps and commands only");
 }

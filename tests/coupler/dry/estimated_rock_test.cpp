@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/gravity.hpp"
+#include "coupler/deck/bench_map.hpp"
 #include "tests/coupler/case/checkout.hpp"
 
 namespace dipper::dry {
@@ -33,7 +34,7 @@ class EstimatedRockTest : public testing::Test {
     estimate.load_B = {1, 0, 0};
   }
 
-  EstimatedRock rock() const { return {CutBench(c), estimate, kStep_s}; }
+  EstimatedRock rock() const { return {deck::bench_map(c), estimate, kStep_s}; }
 
   /// Dipper, with its door shut or open, whose teeth are there.
   std::vector<Pose> at(double x, double z, bool open = false) const {

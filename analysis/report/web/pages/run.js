@@ -10,6 +10,7 @@ import { coupling } from '../sections/run/coupling.js';
 import { demand } from '../sections/run/demand.js';
 import { filling } from '../sections/run/filling.js';
 import { head, headline } from '../sections/run/headline.js';
+import { operator } from '../sections/run/operator.js';
 import { payload } from '../sections/run/payload.js';
 import { rock } from '../sections/run/rock.js';
 import { signals } from '../sections/run/signals.js';
@@ -26,6 +27,7 @@ showPage((data) => {
     head(model),
     headline(model),
     frames && section('replay', 'The dig', null, replay(model.replay, frames, clock, model.phases, { sizes: model.rockSizes(), classes: model.classes }, readout(model))),
+    operator(data.operator),
     filling(model, clock),
     signals(model, clock),
     work(model.passes),

@@ -1,0 +1,91 @@
+// What an operator who plans saw before each pass, the digs that he weighed, and the path he chose.
+import { h, section, svg } from '../../dom.js';
+import { fixed, meganewtons, tonnes } from '../../format.js';
+import { passColour, ramp, SIZE } from '../../palette.js';
+import { table } from '../../parts/table.js';
+
+const STEP = 5; // m, of the grid
+const SHOWN = 6; // candidates, the best
+
+/// operator: {decisions: [operator/pass_N.json], end: operator/end.json or null}
+export function operator(data) {
+  const decisions = data?.decisions ?? [];
+  if (!decisions.length) return null;
+  return section('operator', 'What the operator saw and chose',
+    'Before each pass: the face as he saw it, in the plane of the boom, and the path of the teeth that he chose. Map: the height of the rock '
+    + 'from above, darker is higher; the line is his heading. Expected figures are of his estimate, not of the run.',
+    decisions.map(decision), data.end && h('p.note', `End: ${data.end.reason}.`));
+}
+
+function decision(d) {
+  const chosen = d.candidates[d.chosen];
+  return h('div.decision', h('h3', `Pass ${d.pass}`), h('p', `${d.reason}.`),
+    h('div.ways', chosen && profile(d), map(d, chosen)), candidates(d));
+}
+
+function profile(d) {
+  const right = 30, top = 15;
+  const steps = (to) => Array.from({ length: Math.floor(to / STEP) + 1 }, (_, k) => k * STEP);
+  const line = (list) => list.map(([x, z]) => `${x} ${-z}`).join('L');
+  const surface = d.profile_m.filter(([x]) => x <= right);
+  return h('figure.way', h('figcaption', 'The face he saw, and the path of the teeth (control points), in m'),
+    svg('svg', { viewBox: `-2 ${-top - 0.5} ${right + 2.5} ${top + 2.5}`, role: 'img',
+      'aria-label': `A face up to ${fixed(Math.max(...surface.map(([, z]) => z)), 1)} m, and a path from ${d.path_m[0][0]} m out to `
+        + `${d.path_m[d.path_m.length - 1][0]} m out.` },
+    steps(right).map((x) => [svg('path', { d: `M${x} ${-top}V0`, class: 'grid' }), svg('text', { x, y: 1.2, 'text-anchor': 'middle' }, `${x}`)]),
+    steps(top).map((z) => [svg('path', { d: `M0 ${-z}H${right}`, class: 'grid' }), svg('text', { x: -0.4, y: -z + 0.3, 'text-anchor': 'end' }, `${z}`)]),
+    svg('path', { d: `M${line([[surface[0][0], 0], ...surface, [surface[surface.length - 1][0], 0]])}Z`, class: 'bench' }),
+    svg('path', { d: `M0 0H${right}`, class: 'ground' }),
+    svg('path', { d: `M${line(d.path_m)}`, class: 'teeth', style: `stroke:var(--${passColour(d.pass)})` })));
+}
+
+/// From above: x to the right, y (left of the machine) up.
+function map(d, chosen) {
+  const { nx, ny, x0_m: x0, y0_m: y0, cell_m: cell, z_cm: z } = d.face;
+  const most = Math.max(...z, 1);
+  const canvas = h('canvas', { width: nx, height: ny, style: 'width:100%;image-rendering:pixelated',
+    role: 'img', 'aria-label': `Heights from 0 to ${fixed(most / 100, 1)} m over ${fixed(nx * cell, 0)} by ${fixed(ny * cell, 0)} m` });
+  const ctx = canvas.getContext('2d');
+  const image = ctx.createImageData(nx, ny);
+  for (let i = 0; i < nx; ++i) {
+    for (let j = 0; j < ny; ++j) {
+      const [r, g, b] = ramp(SIZE, z[i * ny + j] / most);
+      image.data.set([r, g, b, 255], 4 * ((ny - 1 - j) * nx + i));
+    }
+  }
+  ctx.putImageData(image, 0, 0);
+  if (chosen) {
+    const heading = chosen.heading_deg * Math.PI / 180;
+    const row = (x) => ny - 1 - (x * Math.tan(heading) - y0) / cell;
+    ctx.strokeStyle = getComputedStyle(document.documentElement).getPropertyValue(`--${passColour(d.pass)}`) || '#d55e00';
+    ctx.beginPath();
+    ctx.moveTo(0, row(x0));
+    ctx.lineTo(nx, row(x0 + nx * cell));
+    ctx.stroke();
+  }
+  return h('figure.way', h('figcaption', `From above, ${fixed(x0, 0)} to ${fixed(x0 + nx * cell, 0)} m from the swing axis, up to ${fixed(most / 100, 1)} m high`),
+    canvas);
+}
+
+function candidates(d) {
+  const can = d.candidates.map((c, k) => ({ ...c, chosen: k === d.chosen }))
+    .sort((a, b) => b.score - a.score).slice(0, SHOWN);
+  const refused = d.candidates.filter((c) => c.refused);
+  const because = new Map();
+  refused.forEach((c) => {
+    const why = c.refused.replace(/-?\d+(\.\d+)?/g, '…');
+    because.set(why, (because.get(why) ?? 0) + 1);
+  });
+  return [table(`The best of ${d.candidates.length}`, [
+    { name: 'Heading', unit: '°', cell: (c) => fixed(c.heading_deg, 0) + (c.chosen ? ' ← chosen' : '') },
+    { name: 'depth', unit: 'm', cell: (c) => fixed(c.depth_m, 2) },
+    { name: 'floor rises', unit: 'm/m', cell: (c) => fixed(c.floor_rise, 2) },
+    { name: 'out at', unit: 'm', cell: (c) => fixed(c.exit_z_m, 1) },
+    { name: 'payload', unit: 't', cell: (c) => tonnes(c.payload_kg, 0) },
+    { name: 'crowd at most', unit: 'MN', cell: (c) => meganewtons(c.crowd_peak_N) },
+    { name: 'hoist at most', unit: 'MN', cell: (c) => meganewtons(c.hoist_peak_N) },
+    { name: 'cycle', unit: 's', cell: (c) => fixed(c.cycle_s, 1) },
+    { name: 'energy', unit: 'MJ', cell: (c) => fixed(c.energy_J / 1e6, 1) },
+  ], can, { compact: true, cells: true }),
+  refused.length > 0 && h('p.note', `Refused, ${refused.length}: `, [...because].map(([why, n]) => `${n} because ${why}`).join('; '), '.')];
+}

@@ -1,0 +1,366 @@
+#include "machine/pass_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "common/angles.hpp"
+#include "common/gravity.hpp"
+#include "machine/cut_ahead.hpp"
+#include "machine/motion_row.hpp"
+
+namespace dipper::machine {
+namespace {
+
+constexpr double kWay_m = 0.15;    // of the teeth, between two places that are looked at
+constexpr double kMean_m = 1;      // of the way, over which a force counts
+constexpr double kNudge = 1e-4;    // of a joint, m and rad: for the lever of a weight
+constexpr double kBeside_m = 0.1;  // between dipper and side wall
+constexpr double kSide_m = 1;      // looked at beyond what is dug
+constexpr double kOver_m = 0.5;    // between the dipper and the rock that it turns over
+
+/// A force at a point of what hangs on the handle.
+struct Push {
+  enum Where { tip, load, dipper, door, handle } where;
+  Vector3d force_W;
+};
+
+/// Hoist and crowd that hold the machine in a place, and the weights and forces on it.
+class Statics {
+ public:
+  Statics(const MachineData& machine, const ShovelKinematics& shovel, const Vector3d& base_m,
+          const Vector3d& load_B)
+      : m_(machine), shovel_(shovel), base_m_(base_m), load_B_(load_B) {}
+
+  Vector3d tip_B() const {
+    return {m_.dipper.inside.x() + m_.dipper.tooth_reach, 0, -m_.dipper.inside.z() / 2};
+  }
+
+  struct Forces {
+    double hoist_N = 0, crowd_N = 0;
+  };
+  /// By virtual work along saddle angle and crowd: the rope's pull does T times its shortening.
+  Forces at(const Drives& d, double saddle, const std::vector<Push>& pushes) const {
+    Drives out = d;
+    out.crowd += kNudge;
+    const double turned = work(d, saddle, d, saddle + kNudge, pushes) / kNudge;
+    const double pushed = work(d, saddle, out, saddle, pushes) / kNudge;
+    const double rope = shovel_.rope_path(saddle, d.crowd);
+    const double by_turn = (shovel_.rope_path(saddle + kNudge, d.crowd) - rope) / kNudge;
+    const double by_crowd = (shovel_.rope_path(saddle, out.crowd) - rope) / kNudge;
+    const double hoist = std::max(0.0, turned / by_turn);  // a rope does not push
+    return {hoist, hoist * by_crowd - pushed};
+  }
+
+ private:
+  /// What the forces do from one place to another, J.
+  double work(const Drives& a, double saddle_a, const Drives& b, double saddle_b,
+              const std::vector<Push>& pushes) const {
+    const auto from = points(a, saddle_a), to = points(b, saddle_b);
+    double sum = 0;
+    for (const Push& p : pushes)
+      sum += p.force_W.dot(to[static_cast<std::size_t>(p.where)] -
+                           from[static_cast<std::size_t>(p.where)]);
+    return sum;
+  }
+
+  std::array<Vector3d, 5> points(const Drives& d, double saddle) const {
+    const ShovelPose X = shovel_.pose(d, saddle);
+    const Vector3d end = X.X_WB * m_.dipper.handle_end;
+    const Quaterniond swing(Eigen::AngleAxisd(d.swing, Vector3d::UnitZ()));
+    const Vector3d pivot = base_m_ + swing * m_.saddle.position;
+    const Vector3d handle = end + m_.handle.mass_center * (end - pivot).normalized();
+    return {X.X_WB * tip_B(), X.X_WB * load_B_, X.X_WB * m_.dipper.mass_center,
+            X.X_WD * m_.door.mass_center, handle};
+  }
+
+  const MachineData& m_;
+  const ShovelKinematics& shovel_;
+  Vector3d base_m_, load_B_;
+};
+
+/// The largest mean over a stretch of the way.
+class StretchPeak {
+ public:
+  void add(double value) {
+    values_.push_back(value);
+    const auto n = static_cast<std::size_t>(std::lround(kMean_m / kWay_m));
+    sum_ += value;
+    if (values_.size() > n) sum_ -= values_[values_.size() - 1 - n];
+    if (values_.size() >= n) peak_ = std::max(peak_, sum_ / static_cast<double>(n));
+  }
+  double peak() const { return peak_; }
+
+ private:
+  std::vector<double> values_;
+  double sum_ = 0, peak_ = 0;
+};
+
+class Judge {
+ public:
+  Judge(const HeightMap& face, const DigChoice& choice, const MotionPlan& cycle,
+        const DigFacts& facts, const MachineData& machine, const ShovelKinematics& shovel,
+        const Vector3d& base_m)
+      : face_(face),
+        choice_(choice),
+        cycle_(cycle),
+        facts_(facts),
+        m_(machine),
+        shovel_(shovel),
+        base_m_(base_m),
+        statics_(machine, shovel, base_m, facts.load_B),
+        rock_over_m_(rock_over_m(face)) {}
+
+  void judge(DigCandidate& c) const {
+    Pose X_WBoom;
+    X_WBoom.R = from_rotation_vector({0, 0, c.heading_rad});
+    X_WBoom.p = {base_m_.x(), base_m_.y(), 0};
+    try {
+      const TeethPath profile = face_.profile(X_WBoom, m_.dipper.inside.y() / 2);
+      if (profile.size() < 3) throw std::invalid_argument("there is no face at this heading");
+      Cut cut;
+      cut.start = choice_.start;
+      cut.depth_m = c.depth_m;
+      cut.floor_rise = c.floor_rise;
+      cut.exit_z_m = c.exit_z_m;
+      cut.smooth_m = choice_.smooth_m;
+      const Vector2d saddle(m_.saddle.position.x(), m_.saddle.position.z());
+      c.dig = cut_path(profile, cut, saddle, shovel_.teeth_reach(choice_.crowd_max_m),
+                       [&](const Vector2d& tip) { return shovel_.heel(tip); });
+      walk(c);
+    } catch (const std::invalid_argument& e) {
+      c.refused = e.what();
+    } catch (const std::domain_error& e) {
+      c.refused = e.what();
+    }
+  }
+
+ private:
+  void walk(DigCandidate& c) const {
+    TeethPath polygon = c.dig;
+    polygon.insert(polygon.end(), cycle_.lift.begin(), cycle_.lift.end());
+    const TeethPath way = spline(polygon);
+    const double whole = length(way);
+    const int n = static_cast<int>(std::ceil(whole / kWay_m));
+    const double ds = whole / n;
+    HeightMap left = face_;
+    const Vector3d half = m_.dipper.inside / 2;
+    const Vector3d tip_B = statics_.tip_B();
+    const Vector3d lip_left_B = tip_B + Vector3d(0, half.y(), 0),
+                   lip_right_B = tip_B - Vector3d(0, half.y(), 0);
+    StretchPeak crowd_peak, hoist_peak;
+    double force_sum = 0, force_s = 0, lift_s = 0;
+    Pose before;
+    Drives at_before;
+    for (int k = 0; k <= n; ++k) {
+      const Vector2d tip = at_fraction(way, static_cast<double>(k) / n);
+      Drives d = shovel_.teeth_at(tip);
+      d.swing = c.heading_rad;
+      require_within_limits(d);
+      const ShovelPose X = shovel_.pose(d);
+      require_beside_walls(X.X_WB, lip_left_B, lip_right_B);
+      if (k > 0) {
+        c.swept_m3 += left.cut(before * lip_left_B, before * lip_right_B, X.X_WB * lip_left_B,
+                               X.X_WB * lip_right_B);
+        const double load_kg =
+            std::min(facts_.capacity_kg, facts_.bulk_density_kg_m3 * c.swept_m3);
+        const Vector3d moved = (X.X_WB * tip_B - before * tip_B) / ds;  // at 1 m/s
+        const CutAhead ahead = cut_ahead(left, X.X_WB, tip_B, moved);
+        const double resistance =
+            ahead.meets ? facts_.specific_resistance_Pa * ahead.depth_m * 2 * half.y() : 0;
+        const Statics::Forces f = statics_.at(d, X.saddle, pushes(X, resistance, load_kg));
+        const double lifted = (at_before.hoist - d.hoist) / ds,
+                     crowded = (d.crowd - at_before.crowd) / ds;  // m of drive by m of way
+        const double speed = teeth_speed(f, lifted, crowded);
+        const bool in_rock = ahead.depth_m > 0;
+        if (in_rock) {
+          crowd_peak.add(f.crowd_N);
+          hoist_peak.add(f.hoist_N);
+          force_sum += std::hypot(f.crowd_N, f.hoist_N) * ds / speed;
+          force_s += ds / speed;
+        }
+        lift_s += ds / speed;
+        c.energy_J += ds * (std::max(0.0, f.hoist_N * lifted) + std::max(0.0, f.crowd_N * crowded));
+      }
+      before = X.X_WB;
+      at_before = d;
+    }
+    c.crowd_peak_N = crowd_peak.peak();
+    c.hoist_peak_N = hoist_peak.peak();
+    c.dig_s = force_s;
+    c.dig_force_mean_N = force_s > 0 ? force_sum / force_s : 0;
+    c.payload_kg = std::min(facts_.capacity_kg, facts_.bulk_density_kg_m3 * c.swept_m3);
+    PassStart from;
+    from.at_dump = cycle_.returns;
+    from.tip = c.dig.front();
+    from.heading_rad = c.heading_rad;
+    const PassTimes t =
+        pass_times(cycle_, {c.dig, c.heading_rad}, choice_.teeth_m_s, rock_over_m_, from,
+                   shovel_);
+    // Slower than planned where the drives' power asks for it.
+    c.cycle_s = t.end_s + std::max(0.0, lift_s - whole / choice_.teeth_m_s);
+    const auto& drives = m_.drives;
+    if (c.crowd_peak_N > drives.crowd.stall)
+      c.refused = fmt::format("the crowd needs {:.2f} MN and has {:.2f}", c.crowd_peak_N * 1e-6,
+                              drives.crowd.stall * 1e-6);
+    else if (c.hoist_peak_N > drives.hoist.stall)
+      c.refused = fmt::format("the hoist needs {:.2f} MN and has {:.2f}", c.hoist_peak_N * 1e-6,
+                              drives.hoist.stall * 1e-6);
+  }
+
+  std::vector<Push> pushes(const ShovelPose& X, double resistance_N, double load_kg) const {
+    const auto weight = [](double kg) { return Vector3d(0, 0, -kg * kGravity_m_s2); };
+    return {{Push::tip, -resistance_N * (X.X_WB.R * Vector3d::UnitX())},
+            {Push::load, weight(load_kg)},
+            {Push::dipper, weight(m_.dipper.mass)},
+            {Push::door, weight(m_.door.mass)},
+            {Push::handle, weight(m_.handle.mass)}};
+  }
+
+  /// That the drives' speeds and powers allow, up to the planned one.
+  double teeth_speed(const Statics::Forces& f, double lifted, double crowded) const {
+    double v = choice_.teeth_m_s;
+    const auto within = [&](double by_way, double most_m_s, double force, double power) {
+      if (std::abs(by_way) > 1e-6) v = std::min(v, most_m_s / std::abs(by_way));
+      if (force * by_way > 1) v = std::min(v, power / (force * by_way));
+    };
+    within(lifted, m_.limits.hoist_speed, f.hoist_N, m_.drives.hoist.power);
+    within(crowded, m_.limits.crowd_speed, f.crowd_N, m_.drives.crowd.power);
+    return v;
+  }
+
+  void require_within_limits(const Drives& d) const {
+    const auto& l = m_.limits;
+    if (d.crowd < l.crowd_min || d.crowd > l.crowd_max)
+      throw std::domain_error(fmt::format("the crowd would be at {:.2f} m", d.crowd));
+    if (d.hoist < l.hoist_min || d.hoist > l.hoist_max)
+      throw std::domain_error(fmt::format("the hoist would be at {:.2f} m", d.hoist));
+  }
+
+  void require_beside_walls(const Pose& X_WB, const Vector3d& left_B,
+                            const Vector3d& right_B) const {
+    for (const Vector3d& p : {Vector3d(X_WB * left_B), Vector3d(X_WB * right_B)})
+      if (p.x() > facts_.walls_from_x_m && p.z() < rock_over_m_ &&
+          std::abs(p.y()) > facts_.half_width_m - kBeside_m)
+        throw std::domain_error("the dipper would meet the side of the bench");
+  }
+
+  const HeightMap& face_;
+  const DigChoice& choice_;
+  const MotionPlan& cycle_;
+  const DigFacts& facts_;
+  const MachineData& m_;
+  const ShovelKinematics& shovel_;
+  Vector3d base_m_;
+  Statics statics_;
+  double rock_over_m_;
+};
+
+std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
+  int diggable = 0;
+  double most_kg = 0;
+  for (const DigCandidate& c : decision.candidates) {
+    if (!c.refused.empty()) continue;
+    ++diggable;
+    most_kg = std::max(most_kg, c.payload_kg);
+  }
+  if (decision.chosen < 0)
+    return fmt::format(
+        "no dig pays: the machine can do {} of the {} looked at, with {:.0f} t at most; {:.0f} t "
+        "are asked for",
+        diggable, decision.candidates.size(), most_kg * 1e-3, least_kg * 1e-3);
+  const DigCandidate& c = decision.candidates[static_cast<std::size_t>(decision.chosen)];
+  const bool time = goal == DigGoal::time;
+  return fmt::format(
+      "the most payload for {}, {:.4g} {}, of the {} digs that the machine can do ({} looked at): "
+      "at {:.0f} deg, {:.2f} m deep, floor rising by {:.2f}, out at {:.1f} m; {:.0f} t expected, "
+      "with {:.2f} MN on the crowd and {:.2f} MN on the hoist at most",
+      time ? "time" : "energy", c.score * (time ? 1 : 1e3), time ? "kg/s" : "kg/kJ", diggable,
+      decision.candidates.size(), degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m,
+      c.payload_kg * 1e-3, c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6);
+}
+
+}  // namespace
+
+double rock_over_m(const HeightMap& face) {
+  return kOver_m + *std::max_element(face.heights().begin(), face.heights().end());
+}
+
+DigPlanner::DigPlanner(const DigChoice& choice, const MotionPlan& cycle, const DigFacts& facts,
+                       const MachineData& machine, const Vector3d& base_m, double rake,
+                       DigGoal goal)
+    : choice_(choice),
+      cycle_(cycle),
+      facts_(facts),
+      machine_(machine),
+      base_m_(base_m),
+      shovel_(machine, {Quaterniond::Identity(), base_m}, rake),
+      goal_(goal) {}
+
+PassStart DigPlanner::start() const {
+  PassStart s;
+  s.tip = choice_.start;
+  return s;
+}
+
+HeightGrid DigPlanner::grid() const {
+  const double reach = machine_.saddle.position.x() + shovel_.teeth_reach(choice_.crowd_max_m);
+  const double half = facts_.half_width_m + kSide_m;
+  const double from = std::min(facts_.walls_from_x_m, base_m_.x() + choice_.start.x()) - kSide_m;
+  return face_grid(from, base_m_.x() + reach + kSide_m, -half, half);
+}
+
+DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, double least_kg,
+                               double most_kg) const {
+  const Judge judge(face, choice_, cycle_, facts_, machine_, shovel_, base_m_);
+  DigDecision decision;
+  for (const double heading : choice_.heading_rad)
+    for (const double depth : choice_.depth_m)
+      for (const double rise : choice_.floor_rise)
+        for (const double exit_z : choice_.exit_z_m) {
+          DigCandidate c;
+          c.heading_rad = heading;
+          c.depth_m = depth;
+          c.floor_rise = rise;
+          c.exit_z_m = exit_z;
+          judge.judge(c);
+          const double counts = std::min(c.payload_kg, most_kg);
+          if (c.refused.empty())
+            c.score = goal_ == DigGoal::time ? counts / c.cycle_s : counts / c.energy_J;
+          decision.candidates.push_back(std::move(c));
+        }
+  // The best first, until one is found whose motion the machine can follow.
+  while (true) {
+    const auto best = std::max_element(
+        decision.candidates.begin(), decision.candidates.end(),
+        [&](const DigCandidate& a, const DigCandidate& b) {
+          const auto worth = [&](const DigCandidate& c) {
+            return c.refused.empty() && c.payload_kg >= least_kg ? c.score : -1.0;
+          };
+          return worth(a) < worth(b);
+        });
+    if (best == decision.candidates.end() || !best->refused.empty() ||
+        best->payload_kg < least_kg)
+      break;
+    const PlannedPass pass{best->dig, best->heading_rad};
+    const double over_m = rock_over_m(face);
+    const std::string rows =
+        pass_rows(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
+    const auto beyond = shovel_.check(Motion::parse(kMotionHead + rows, "the pass"));
+    if (!beyond.empty()) {
+      best->refused = beyond.front();
+      continue;
+    }
+    decision.chosen = static_cast<int>(best - decision.candidates.begin());
+    decision.rows = rows;
+    decision.times = pass_times(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
+    break;
+  }
+  decision.reason = reason(decision, goal_, least_kg);
+  return decision;
+}
+
+}  // namespace dipper::machine
