@@ -18,7 +18,7 @@
 #include <tuple>
 
 #include "common/draft_file.hpp"
-#include "dem/packed_text.hpp"
+#include "dem/deflated.hpp"
 #include "dem/parked_rock.hpp"
 
 namespace dipper::dem {
@@ -36,6 +36,10 @@ double smallest_radius(const LAMMPS_NS::LAMMPS& lmp) {
   MPI_Allreduce(MPI_IN_PLACE, &least, 1, MPI_DOUBLE, MPI_MIN, lmp.world);
   return least;
 }
+
+// Of zlib's levels the last that with it costs no more than LIGGGHTS's own text
+// (docs/benchmarks.md, "Frames").
+constexpr int kLevel = 4;
 
 /// What a rank tells of its part before it sends it.
 struct Part {
@@ -142,7 +146,7 @@ void RockDump::write() {
   buf = packed.data();
   pack(nullptr);
   buf = kept;
-  const PackedText mine = pack_text((me == 0 ? header(all) : "") + text_->of(packed));
+  const Deflated mine = deflated((me == 0 ? header(all) : "") + text_->of(packed), kLevel);
   if (mine.bytes.size() > std::numeric_limits<int>::max())
     throw std::runtime_error(fmt::format(
         "{}: a rank's part of it is {} bytes, and MPI sends 2^31; more ranks have less each",

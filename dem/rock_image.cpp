@@ -24,6 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "dem/deflated.hpp"
 #include "dem/parked_rock.hpp"
 
 namespace dipper::dem {
@@ -140,23 +141,28 @@ void write_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp,
                     "more ranks have less each",
                     file.string(), mine.bytes().size()));
   const int ranks = lmp.comm->nprocs;
-  const auto size = static_cast<int>(mine.bytes().size());
+  const Deflated packed = deflated(mine.bytes(), 1);
+  ByteWriter part;
+  part.put(packed.length);
+  part.put(packed.crc);
+  const std::string bytes = part.bytes() + packed.bytes;
+  const auto size = static_cast<int>(bytes.size());
   std::vector<int> sizes(static_cast<std::size_t>(ranks));
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, lmp.world);
   if (lmp.comm->me != 0) {
-    MPI_Send(mine.bytes().data(), size, MPI_BYTE, 0, 0, lmp.world);
+    MPI_Send(bytes.data(), size, MPI_BYTE, 0, 0, lmp.world);
     return;
   }
   // One after the other: all of them together may exceed rank 0's memory.
   ByteWriter head;
   head.put_all(sizes);
   std::ofstream out(file, std::ios::binary);
-  out << head.bytes() << mine.bytes();
+  out << head.bytes() << bytes;
   for (int r = 1; r < ranks; ++r) {
-    std::string part(static_cast<std::size_t>(sizes[static_cast<std::size_t>(r)]), '\0');
-    MPI_Recv(part.data(), static_cast<int>(part.size()), MPI_BYTE, r, 0, lmp.world,
+    std::string theirs(static_cast<std::size_t>(sizes[static_cast<std::size_t>(r)]), '\0');
+    MPI_Recv(theirs.data(), static_cast<int>(theirs.size()), MPI_BYTE, r, 0, lmp.world,
              MPI_STATUS_IGNORE);
-    out << part;
+    out << theirs;
   }
   if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
 }
@@ -178,9 +184,19 @@ ByteReader read_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp)
   read(sizes.data(), ranks * sizeof(int));
   const auto mine = sizes.begin() + lmp.comm->me;
   in.seekg(std::accumulate(sizes.begin(), mine, std::streamoff{0}), std::ios::cur);
-  std::string part(static_cast<std::size_t>(*mine), '\0');
-  read(part.data(), part.size());
-  return ByteReader(std::move(part));
+  Deflated part;
+  constexpr std::size_t kHead = sizeof part.length + sizeof part.crc;
+  read(&part.length, sizeof part.length);
+  read(&part.crc, sizeof part.crc);
+  part.bytes.resize(std::max(static_cast<std::size_t>(*mine), kHead) - kHead);
+  read(part.bytes.data(), part.bytes.size());
+  if (part.length > std::numeric_limits<int>::max())
+    throw std::runtime_error(file.string() + ": it is damaged, or of another version of Dipper");
+  try {
+    return ByteReader(inflated(part));
+  } catch (const std::runtime_error& e) {
+    throw std::runtime_error(file.string() + ": " + e.what());
+  }
 }
 
 }  // namespace dipper::dem

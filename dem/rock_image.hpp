@@ -27,7 +27,7 @@ void put_rock(LAMMPS_NS::LAMMPS& lmp, ByteWriter& out);
 /// between time steps, after set-up. Collective.
 void get_rock(LAMMPS_NS::LAMMPS& lmp, ByteReader& in);
 
-/// Writes the output of `put` on all ranks into one file. Collective.
+/// Writes the output of `put` on all ranks into one file, deflated. Collective.
 void write_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp,
                  const std::function<void(ByteWriter&)>& put);
 

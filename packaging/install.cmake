@@ -2,7 +2,7 @@
 # runs from wherever it is put.
 include(GNUInstallDirs)
 install(TARGETS dipper DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS dipper-dem dipper-mbs dipper-liggghts bench-cut
+install(TARGETS dipper-dem dipper-mbs dipper-liggghts bench-cut place-rocks
         DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/dipper)
 
 set(data ${CMAKE_INSTALL_DATADIR}/dipper)

@@ -86,7 +86,8 @@ json read_summary(const fs::path& file) {
   if (!warnings.is_array() || !std::all_of(warnings.begin(), warnings.end(),
                                            [](const json& text) { return text.is_string(); }))
     throw io::input_error(file, 0, "warnings is a list of texts");
-  for (const auto& [key, value] : summary.value("truck", json::object()).items())
+  const json truck = summary.value("truck", json::object());  // outlives its items
+  for (const auto& [key, value] : truck.items())
     if (!value.is_number()) throw io::input_error(file, 0, "truck." + key + " is a number");
   return summary;
 }

@@ -49,9 +49,10 @@ std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& 
   for (long k = 1; k <= n; ++k) {
     const double to = static_cast<double>(k) * interval, from = to - interval;
     const double late = instruments.lag_s;
-    log.push_back({to, hoist.mean(from, to), crowd.mean(from, to), swing.mean(from, to),
-                   1e-3 * (1 + instruments.hoist_cell_gain) * hoist_force.mean(from - late, to - late),
-                   1e-3 * (1 + instruments.crowd_cell_gain) * crowd_force.mean(from - late, to - late)});
+    log.push_back(
+        {to, hoist.mean(from, to), crowd.mean(from, to), swing.mean(from, to),
+         1e-3 * (1 + instruments.hoist_cell_gain) * hoist_force.mean(from - late, to - late),
+         1e-3 * (1 + instruments.crowd_cell_gain) * crowd_force.mean(from - late, to - late)});
   }
   return log;
 }

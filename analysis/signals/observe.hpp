@@ -34,8 +34,8 @@ struct WeighedPass {
 };
 
 /// Samples at 1/rate, 2/rate, ... as far as the signals reach. Forces wanted before the first or
-/// after the last sync step are those at the ends; a cell reads 1 + its gain times the force. Throws
-/// std::invalid_argument for signals of different lengths.
+/// after the last sync step are those at the ends; a cell reads 1 + its gain times the force.
+/// Throws std::invalid_argument for signals of different lengths.
 std::vector<LoggedSample> log_signals(const DriveSignals& signals, const Instruments& instruments);
 
 /// The scale reads (1 + scale_gain) times what a pass brought, and scale_offset_t more of each pass

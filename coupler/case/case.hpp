@@ -140,6 +140,10 @@ struct CollapseCase {
   double at_s = 0;      ///< when it comes loose; 0: when the door first opens
 };
 
+/// How the settled bench is made: poured as a whole, or laid from a block that was poured once
+/// (coupler/deck/brick.hpp).
+enum class PileBuilt { poured, bricks };
+
 /// pile: a bench of rock that fills x > toe, between side walls: a trapezoid, or a scanned profile.
 struct PileCase {
   double toe_x_m = 0;         ///< where the settled face should meet the ground, in W
@@ -147,8 +151,9 @@ struct PileCase {
   double width_m = 0;         ///< along y, centred on y = 0, between frictionless planes
   double crest_depth_m = 0;   ///< flat top between the crest and the rear wall
   double face_angle_deg = 0;  ///< of the retaining sheet while the rock settles
-  double settle_s = 0;        ///< with the sheet
-  double relax_s = 0;         ///< after the sheet is gone
+  PileBuilt built = PileBuilt::poured;
+  double settle_s = 0;  ///< with the sheet; of a brick
+  double relax_s = 0;   ///< after the sheet is gone; of a bench of bricks
   /// A scanned section, CSV (coupler/case/outline_file.hpp), or surface, STL
   /// (coupler/case/bench_surface.hpp), in place of toe, height, crest depth and face angle; empty:
   /// none.

@@ -70,8 +70,8 @@ void tell_digs(const cases::Case& c, Reporter& reporter) {
        swept_passes(machine::Motion::load(c.machine.motion), shovel, face)) {
     const double volume_m3 = pass.area_m2 * data.dipper.inside.y();
     reporter.line(fmt::format(
-        "pass {}: the teeth sweep {:.0f} m3{}, up to {:.1f} m deep; the dipper holds {:.0f} m3, "
-        "struck",
+        "pass {}: the teeth sweep {:.0f} m3{}, up to {:.1f} m deep; the dipper's struck volume is "
+        "{:.3g} m3",
         ++number, volume_m3, pass.first ? "" : " of the remaining face, if no rock comes down",
         pass.deepest_m, data.dipper.struck_volume));
     if (pass.first && volume_m3 < kLeanPass * data.dipper.struck_volume)

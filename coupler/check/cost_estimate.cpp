@@ -23,12 +23,13 @@ constexpr double kHoldSphere_s = 15e-9;    // and a sphere in it, most at rest
 constexpr double kWindowCost_s = 0.3e-3;   // machine side 0.1 ms, master with record 0.2 ms
 constexpr double kMemory_B = 3000;         // a sphere
 constexpr double kRankMemory_B = 60e6;     // a process
-constexpr double kFrame_B = 115;           // a sphere
+constexpr double kFrame_B = 17;            // a sphere
 constexpr double kFrameWalls_B = 0.1e6;    // a frame
-constexpr double kCheckpoint_B = 2 * 740;  // a sphere, in two of them
-constexpr double kRecord_B = 4e6;          // record.h5 without rows
-constexpr double kRow_B = 750;             // a window in it
-constexpr double kMessages_B = 3400;       // a window in the message log
+constexpr double kCheckpoint_B = 2 * 700;  // a sphere, in two of them
+constexpr double kHeldCheckpoint_B = 2 * 280;  // likewise, most rock at rest and held
+constexpr double kRecord_B = 4e6;              // record.h5 without rows
+constexpr double kRow_B = 750;                 // a window in it
+constexpr double kMessages_B = 3400;           // a window in the message log
 
 double spheres_of(const cases::Case& c) {
   const auto counts = deck::rock_counts(c);
@@ -71,15 +72,16 @@ CostEstimate cost_estimate(const cases::Case& c) {
   const double frame_B = kFrame_B * e.spheres + kFrameWalls_B;
   e.record_B = kRecord_B + kRow_B * windows;
   e.dumps_B = frames * frame_B;
-  e.disk_B = frame_B + e.dumps_B + kCheckpoint_B * e.spheres + e.record_B + kMessages_B * windows;
+  const double checkpoints_B = c.dem.hold_below_m_s > 0 ? kHeldCheckpoint_B : kCheckpoint_B;
+  e.disk_B = frame_B + e.dumps_B + checkpoints_B * e.spheres + e.record_B + kMessages_B * windows;
   return e;
 }
 
 std::string to_string(const CostEstimate& e) {
   return fmt::format(
       "estimate: {} of processor time ({} to dig, {} to settle the pile unless it is in the "
-      "cache), "
-      "{} on the requested cores, {} of memory, {} of disk; accurate within a factor of 1.5",
+      "cache), {} of wall time if each rank has a core, {} of memory, {} of disk; accurate within "
+      "a factor of 1.5",
       duration(e.dig_s + e.settle_s), duration(e.dig_s), duration(e.settle_s), duration(e.wall_s),
       bytes(e.memory_B), bytes(e.disk_B));
 }

@@ -19,6 +19,7 @@
 #include "coupler/deck/domain_split.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/pile_walls.hpp"
+#include "coupler/deck/rock_kinds.hpp"
 #include "coupler/deck/shape_library.hpp"
 
 namespace dipper::deck {
@@ -223,7 +224,7 @@ std::string rocks_in(const cases::Case& c, const std::map<std::string, RockShape
     const cases::SizeClass& s = c.rock.classes[i];
     const double size = 2 * classes[i].radius_m;
     for (const std::string& shape : s.shapes) {
-      const std::string fix = s.name + "_" + shape;
+      const std::string fix = kind_name(s, shape);
       const auto seed = prime_seed(c.seed, 1 + static_cast<int>(templates.size()));
       templates.push_back({fix, s.mass_percent / 100 / static_cast<double>(s.shapes.size())});
       if (classes[i].is_sphere) {
@@ -308,6 +309,22 @@ std::vector<ClassCount> rock_counts(const cases::Case& c) {
   return out;
 }
 
+std::map<std::string, RockShape> used_shapes(const cases::Case& c, const fs::path& folder) {
+  std::map<std::string, RockShape> used;
+  for (const cases::SizeClass& s : c.rock.classes)
+    for (const std::string& name : s.shapes)
+      if (name != "sphere" && used.count(name) == 0) used[name] = find_rock_shape(folder, name);
+  return used;
+}
+
+void write_rock(const cases::Case& c, const std::map<std::string, RockShape>& shapes,
+                const fs::path& folder) {
+  write_text(folder / "material.in", material_in(c));
+  write_text(folder / "rocks.in", rocks_in(c, shapes));
+  for (const auto& [name, shape] : shapes)
+    write_text(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
+}
+
 void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& folder) {
   for (const ClassCount& k : rock_counts(c))
     if (k.rocks < 1)
@@ -316,18 +333,10 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
                       "larger or the class smaller",
                       k.name, k.rocks));
 
-  std::map<std::string, RockShape> used;
-  for (const cases::SizeClass& s : c.rock.classes)
-    for (const std::string& name : s.shapes)
-      if (name != "sphere" && used.count(name) == 0) used[name] = find_rock_shape(shapes, name);
-
   fs::create_directories(folder);
   write_text(folder / "case.in", case_in(c));
   write_text(folder / "walls.in", walls_in(c));
-  write_text(folder / "material.in", material_in(c));
-  write_text(folder / "rocks.in", rocks_in(c, used));
-  for (const auto& [name, shape] : used)
-    write_text(folder / (name + ".spheres"), sphere_file(shape, c.rock.shape_resolution));
+  write_rock(c, used_shapes(c, shapes), folder);
   if (c.pile.surface) {
     write_text(folder / kSurfaceFile, mesh::to_stl("surface", c.pile.surface->mesh()));
   } else {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "coupler/case/case.hpp"
+#include "coupler/deck/rock_shape.hpp"
 
 namespace dipper::deck {
 
@@ -21,6 +23,14 @@ struct ClassCount {
   double rocks = 0;  ///< expected, before rounding
 };
 std::vector<ClassCount> rock_counts(const cases::Case& c);
+
+/// The case's shapes by name, but for `sphere`, from the folder with NAME.yaml or NAME.stl of each.
+std::map<std::string, RockShape> used_shapes(const cases::Case& c,
+                                             const std::filesystem::path& folder);
+
+/// Writes of what write_deck does what the rock is: material.in, rocks.in and NAME.spheres.
+void write_rock(const cases::Case& c, const std::map<std::string, RockShape>& shapes,
+                const std::filesystem::path& folder);
 
 /// Writes into `folder` (created):
 ///   case.in      variables: box, step, walls, pile, truck, body meshes, ranks

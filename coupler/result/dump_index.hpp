@@ -9,8 +9,8 @@ namespace dipper::result {
 /// their times, which ParaView opens as one animated data set each.
 void index_dumps(const std::filesystem::path& dumps, double timestep_s);
 
-/// Removes the frames of later steps, which a run that resumes at this step does not have, and what a
-/// killed process left half written.
+/// Removes the frames of later steps, which a run that resumes at this step does not have, and what
+/// a killed process left half written.
 void drop_frames_after(const std::filesystem::path& dumps, std::int64_t step);
 
 }  // namespace dipper::result

@@ -9,7 +9,7 @@
 namespace dipper::dem {
 
 /// Makes every contact of two spheres in the zone a bond of the cohesion model `moist`. After a
-/// set-up (`run 0`) and before another, which computes the forces anew. Collective over the ranks.
+/// set-up (`run 0`) and before another, which computes the forces again. Collective over the ranks.
 /// Throws std::runtime_error if the deck has no property/atom crust_zone.
 void form_crust(LAMMPS_NS::LAMMPS& lmp, const setup::CrustZone& zone);
 

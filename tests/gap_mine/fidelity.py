@@ -4,8 +4,9 @@
 usage: fidelity.py TABLE [OBSERVED ...]
 
 OBSERVED are folders that `dipper observe RUN` wrote of runs of cases/screening; the mine's are all in runs/base, seen
-by the same 1 Hz logger without errors. What docs/data/screening_passes.csv tells of the model is compared too. TABLE
-gets, for each pass and phase, means over the trucks and their standard deviations.
+by the same 1 Hz logger without errors; of a truck that is not finished its digs so far. What
+docs/data/screening_passes.csv tells of the model is compared too. TABLE gets, for each pass and phase, means over the
+trucks and their standard deviations.
 """
 import csv
 import sys
@@ -17,7 +18,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 from cycle import Dig  # noqa: E402
 from instruments import second_means, truck_log  # noqa: E402
-from make import PASSES, complete  # noqa: E402
+from make import PASSES  # noqa: E402
 from shovel import Motion  # noqa: E402
 
 PHASES = ("approach", "penetrate", "fill", "breakout", "swing", "dump", "return")
@@ -65,13 +66,13 @@ def figures(time, signals, passes):
 def observed(folder):
     head = (folder / "signals.csv").open().readline().strip().split(",")
     signals = dict(zip(head, np.loadtxt(folder / "signals.csv", delimiter=",", skiprows=1).T))
-    rows = np.loadtxt(folder / "passes.csv", delimiter=",", skiprows=1)[:PASSES, 1:4]
+    rows = np.loadtxt(folder / "passes.csv", delimiter=",", skiprows=1, ndmin=2)[:PASSES, 1:4]
     return figures(signals.pop("time_s"), signals, rows)
 
 
 def own(folder, motion):
     """The figures of one of the mine's trucks, and those of the committed table of the model's passes."""
-    digs = [Dig.load(folder, k + 1) for k in range(PASSES)]
+    digs = [Dig.load(folder, k + 1) for k in range(PASSES) if (folder / f"pass_{k + 1}.csv").exists()]
     log, passes = truck_log(digs, motion, {})
     time, means = second_means(log)
     said = figures(time, means, [(a, b, m) for (a, _, b), m in zip(passes, log.tonnes)])
@@ -99,12 +100,13 @@ def main(words):
         print(__doc__, file=sys.stderr)
         return 2
     motion = Motion.read(HERE.parents[1] / "cases/screening/motion.csv")
-    mine = [own(f, motion) for f in complete(HERE / "runs/base")]
+    mine = [own(f, motion) for f in sorted((HERE / "runs/base").iterdir()) if (f / "pass_1.csv").exists()]
     model = [observed(Path(w)) for w in words[1:]] + known()
     rows = ["# tests/gap_mine/fidelity.py: nothing hidden, no errors of instruments; sd of single trucks",
             "# forces of a phase as a logger of 1 Hz shows them, kN; from dig to dump at full rate",
             "pass,phase,figure,mine,mine_sd,mine_trucks,model,model_sd,model_runs,ratio"]
-    for key in sorted(mine[0], key=lambda k: (k[0], (*PHASES, "dig to dump").index(k[1]), k[2])):
+    order = (*PHASES, "dig to dump")
+    for key in sorted({k for said in mine for k in said}, key=lambda k: (k[0], order.index(k[1]), k[2])):
         a, b = (np.array([said[key] for said in side if key in said]) for side in (mine, model))
         sd = [f"{x.std(ddof=1):.4g}" if len(x) > 1 else "" for x in (a, b)]
         theirs = f"{b.mean():.4g},{sd[1]},{len(b)},{a.mean() / b.mean():.3f}" if len(b) else ",,0,"

@@ -9,7 +9,7 @@ import unittest
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ["DIPPER_BUILD"])
 PROGRAMS = ["bin/dipper", *(f"libexec/dipper/{p}"
-                            for p in ("dipper-dem", "dipper-mbs", "dipper-liggghts", "bench-cut"))]
+                            for p in ("dipper-dem", "dipper-mbs", "dipper-liggghts", "bench-cut", "place-rocks"))]
 NOBODY = 65534
 
 

@@ -142,6 +142,19 @@ def test_a_reference_without_the_channels_starts_nothing(words, tmp_path):
     assert not (tmp_path / "started").exists()
 
 
+def test_a_plan_needs_no_measurements_and_an_analysis_does(words, tmp_path):
+    alone = [w for w in words if w not in ("--measured", str(tmp_path / "mine"))]
+    gap = start(alone, tmp_path)
+    _, err = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and "--measured: not given" in err and not (tmp_path / "started").exists()
+    gap = start([*alone, "--plan", "--jobs", "1"], tmp_path)
+    wait_for_runs(gap, tmp_path, 1)
+    gap.send_signal(signal.SIGINT)
+    out, _ = gap.communicate(timeout=60)
+    assert gap.returncode == 4 and "instruments are assumed" in out and "1 at a time" in out
+    assert len(list(tmp_path.glob("started/*"))) == 1
+
+
 def test_masses_alone_are_refused_before_a_run_unless_asked_for(words, tmp_path):
     mine = tmp_path / "mine"
     (mine / "signals.csv").unlink()

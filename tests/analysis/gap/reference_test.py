@@ -32,7 +32,8 @@ def few_draws(monkeypatch):
 def known():
     plan, simulator = make_plan(SMALL, TRUCKS, 1), fake_mine.FakeSimulator()
     folders = dict(zip(plan.requests(), simulator.run(plan.requests())))
-    return learn(plan, folders, in_a_row([synthetic.run()] * TRUCKS))
+    like = in_a_row([synthetic.run()] * TRUCKS)
+    return learn(plan, folders, like, like)
 
 
 def judge(now, before, with_reference=True):
@@ -54,7 +55,7 @@ def test_nothing_has_changed_in_a_mine_that_the_model_misses_everywhere():
 
 
 def test_what_has_changed_is_named_and_stands_against_the_reference():
-    now, before = periods([{}] * BEFORE, [{"crowd_friction": 120}] * TRUCKS, 2)
+    now, before = periods([{}] * BEFORE, [{"crowd_friction": 120}] * TRUCKS, 3)
     out, a = judge(now, before)
     assert a["verdict"] == "named" and a["effect"] == "crowd_friction"
     assert a["parameter"]["estimate"] == pytest.approx(0.85 * 120, rel=0.15)  # this mine's crowd shows 85 % of it

@@ -117,7 +117,7 @@ def test_nothing_hidden_is_no_gap():
 
 def test_no_gap_ends_before_the_runs_of_effects_and_says_so():
     simulator, said = fake_mine.FakeSimulator(), []
-    out = analyse(mine_with({}, 3), simulator, SMALL, 1, said.append)
+    out = analyse(mine_with({}, 5), simulator, SMALL, 1, said.append)
     a = answer(out)
     assert a["verdict"] == "no-gap" and a["ended_early"] and a["omnibus_p"] >= 0.2
     assert len(simulator.made) == a["runs"] == LEAST_SEEDS

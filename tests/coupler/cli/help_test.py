@@ -32,7 +32,8 @@ class Help(unittest.TestCase):
                 self.assertIn(example, " ".join(after.split()))
 
     def test_commands_are_listed_in_the_order_of_work(self):
-        order = ("import", "survey", "motion", "check", "preview", "calibrate", "run", "report", "study", "gap", "clean", "help")
+        order = ("import", "survey", "motion", "check", "preview", "calibrate", "run", "report", "study", "gap",
+                 "clean", "help")
         self.assertEqual([name for name in listed() if name in order], list(order))
         self.assertNotIn("page", listed(), "other programs call it")
 

@@ -36,8 +36,8 @@ TEST(RequireSound, RefusesARotationThatIsNone) {
   RockStep t;
   t.X_WB_target.resize(1);
   t.X_WB_target[0].R = Quaterniond(0.5, 0, 0, 0);
-  EXPECT_THAT(complaint({{}, t}), AllOf(HasSubstr("pose"), HasSubstr("'dipper'"),
-                                        HasSubstr("not of length 1")));
+  EXPECT_THAT(complaint({{}, t}),
+              AllOf(HasSubstr("pose"), HasSubstr("'dipper'"), HasSubstr("not of length 1")));
 }
 
 }  // namespace

@@ -12,5 +12,6 @@ import { head, verdict } from '../sections/gap/verdict.js';
 
 showPage((data) => {
   window.dipper = { data }; // for the console, and for tests
-  return [head(data), verdict(data), history(data), face(data), heatMap(data), ranking(data), beforeAfter(data), experiments(data), apart(data), rejected(data), again(data), foot()];
+  return [head(data), verdict(data), history(data), face(data), heatMap(data), ranking(data), beforeAfter(data),
+    experiments(data), apart(data), rejected(data), again(data), foot()];
 });

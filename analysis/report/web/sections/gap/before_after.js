@@ -16,7 +16,8 @@ export function beforeAfter(data) {
   const added = (curves[0] ?? masses[0]).after !== null;
   const usual = data.answer.reference ? 'reference' : 'model';
   return section('before-after', added ? 'Before and after' : `Measured and ${usual === 'model' ? 'modelled' : 'reference'}`,
-    `Measured, and the ${usual} with two standard deviations ${usual === 'model' ? 'by its seeds' : 'of what runs differ by'}${added ? '; then fresh runs with the effect added' : ''}${added && usual === 'reference' ? ', less what model and reference differ by' : ''}.`,
+    `Measured, and the ${usual} with two standard deviations ${usual === 'model' ? 'by its seeds' : 'of what runs differ by'}`
+      + (added ? '; then fresh runs with the effect added' : '') + (added && usual === 'reference' ? ', less what model and reference differ by.' : '.'),
     Object.keys(closures ?? {}).length > 0 && h('div.two', Object.entries(closures).map(([name, c]) => gap(name, c))),
     curves?.length > 0 && charts(curves, usual), masses?.length > 0 && h('div.stack', massTable(masses, usual)));
 }

@@ -23,7 +23,7 @@ function what(data) {
   const changed = answer.reference ? 'has changed since the reference' : 'is missing in the model';
   if (answer.verdict === 'named') return `${title(data, answer.effect)} ${changed}.`;
   if (answer.verdict === 'class') return `One of these ${changed}: ${answer.class.map((effect) => title(data, effect)).join('; ')}.`;
-  if (answer.verdict === 'unknown') return answer.reference ? 'Something has changed; these data do not tell what.' : 'Something is missing in the model; these data do not tell what.';
+  if (answer.verdict === 'unknown') return `Something ${changed}; these data do not tell what.`;
   return answer.reference ? 'Nothing that these data can show has changed.' : 'Nothing that these data can show is missing.';
 }
 
@@ -32,7 +32,8 @@ function where(answer) {
   if (answer.verdict === 'no-gap' || !answer.disagreement.length) return null;
   const places = new Map();
   for (const { channel, phase, feature, z } of answer.disagreement) {
-    const place = feature === 'balance' ? 'truck mass against the load on the rope' : `${channelName(channel)[0]}${feature === 'mass' ? '' : ` in ${phase}`}`;
+    const name = channelName(channel)[0];
+    const place = feature === 'balance' ? 'truck mass against the load on the rope' : `${name}${feature === 'mass' ? '' : ` in ${phase}`}`;
     const level = LEVELS.includes(feature) ? (z > 0 ? 'higher' : 'lower') : null;
     places.set(place, places.get(place) ?? level);
   }
@@ -66,7 +67,9 @@ function howSure(answer) {
   if (answer.verdict === 'named' && answer.gap.holdout_closure !== null) {
     return `${probability}; with it the model closes ${percent(Math.min(answer.gap.holdout_closure, 1))} of the gap on passes that it had not seen.`;
   }
-  return answer.verdict === 'named' ? `${probability}; the passes held out do not show it.` : `That something is there: noise alone gives such a gap in ${percent(answer.omnibus_p, 1)} of cases. What it is: ${answer.verdict === 'class' ? `one of these, ${probability.toLowerCase()}` : 'open'}.`;
+  if (answer.verdict === 'named') return `${probability}; the passes held out do not show it.`;
+  const which = answer.verdict === 'class' ? `one of these, ${probability.toLowerCase()}` : 'open';
+  return `That something is there: noise alone gives such a gap in ${percent(answer.omnibus_p, 1)} of cases. What it is: ${which}.`;
 }
 
 function next(data) {

@@ -16,11 +16,14 @@ export function heatMap(data) {
   const place = h('div.grids');
   const show = (key) => place.replaceChildren(...passes(cells, data.passes, key).map((pass) => map(data, cells, rows, phases, pass, key)));
   show('z');
+  const changed = data.answer.reference;
   const after = cells.some((c) => c.z_after !== undefined);
   return section('disagreement', 'Where and when they disagree',
-    `Measured minus ${data.answer.reference ? 'reference' : 'simulated'}, in standard deviations of instruments and seeds together: orange where the mine has more${data.answer.reference ? ' now' : ''}, blue where it has less. `
+    `Measured minus ${changed ? 'reference' : 'simulated'}, in standard deviations of instruments and seeds together: `
+    + `orange where the mine has more${changed ? ' now' : ''}, blue where it has less. `
     + `Framed: the cell’s p, adjusted for all cells searched, is at most ${data.cell_p ?? 0.05}. Grey: no value, or one that its neighbours imply.${held(data, after)}`,
-    after && h('div.controls', choice('Against', (data.answer.reference ? [['z', 'the reference'], ['z_after', 'the reference with the effect']] : [['z', 'the model as it is'], ['z_after', 'the model with the effect']]), 'z', show)), place);
+    after && h('div.controls', choice('Against', [['z', changed ? 'the reference' : 'the model as it is'],
+      ['z_after', `the ${changed ? 'reference' : 'model'} with the effect`]], 'z', show)), place);
 }
 
 /// Held-out passes are shown with the effect only, so that nobody searches them.

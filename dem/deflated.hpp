@@ -1,4 +1,4 @@
-// Text that several ranks pack, each its own part, into one gzip file.
+// Bytes deflated by rank: parts of one gzip file, or of an image.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,18 @@
 
 namespace dipper::dem {
 
-/// A part of a file's text, deflated without reference to any other part.
-struct PackedText {
+/// A part of a file, deflated without reference to any other part.
+struct Deflated {
   std::string bytes;
-  std::uint64_t length = 0;  ///< of the text
-  std::uint32_t crc = 0;
+  std::uint64_t length = 0;  ///< of what it was made of
+  std::uint32_t crc = 0;     ///< likewise
 };
 
-/// Throws std::bad_alloc.
-PackedText pack_text(const std::string& text);
+/// \param level  zlib's, 1 (fastest) to 9. Throws std::bad_alloc.
+Deflated deflated(const std::string& bytes, int level);
+
+/// What it was made of. Throws std::runtime_error when it is not what `deflated` made.
+std::string inflated(const Deflated& part);
 
 /// What stands before the first part in a gzip file (RFC 1952). Parts stand one after the other in
 /// a single member: not every reader goes on to a second one.

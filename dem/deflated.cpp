@@ -1,15 +1,13 @@
-#include "dem/packed_text.hpp"
+#include "dem/deflated.hpp"
 
 #include <zlib.h>
 
 #include <new>
+#include <stdexcept>
 
 namespace dipper::dem {
 namespace {
 
-// Of zlib's levels the last that costs less than the text itself did as LIGGGHTS writes it
-// (docs/benchmarks.md, "Frames").
-constexpr int kLevel = 4;
 constexpr int kRawDeflate = -15;  // with a window of 2^15 bytes
 constexpr int kMemory = 8;        // zlib's default
 
@@ -24,11 +22,11 @@ const Bytef* bytes_of(const std::string& text) {
 
 }  // namespace
 
-PackedText pack_text(const std::string& text) {
+Deflated deflated(const std::string& text, int level) {
   z_stream stream{};
-  if (deflateInit2(&stream, kLevel, Z_DEFLATED, kRawDeflate, kMemory, Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&stream, level, Z_DEFLATED, kRawDeflate, kMemory, Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::bad_alloc();
-  PackedText out;
+  Deflated out;
   // A flush ends on a whole byte, so that another part can follow; it takes 5 bytes.
   out.bytes.resize(deflateBound(&stream, static_cast<uLong>(text.size())) + 16);
   stream.next_in = const_cast<Bytef*>(bytes_of(text));
@@ -40,6 +38,23 @@ PackedText pack_text(const std::string& text) {
   deflateEnd(&stream);
   out.length = text.size();
   out.crc = static_cast<std::uint32_t>(crc32_z(0, bytes_of(text), text.size()));
+  return out;
+}
+
+std::string inflated(const Deflated& part) {
+  z_stream stream{};
+  if (inflateInit2(&stream, kRawDeflate) != Z_OK) throw std::bad_alloc();
+  std::string out(part.length + 1, '\0');  // with room left it reads the flush at the end, too
+  stream.next_in = const_cast<Bytef*>(bytes_of(part.bytes));
+  stream.avail_in = static_cast<uInt>(part.bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  inflate(&stream, Z_SYNC_FLUSH);
+  const bool whole = stream.total_out == part.length && stream.avail_in == 0;
+  inflateEnd(&stream);
+  out.pop_back();
+  if (!whole || crc32_z(0, bytes_of(out), out.size()) != part.crc)
+    throw std::runtime_error("it is damaged");
   return out;
 }
 

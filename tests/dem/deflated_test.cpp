@@ -1,4 +1,4 @@
-#include "dem/packed_text.hpp"
+#include "dem/deflated.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -21,12 +21,12 @@ std::string unpacked(const std::string& file, std::size_t size) {
   return whole ? out : "";
 }
 
-TEST(PackedText, PartsOfSeveralRanksAreOneMember) {
+TEST(Deflated, PartsOfSeveralRanksAreOneMember) {
   std::string all, file = gzip_head();
   GzipTail tail;
   for (const std::string& text : {std::string(300000, 'a'), std::string("of another rank\n"),
                                   std::string(), std::string("12.3456 7.89\n12.3457 7.89\n")}) {
-    const PackedText part = pack_text(text);
+    const Deflated part = deflated(text, 4);
     file += part.bytes;
     tail.add(part.length, part.crc);
     all += text;
@@ -36,6 +36,21 @@ TEST(PackedText, PartsOfSeveralRanksAreOneMember) {
   EXPECT_LT(file.size(), 1000u);
   file[file.size() - 5] ^= 1;  // the sum is of all parts
   EXPECT_EQ(unpacked(file, all.size()), "");
+}
+
+TEST(Deflated, InflatesToWhatItWas) {
+  std::string bytes;
+  for (int k = 0; k < 100000; ++k) bytes.push_back(static_cast<char>(k * k / 7));
+  for (const std::string& before : {bytes, std::string()}) {
+    const Deflated part = deflated(before, 1);
+    EXPECT_EQ(inflated(part), before);
+  }
+  Deflated damaged = deflated(bytes, 1);
+  damaged.bytes[damaged.bytes.size() / 2] ^= 1;
+  EXPECT_THROW(inflated(damaged), std::runtime_error);
+  damaged = deflated(bytes, 1);
+  damaged.bytes.resize(damaged.bytes.size() / 2);
+  EXPECT_THROW(inflated(damaged), std::runtime_error);
 }
 
 }  // namespace
