@@ -50,8 +50,10 @@ TEST(HeightMap, AProfileIsTheMedianAlongAHeading) {
     EXPECT_EQ(p.y(), p.x() > 10.05 ? 4 : p.x() < 9.95 ? 0 : p.y()) << p.x();
   Pose turned;
   turned.R = from_rotation_vector({0, 0, 0.2});
-  for (const auto& p : map.profile(turned, 0.05))
-    if (p.x() < 9.9 / std::cos(0.2)) EXPECT_EQ(p.y(), 0) << "further out along the boom";
+  for (const auto& p : map.profile(turned, 0.05)) {
+    if (p.x() > 9.8 / std::cos(0.2)) break;
+    EXPECT_EQ(p.y(), 0) << "further out along the boom";
+  }
 }
 
 TEST(HeightMap, GoesThroughItsTextToACentimetre) {

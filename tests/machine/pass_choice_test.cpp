@@ -28,7 +28,8 @@ MotionPlan cycle() {
   p.back = {29.5, 43.5, 3};
   p.door_close = {34.5, 37.5, 1};
   p.lift = {{24.2, 11.4}, {22.6, 14.3}, {21.3, 15.2}};
-  for (const auto& [deg, m] : {std::pair{8.0, 12.1}, {-12.0, 11.5}, {-48.0, 11.35}, {-60.0, 11.3}})
+  for (const auto& [deg, m] : {std::pair{8.0, 12.1}, {-12.0, 11.5}, {-30.0, 11.35},
+                              {-48.0, 11.35}, {-60.0, 11.3}})
     p.lower.emplace_back(9.2 + m * std::cos(radians(deg)), 10.8 + m * std::sin(radians(deg)));
   p.dump_rad = radians(80);
   p.door_rad = radians(75);
@@ -126,7 +127,7 @@ TEST_F(PassChoice, RefusesWhatTheDrivesCannotDo) {
 
 TEST_F(PassChoice, TurnsToWhereTheRockIs) {
   choice.heading_rad = {radians(-8), 0, radians(8)};
-  const DigDecision d = decide(bench(-0.5));  // low to the left and in the middle
+  const DigDecision d = decide(bench(-2));  // low to the left and in the middle
   ASSERT_GE(d.chosen, 0) << d.reason;
   EXPECT_NEAR(degrees(d.candidates[static_cast<std::size_t>(d.chosen)].heading_rad), -8, 1e-9);
   choice.heading_rad = {radians(-25)};
@@ -156,7 +157,7 @@ TEST_F(PassChoice, TheRowsAreAMotionTheMachineCanFollow) {
   from.t_s = first.times.end_s + 1;
   from.at_dump = true;
   const DigDecision next = planner().decide(bench(), from, 0, kNoEnd);
-  ASSERT_EQ(next.chosen, 0) << next.reason;
+  ASSERT_EQ(next.chosen, 0) << next.candidates[0].refused;
   motion.extend(Motion::parse(kMotionHead + next.rows, "next"));
   EXPECT_TRUE(shovel.check(motion).empty()) << shovel.check(motion).front();
   const Drives back = motion.at(next.times.dig_s).position;

@@ -87,7 +87,7 @@ TEST(Codec, CommandAndStatusSurvive) {
   const auto command = std::get<core::Command>(
       decode(encode({envelope(), core::Command{core::Action::save, "f"}})).body);
   EXPECT_EQ(command.action, core::Action::save);
-  EXPECT_EQ(command.file, "f");
+  EXPECT_EQ(command.text, "f");
   const auto status =
       std::get<core::Status>(decode(encode({envelope(), core::Status{false, "why"}})).body);
   EXPECT_FALSE(status.ok);
@@ -174,7 +174,7 @@ TEST(Codec, LcmReadsCommandAndStatus) {
   const auto c =
       through_lcm<dipper_msg::command_t>({envelope(), core::Command{core::Action::save, "f"}});
   EXPECT_EQ(c.action, 3);
-  EXPECT_EQ(c.file, "f");
+  EXPECT_EQ(c.text, "f");
   const auto s = through_lcm<dipper_msg::status_t>({envelope(), core::Status{false, "why"}});
   EXPECT_EQ(s.ok, 0);
   EXPECT_EQ(s.text, "why");
