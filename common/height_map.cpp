@@ -38,8 +38,7 @@ HeightGrid face_grid(double x_from_m, double x_to_m, double y_from_m, double y_t
 }
 
 HeightMap::HeightMap(const HeightGrid& grid, double z_m)
-    : grid_(grid),
-      z_(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny), z_m) {}
+    : grid_(grid), z_(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny), z_m) {}
 
 std::optional<std::size_t> HeightMap::cell(double x_m, double y_m) const {
   const double i = std::floor((x_m - grid_.x0_m) / grid_.cell_m),
@@ -80,8 +79,8 @@ void HeightMap::add_ball(const Vector3d& centre_m, double radius_m) {
 double HeightMap::cut(const Vector3d& left_from, const Vector3d& right_from,
                       const Vector3d& left_to, const Vector3d& right_to) {
   const int across = steps((left_to - right_to).norm(), grid_.cell_m);
-  const int along = steps(std::max((left_to - left_from).norm(), (right_to - right_from).norm()),
-                          grid_.cell_m);
+  const int along =
+      steps(std::max((left_to - left_from).norm(), (right_to - right_from).norm()), grid_.cell_m);
   double volume_m3 = 0;
   for (int k = 1; k <= along; ++k) {
     const double t = static_cast<double>(k) / along;
@@ -100,11 +99,11 @@ double HeightMap::cut(const Vector3d& left_from, const Vector3d& right_from,
 }
 
 std::vector<Eigen::Vector2d> HeightMap::profile(const Pose& X_WA, double half_width_m) const {
-  const double far = std::hypot(
-      std::max(std::abs(grid_.x0_m - X_WA.p.x()),
-               std::abs(grid_.x0_m + grid_.nx * grid_.cell_m - X_WA.p.x())),
-      std::max(std::abs(grid_.y0_m - X_WA.p.y()),
-               std::abs(grid_.y0_m + grid_.ny * grid_.cell_m - X_WA.p.y())));
+  const double far =
+      std::hypot(std::max(std::abs(grid_.x0_m - X_WA.p.x()),
+                          std::abs(grid_.x0_m + grid_.nx * grid_.cell_m - X_WA.p.x())),
+                 std::max(std::abs(grid_.y0_m - X_WA.p.y()),
+                          std::abs(grid_.y0_m + grid_.ny * grid_.cell_m - X_WA.p.y())));
   const int across = steps(2 * half_width_m, grid_.cell_m);
   std::vector<Eigen::Vector2d> line;
   std::vector<double> z;

@@ -142,9 +142,7 @@ void LiggghtsRock::resume_from(const std::filesystem::path& file) {
   }
 }
 
-HeightMap LiggghtsRock::look(const HeightGrid& grid) {
-  return look_at_rock(*lmp_, holding_, grid);
-}
+HeightMap LiggghtsRock::look(const HeightGrid& grid) { return look_at_rock(*lmp_, holding_, grid); }
 
 std::string LiggghtsRock::state_hash() {
   if (holding_ != nullptr) holding_->wake_all();

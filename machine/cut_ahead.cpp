@@ -23,8 +23,8 @@ CutAhead cut_ahead(const HeightMap& bench, const Pose& X_WB, const Vector3d& tip
     const Vector3d p = tip + on_m * level;
     return bench.height(p.x(), p.y());
   };
-  const double slope = std::clamp(std::atan2(surface(next_m + kOn_m) - surface(next_m), kOn_m),
-                                  0.0, kSteepest_rad);
+  const double slope =
+      std::clamp(std::atan2(surface(next_m + kOn_m) - surface(next_m), kOn_m), 0.0, kSteepest_rad);
   CutAhead cut;
   cut.depth_m = std::max(0.0, (surface(next_m) - tip.z()) * std::cos(slope));
   cut.meets = cut.depth_m > 0 && v_W.norm() >= kStill_m_s && v_W.dot(ahead) >= 0;

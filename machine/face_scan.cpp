@@ -53,8 +53,8 @@ void fill_row(HeightMap& face, const std::vector<bool>& seen, int j) {
     for (int k = last + 1; k < i; ++k) {
       if (last < 0 && i == n) return;  // a row of which nothing is seen stays as it was
       const double share = last < 0 ? 1 : i == n ? 0 : static_cast<double>(k - last) / (i - last);
-      face.at(k, j) = (last < 0 ? 0 : (1 - share) * face.at(last, j)) +
-                      (i == n ? 0 : share * face.at(i, j));
+      face.at(k, j) =
+          (last < 0 ? 0 : (1 - share) * face.at(last, j)) + (i == n ? 0 : share * face.at(i, j));
     }
     last = i;
   }

@@ -83,9 +83,9 @@ Motion Motion::standing() const {
 
 void Motion::extend(const Motion& more) {
   if (more.start_ns() <= end_ns())
-    throw std::invalid_argument(fmt::format(
-        "a motion that ends at {} s cannot go on with a row at {} s", seconds(end_ns()),
-        seconds(more.start_ns())));
+    throw std::invalid_argument(
+        fmt::format("a motion that ends at {} s cannot go on with a row at {} s", seconds(end_ns()),
+                    seconds(more.start_ns())));
   t_ns_.insert(t_ns_.end(), more.t_ns_.begin(), more.t_ns_.end());
   position_.insert(position_.end(), more.position_.begin(), more.position_.end());
   set_slopes();

@@ -165,8 +165,7 @@ class Judge {
       if (k > 0) {
         c.swept_m3 += left.cut(before * lip_left_B, before * lip_right_B, X.X_WB * lip_left_B,
                                X.X_WB * lip_right_B);
-        const double load_kg =
-            std::min(facts_.capacity_kg, facts_.bulk_density_kg_m3 * c.swept_m3);
+        const double load_kg = std::min(facts_.capacity_kg, facts_.bulk_density_kg_m3 * c.swept_m3);
         const Vector3d moved = (X.X_WB * tip_B - before * tip_B) / ds;  // at 1 m/s
         const CutAhead ahead = cut_ahead(left, X.X_WB, tip_B, moved);
         const double resistance =
@@ -198,8 +197,7 @@ class Judge {
     from.tip = c.dig.front();
     from.heading_rad = c.heading_rad;
     const PassTimes t =
-        pass_times(cycle_, {c.dig, c.heading_rad}, choice_.teeth_m_s, rock_over_m_, from,
-                   shovel_);
+        pass_times(cycle_, {c.dig, c.heading_rad}, choice_.teeth_m_s, rock_over_m_, from, shovel_);
     // Slower than planned where the drives' power asks for it.
     c.cycle_s = t.end_s + std::max(0.0, lift_s - whole / choice_.teeth_m_s);
     const auto& drives = m_.drives;
@@ -334,21 +332,19 @@ DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, dou
         }
   // The best first, until one is found whose motion the machine can follow.
   while (true) {
-    const auto best = std::max_element(
-        decision.candidates.begin(), decision.candidates.end(),
-        [&](const DigCandidate& a, const DigCandidate& b) {
-          const auto worth = [&](const DigCandidate& c) {
-            return c.refused.empty() && c.payload_kg >= least_kg ? c.score : -1.0;
-          };
-          return worth(a) < worth(b);
-        });
-    if (best == decision.candidates.end() || !best->refused.empty() ||
-        best->payload_kg < least_kg)
+    const auto best =
+        std::max_element(decision.candidates.begin(), decision.candidates.end(),
+                         [&](const DigCandidate& a, const DigCandidate& b) {
+                           const auto worth = [&](const DigCandidate& c) {
+                             return c.refused.empty() && c.payload_kg >= least_kg ? c.score : -1.0;
+                           };
+                           return worth(a) < worth(b);
+                         });
+    if (best == decision.candidates.end() || !best->refused.empty() || best->payload_kg < least_kg)
       break;
     const PlannedPass pass{best->dig, best->heading_rad};
     const double over_m = rock_over_m(face);
-    const std::string rows =
-        pass_rows(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
+    const std::string rows = pass_rows(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
     const auto beyond = shovel_.check(Motion::parse(kMotionHead + rows, "the pass"));
     if (!beyond.empty()) {
       best->refused = beyond.front();

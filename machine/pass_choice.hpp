@@ -22,8 +22,8 @@ struct DigChoice {
 /// What he knows of dipper and rock.
 struct DigFacts {
   double bulk_density_kg_m3 = 0;
-  double capacity_kg = 0;             ///< what the dipper takes
-  double specific_resistance_Pa = 0;  ///< machine/cut_ahead.hpp
+  double capacity_kg = 0;              ///< what the dipper takes
+  double specific_resistance_Pa = 0;   ///< machine/cut_ahead.hpp
   Vector3d load_B = Vector3d::Zero();  ///< where the load's weight acts, m
   double half_width_m = 0;             ///< of the bench between its side walls,
   double walls_from_x_m = 0;           ///< which begin there, in W
@@ -32,11 +32,11 @@ struct DigFacts {
 /// One dig, by an estimate.
 struct DigCandidate {
   double heading_rad = 0, depth_m = 0, floor_rise = 0, exit_z_m = 0;
-  std::string refused;        ///< why it cannot be dug; empty: it can
-  TeethPath dig;              ///< control polygon of the teeth's way
-  double swept_m3 = 0;        ///< taken out of the face
-  double payload_kg = 0;      ///< of that, what the dipper holds
-  double crowd_peak_N = 0;    ///< means over a metre of the teeth's way
+  std::string refused;      ///< why it cannot be dug; empty: it can
+  TeethPath dig;            ///< control polygon of the teeth's way
+  double swept_m3 = 0;      ///< taken out of the face
+  double payload_kg = 0;    ///< of that, what the dipper holds
+  double crowd_peak_N = 0;  ///< means over a metre of the teeth's way
   double hoist_peak_N = 0;
   double dig_force_mean_N = 0;  ///< sqrt(crowd^2 + hoist^2), while the teeth are in rock
   double dig_s = 0;             ///< with the teeth in rock

@@ -32,8 +32,7 @@ Layout lay_out(const MotionPlan& p, const PlannedPass& pass, double teeth_m_s, d
   };
   double face_s = 0;  // when it is in front of the face
   if (from.at_dump) {
-    const double first =
-        std::min({p.back.start_s, p.swing_back.start_s, p.door_close.start_s});
+    const double first = std::min({p.back.start_s, p.swing_back.start_s, p.door_close.start_s});
     TeethPath back(1, p.lift.back());
     back.insert(back.end(), p.lower.begin(), p.lower.end());
     back.push_back(pass.dig.front());
@@ -46,8 +45,8 @@ Layout lay_out(const MotionPlan& p, const PlannedPass& pass, double teeth_m_s, d
     l.back = {from.tip, pass.dig.front()};
     const double share = turn(from.heading_rad, pass.heading_rad);
     const bool moves = share > 0 || (from.tip - pass.dig.front()).norm() > 1e-3;
-    face_s = moves ? std::max(kShortestTurn_s, share * (p.swing_out.end_s - p.swing_out.start_s))
-                   : 0;
+    face_s =
+        moves ? std::max(kShortestTurn_s, share * (p.swing_out.end_s - p.swing_out.start_s)) : 0;
     l.back_move = l.swing_back = {0, std::max(face_s, 1e-3), 0.25 * face_s};
   }
   TeethPath out = pass.dig;
@@ -73,9 +72,9 @@ Layout lay_out(const MotionPlan& p, const PlannedPass& pass, double teeth_m_s, d
   const double wait = std::max(0.0, p.door_open.start_s - p.swing_out.end_s);
   const double over_truck = std::max(l.swing_out.end_s, l.dig.end_s) + wait;
   l.door_open = later(p.door_open, over_truck - p.door_open.start_s);
-  const double leave = p.returns ? std::min({p.back.start_s, p.swing_back.start_s,
-                                             p.door_close.start_s})
-                                 : p.cycle_s;
+  const double leave = p.returns
+                           ? std::min({p.back.start_s, p.swing_back.start_s, p.door_close.start_s})
+                           : p.cycle_s;
   l.end_s = l.door_open.end_s + std::max(0.0, leave - p.door_open.end_s);
   return l;
 }

@@ -126,7 +126,7 @@ struct Shovel::Impl {
 
   machine::Motion begun;  ///< what it was started with
   std::shared_ptr<machine::Motion> motion;
-  std::unique_ptr<Operator> sender;             ///< none: the drives are prescribed
+  std::unique_ptr<Operator> sender;  ///< none: the drives are prescribed
   bool contact_on_return;
   std::vector<machine::ReturnLeg> return_legs;  ///< on which the bodies meet no rock
   std::int64_t max_substep_ns;  ///< of the integrator, and between the operator's updates

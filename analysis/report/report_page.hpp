@@ -24,7 +24,7 @@ struct ReportInput {
   nlohmann::json metrics;      ///< as docs/metrics.md says
   std::vector<double> time_s;  ///< of every curve
   std::vector<ReportCurve> curves;
-  std::string case_text;  ///< key=value lines
+  std::string case_text;     ///< key=value lines
   nlohmann::json decisions;  ///< of an operator who plans: {decisions: [...], end}; null: none
   const ReplaySource* replay = nullptr;
   run::Figure figure;  ///< drawn in the replay

@@ -59,9 +59,9 @@ struct MachineCase {
 /// operator: what an operator who plans goes by.
 struct OperatorCase {
   machine::DigGoal goal = machine::DigGoal::time;  ///< the most payload for time, or for energy
-  int passes = 10;                ///< at most
-  double least_fill = 0.3;        ///< of the dipper: a pass that is expected to load less does not pay
-  double scan_error_m = 0;        ///< standard error of a height that he sees
+  int passes = 10;                                 ///< at most
+  double least_fill = 0.3;  ///< of the dipper: a pass that is expected to load less does not pay
+  double scan_error_m = 0;  ///< standard error of a height that he sees
   double scan_dead_angle_deg = 0;  ///< rock that is seen at less than this is not seen
 };
 

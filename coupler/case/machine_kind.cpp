@@ -17,7 +17,8 @@ bool begins_with(const std::string& key, const std::string& section) {
 /// Keys that make sense only with a shovel's motion: swing to a truck, open door, return.
 bool is_shovels(const std::string& key) {
   return (begins_with(key, "machine.") && key != "machine.kind" && key != "machine.poses") ||
-         begins_with(key, "operator.") || begins_with(key, "collapse.") || key == "pile.clean_floor_to_x_m";
+         begins_with(key, "operator.") || begins_with(key, "collapse.") ||
+         key == "pile.clean_floor_to_x_m";
 }
 
 }  // namespace

@@ -54,8 +54,9 @@ void check_operator(const cases::Case& c, const machine::MachineData& machine,
                     const machine::ShovelKinematics& shovel, Findings& findings) {
   if (c.machine.operated_by != cases::OperatorKind::plan) return;
   if (c.machine.plan.empty()) {
-    findings.push_back(cases::finding_at(
-        c, "machine.operator", "plan needs machine.plan: a plan.yaml with `choose` (docs/operator.md)"));
+    findings.push_back(
+        cases::finding_at(c, "machine.operator",
+                          "plan needs machine.plan: a plan.yaml with `choose` (docs/operator.md)"));
     return;
   }
   if (!file_exists(c, "machine.plan", c.machine.plan, findings)) return;

@@ -48,20 +48,20 @@ std::string chosen_rows(const cases::Case& c, const fs::path& file, Reporter& re
 }
 
 std::string planned_rows(const MotionOptions& o, const cases::Case& c,
-                         const machine::MachineData& data,
-                         const machine::ShovelKinematics& shovel, Reporter& reporter) {
-  const fs::path file = !o.plan.empty()             ? fs::path(o.plan)
-                        : c.machine.plan.empty()    ? c.folder / "plan.yaml"
-                                                    : c.machine.plan;
+                         const machine::MachineData& data, const machine::ShovelKinematics& shovel,
+                         Reporter& reporter) {
+  const fs::path file = !o.plan.empty()          ? fs::path(o.plan)
+                        : c.machine.plan.empty() ? c.folder / "plan.yaml"
+                                                 : c.machine.plan;
   const machine::PlanFile plan =
       machine::read_plan(file, data, shovel, [&](const std::string& name, double heading_rad) {
         return name == "pile" ? deck::bench_along_boom(c, heading_rad)
                               : cases::read_outline(file.parent_path() / name);
       });
-  return fmt::format("# {}\n# Made of {} by dipper motion.\n{}{}", plan.source,
-                     file.filename().string(), machine::kMotionHead,
-                     plan.choice ? chosen_rows(c, file, reporter)
-                                 : machine::motion_rows(plan.plan, shovel));
+  return fmt::format(
+      "# {}\n# Made of {} by dipper motion.\n{}{}", plan.source, file.filename().string(),
+      machine::kMotionHead,
+      plan.choice ? chosen_rows(c, file, reporter) : machine::motion_rows(plan.plan, shovel));
 }
 
 std::string rows_along(const machine::TimedPath& path, const fs::path& file,

@@ -23,7 +23,16 @@ struct RockPlace {
   std::vector<Pose> X_WB;
 };
 
-enum class Action { hello = 1, state = 2, save = 3, load = 4, hash = 5, stop = 6, look = 7, follow = 8 };
+enum class Action {
+  hello = 1,
+  state = 2,
+  save = 3,
+  load = 4,
+  hash = 5,
+  stop = 6,
+  look = 7,
+  follow = 8
+};
 
 /// To either side. `state`: of the machine now, and where it will be at the envelope's t_ns.
 struct Command {

@@ -83,12 +83,11 @@ Wrench EstimatedRock::dig(const Pose& from, const core::RockStep& step) {
     return {};
   }
   const Vector3d tip_W = to * tip_B_;
-  const machine::CutAhead ahead = machine::cut_ahead(
-      bench_, to, tip_B_, (tip_W - from * tip_B_) / window_s);
+  const machine::CutAhead ahead =
+      machine::cut_ahead(bench_, to, tip_B_, (tip_W - from * tip_B_) / window_s);
   depth_m_ = ahead.depth_m;
-  resistance_N_ = ahead.meets ? e.specific_resistance_Pa * depth_m_ *
-                                    (e.lip_left_B - e.lip_right_B).norm()
-                              : 0;
+  resistance_N_ =
+      ahead.meets ? e.specific_resistance_Pa * depth_m_ * (e.lip_left_B - e.lip_right_B).norm() : 0;
   const double cut_m3 =
       bench_.cut(from * e.lip_left_B, from * e.lip_right_B, to * e.lip_left_B, to * e.lip_right_B);
   in_dipper_kg_ = std::min(e.capacity_kg, in_dipper_kg_ + e.bulk_density_kg_m3 * cut_m3);

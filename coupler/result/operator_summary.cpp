@@ -27,8 +27,7 @@ json operator_summary(const cases::Case& c, const RunFolder& folder) {
     const json one = read_json(folder.decisions() / fmt::format("pass_{}.json", pass));
     if (!one.is_object() || one.at("chosen").is_null()) break;
     begun_s.push_back(one.at("t_s"));
-    if (pass > 1)
-      back_s += one.at("dig_at_s").get<double>() - one.at("begins_at_s").get<double>();
+    if (pass > 1) back_s += one.at("dig_at_s").get<double>() - one.at("begins_at_s").get<double>();
   }
   const auto time_s = record::read_channel(folder.record(), "time_s");
   const auto truck = record::read_channel(folder.record(), "rock/mass_in_truck");
@@ -43,8 +42,7 @@ json operator_summary(const cases::Case& c, const RunFolder& folder) {
   for (std::size_t k = 1; k < begun_s.size(); ++k)
     out["cycles_s"].push_back((k + 1 < begun_s.size() ? begun_s[k + 1] : done_s) - begun_s[k]);
   // A way back for the first pass as well: the mean of the others'.
-  const double truck_s =
-      done_s - begun_s.front() + (passes > 1 ? back_s / (passes - 1) : 0);
+  const double truck_s = done_s - begun_s.front() + (passes > 1 ? back_s / (passes - 1) : 0);
   const double kg = truck.back();
   out["truck_kg"] = kg;
   out["truck_fill"] = c.truck.rated_t > 0 ? json(kg / (1e3 * c.truck.rated_t)) : json();

@@ -26,8 +26,9 @@ RunFolder::RunFolder(const fs::path& folder, bool resume)
 }
 
 void RunFolder::seal() const {
-  dipper::seal(root_, {"case.txt", "inputs.sha256", "motion.csv", "machine.yaml", "poses.csv",
-                       "operator", "deck", record().filename(), scales().filename(), summary().filename()});
+  dipper::seal(root_,
+               {"case.txt", "inputs.sha256", "motion.csv", "machine.yaml", "poses.csv", "operator",
+                "deck", record().filename(), scales().filename(), summary().filename()});
 }
 
 void RunFolder::unseal() const { fs::remove(root_ / kManifest); }

@@ -111,23 +111,21 @@ std::string PassDesk::reason_to_stop(double truck_kg) const {
 
 void PassDesk::stop(const core::Window& w, const std::string& why, double truck_kg) {
   finished_ = true;
-  reporter_.line(fmt::format("operator, {:.1f} s: {}", static_cast<double>(w.rock.t_ns) * 1e-9,
-                             why));
-  write_text(folder_ / "end.json",
-             json{{"t_s", static_cast<double>(w.rock.t_ns) * 1e-9},
-                  {"passes", passes_},
-                  {"truck_kg", truck_kg},
-                  {"reason", why}}
-                     .dump(1) +
-                 '\n');
+  reporter_.line(
+      fmt::format("operator, {:.1f} s: {}", static_cast<double>(w.rock.t_ns) * 1e-9, why));
+  write_text(folder_ / "end.json", json{{"t_s", static_cast<double>(w.rock.t_ns) * 1e-9},
+                                        {"passes", passes_},
+                                        {"truck_kg", truck_kg},
+                                        {"reason", why}}
+                                           .dump(1) +
+                                       '\n');
 }
 
 void PassDesk::plan(const core::Window& w) {
   const double truck_kg = w.rock.channels[truck_];
   if (passes_ > 0) loaded_kg_ += truck_kg - truck_kg_;
   truck_kg_ = truck_kg;
-  if (const std::string why = reason_to_stop(truck_kg); !why.empty())
-    return stop(w, why, truck_kg);
+  if (const std::string why = reason_to_stop(truck_kg); !why.empty()) return stop(w, why, truck_kg);
 
   const HeightMap face = sides_.rock.look(planner_.grid());
   const HeightMap seen = machine::scanned(
@@ -140,8 +138,8 @@ void PassDesk::plan(const core::Window& w) {
   from.heading_rad = start_heading_rad_;
   const double room_kg = case_.truck.rated_t > 0 ? case_.truck.rated_t * 1e3 - truck_kg
                                                  : std::numeric_limits<double>::infinity();
-  const machine::DigDecision decision = planner_.decide(
-      seen, from, case_.op.least_fill * planner_.facts().capacity_kg, room_kg);
+  const machine::DigDecision decision =
+      planner_.decide(seen, from, case_.op.least_fill * planner_.facts().capacity_kg, room_kg);
   ++passes_;
   write(w, seen, decision, from.t_s, truck_kg);
   if (decision.chosen < 0) {
@@ -155,8 +153,7 @@ void PassDesk::plan(const core::Window& w) {
 }
 
 void PassDesk::write(const core::Window& w, const HeightMap& seen,
-                     const machine::DigDecision& decision, double begins_s,
-                     double truck_kg) const {
+                     const machine::DigDecision& decision, double begins_s, double truck_kg) const {
   json j = {{"pass", passes_},
             {"t_s", static_cast<double>(w.rock.t_ns) * 1e-9},
             {"truck_kg", truck_kg},
@@ -164,8 +161,7 @@ void PassDesk::write(const core::Window& w, const HeightMap& seen,
             {"face", json::parse(to_json_text(seen))},
             {"chosen", nullptr},
             {"candidates", json::array()}};
-  for (const machine::DigCandidate& c : decision.candidates)
-    j["candidates"].push_back(json_of(c));
+  for (const machine::DigCandidate& c : decision.candidates) j["candidates"].push_back(json_of(c));
   if (decision.chosen >= 0) {
     const auto& best = decision.candidates[static_cast<std::size_t>(decision.chosen)];
     Pose X_WBoom;

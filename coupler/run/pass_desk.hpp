@@ -60,10 +60,10 @@ class PassDesk final : public Observer {
   std::optional<std::size_t> path_time_;
   std::size_t truck_;
   // What a checkpoint keeps.
-  int passes_ = 0;          ///< planned
-  double end_s_ = 0;        ///< of the motion that the machine has
-  double truck_kg_ = 0;     ///< when the last pass was planned
-  double loaded_kg_ = 0;    ///< by the passes before
+  int passes_ = 0;        ///< planned
+  double end_s_ = 0;      ///< of the motion that the machine has
+  double truck_kg_ = 0;   ///< when the last pass was planned
+  double loaded_kg_ = 0;  ///< by the passes before
   bool finished_ = false;
 };
 

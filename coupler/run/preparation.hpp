@@ -32,8 +32,8 @@ struct RunEnd {
 /// read.
 RunEnd run_end(const cases::Case& c, bool told = false);
 
-/// Whether a run whose record stands at its last checkpoint is done. Throws std::runtime_error naming the
-/// record.
+/// Whether a run whose record stands at its last checkpoint is done. Throws std::runtime_error
+/// naming the record.
 bool is_done(const RunEnd& end, const Checkpoint& last, const std::filesystem::path& record);
 
 /// Lets a stepper end when the machine's path does, where the end asks for that.

@@ -111,8 +111,8 @@ bool is_window(const Exchange& e) { return !std::holds_alternative<core::Command
 /// The request with the files it names in `scratch`, the one it reads copied there.
 core::Body redirected(core::Body request, const fs::path& scratch) {
   auto* c = std::get_if<core::Command>(&request);
-  if (c == nullptr ||
-      (c->action != core::Action::save && c->action != core::Action::load)) return request;
+  if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load))
+    return request;
   const fs::path file = c->text;
   c->text = (scratch / file.filename()).string();
   if (c->action == core::Action::load) {

@@ -25,8 +25,8 @@ machine::DigFacts dig_facts(const cases::Case& c) {
 machine::DigPlanner dig_planner(const cases::Case& c, const std::filesystem::path& plan) {
   const machine::MachineData data = machine::load_machine(c.machine.model);
   const double rake = radians(c.machine.rake_angle_deg);
-  const machine::ShovelKinematics shovel(
-      data, {Quaterniond::Identity(), c.machine.base_position_m}, rake);
+  const machine::ShovelKinematics shovel(data, {Quaterniond::Identity(), c.machine.base_position_m},
+                                         rake);
   const machine::PlanFile file =
       machine::read_plan(plan, data, shovel, [&](const std::string&, double heading_rad) {
         return deck::bench_along_boom(c, heading_rad);

@@ -63,8 +63,7 @@ class PassChoice : public testing::Test {
     HeightMap map(planner().grid());
     for (int i = 0; i < map.grid().nx; ++i)
       for (int j = 0; j < map.grid().ny; ++j) {
-        const double z =
-            std::clamp((map.x_of(i) - 13.5) * std::tan(radians(35)), 0.0, 8.5);
+        const double z = std::clamp((map.x_of(i) - 13.5) * std::tan(radians(35)), 0.0, 8.5);
         map.at(i, j) = map.y_of(j) > low_from_y ? z / 2 : z;
       }
     return map;
@@ -102,11 +101,11 @@ TEST_F(PassChoice, WithoutRockTheRopesCarryTheDipperByVirtualWork) {
   const auto potential = [&](const Vector2d& tip) {
     const ShovelPose X = shovel.pose(shovel.teeth_at(tip));
     const Vector3d end = X.X_WB * data.dipper.handle_end;
-    const Vector3d handle = end + data.handle.mass_center *
-                                      (end - data.saddle.position).normalized();
-    return kGravity_m_s2 * (data.dipper.mass * (X.X_WB * data.dipper.mass_center).z() +
-                            data.door.mass * (X.X_WD * data.door.mass_center).z() +
-                            data.handle.mass * handle.z());
+    const Vector3d handle =
+        end + data.handle.mass_center * (end - data.saddle.position).normalized();
+    return kGravity_m_s2 *
+           (data.dipper.mass * (X.X_WB * data.dipper.mass_center).z() +
+            data.door.mass * (X.X_WD * data.door.mass_center).z() + data.handle.mass * handle.z());
   };
   const double raised = potential(cycle().lift.back()) - potential(choice.start);
   EXPECT_GE(c.energy_J, raised);

@@ -52,8 +52,9 @@ export function headline(model) {
 function notes(model) {
   const { passes, run, drives, metrics } = model;
   const rated = metrics.dipper?.rated_load_kg;
+  const assumed = metrics.dipper?.rated_load_assumed ? ' (assumed, not a maker’s figure)' : '';
   return h('ul.notes', [
-    rated && ['Rated load', `${tonnes(rated, 0)} t${metrics.dipper.rated_load_assumed ? ' (assumed, not a maker’s figure)' : ''}; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
+    rated && ['Rated load', `${tonnes(rated, 0)} t${assumed}; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
     model.run.truck && ['Truck', truck(model.run.truck)],
     drives && ['Drives', stalls(drives, run.operator), ' ', h('a', { href: '#demand' }, 'By phase')],
     model.coupling && ['Scatter', scatter(metrics.dipper?.machine)],
