@@ -28,8 +28,8 @@ MotionPlan cycle() {
   p.back = {29.5, 43.5, 3};
   p.door_close = {34.5, 37.5, 1};
   p.lift = {{24.2, 11.4}, {22.6, 14.3}, {21.3, 15.2}};
-  for (const auto& [deg, m] : {std::pair{8.0, 12.1}, {-12.0, 11.5}, {-30.0, 11.35},
-                              {-48.0, 11.35}, {-60.0, 11.3}})
+  for (const auto& [deg, m] :
+       {std::pair{8.0, 12.1}, {-12.0, 11.5}, {-30.0, 11.35}, {-48.0, 11.35}, {-60.0, 11.3}})
     p.lower.emplace_back(9.2 + m * std::cos(radians(deg)), 10.8 + m * std::sin(radians(deg)));
   p.dump_rad = radians(80);
   p.door_rad = radians(75);
