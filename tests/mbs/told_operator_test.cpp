@@ -72,7 +72,7 @@ class ToldShovel : public ShovelTest {};
 // An order reaches the drives, and a checkpoint in its middle goes on to the bit; a shovel that
 // follows its motion takes neither.
 TEST_F(ToldShovel, TakesOrdersAndGoesOnFromACheckpoint) {
-  const auto m = std::make_shared<const machine::Motion>(still());
+  const auto m = std::make_shared<machine::Motion>(still());
   const auto make = [&] {
     return Shovel(machine, m, Pose{}, rake, std::make_unique<ToldOperator>(m->value(0)));
   };
