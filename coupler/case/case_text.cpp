@@ -53,6 +53,7 @@ std::string case_text(const Case& c, const PathText& path_text) {
     if (spec.key.rfind("rock.sieve.", 0) == 0) continue;
     if (spec.key == "effects.*") continue;  // the keys they change have their values already
     if (spec.key == "pile.profile" && c.pile.profile.empty()) continue;
+    if (spec.key == "machine.plan" && c.machine.plan.empty()) continue;
     if (is_replaced_by_profile(c, spec.key) || is_of_other_kind(c, spec.key)) continue;
     for (const Place& place : places_of(c, spec)) {
       lines[concrete_key(spec, place)] =

@@ -10,7 +10,7 @@ namespace {
 class InstrumentsTest : public mbs::ShovelTest {
  protected:
   mbs::Shovel shovel(const machine::Motion& m) const {
-    return {machine, std::make_shared<const machine::Motion>(m), Pose{}, rake,
+    return {machine, std::make_shared<machine::Motion>(m), Pose{}, rake,
             std::make_unique<mbs::ToldOperator>(m.value(0))};
   }
 };

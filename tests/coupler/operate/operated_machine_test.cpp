@@ -124,13 +124,16 @@ class OperatedMachineTest : public mbs::ShovelTest {
   static constexpr const char* kRows = "0,-4,-0.5,0,0\n1,-4,-0.5,0,0\n4,-4,1,0,0\n7,-6,1,10,20\n";
   const TemporaryFolder folder{"operated"};
   const fs::path motion_file = folder.path() / "motion.csv";
-  std::shared_ptr<const machine::Motion> motion_ =
-      std::make_shared<const machine::Motion>(motion(kRows));
+  std::shared_ptr<machine::Motion> motion_ =
+      std::make_shared<machine::Motion>(motion(kRows));
 };
 
 std::vector<core::MachineState> windows(core::Coupling& coupling, int n) {
   std::vector<core::MachineState> all;
-  for (int i = 0; i < n; ++i) all.push_back(coupling.advance(kSteps).machine);
+  for (int i = 0; i < n; ++i) {
+    coupling.begin(kSteps);
+    all.push_back(coupling.finish(kSteps).machine);
+  }
   return all;
 }
 
