@@ -130,7 +130,7 @@ class KeptRuns:
                 if self._stopped:
                     return INTERRUPTED
                 shared = (self._alive, lock.fileno())
-                kept = [sys.executable, "-S", "-E", str(KEEPER), *map(str, shared), *words]
+                kept = [sys.executable, "-S", "-I", str(KEEPER), *map(str, shared), *words]
                 cores = self._cores.pop() if self._cores else None
                 own = {"OMPI_MCA_hwloc_base_cpu_list": cores} if cores else {}
                 child = subprocess.Popen(kept, stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
