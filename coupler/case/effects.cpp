@@ -138,6 +138,8 @@ void apply_effects(Case& c, std::vector<Finding>& findings) {
       continue;
     }
     if (strength == 0) continue;
+    std::vector<Finding> zeros;  // scaled, and 0 all the same; a fault where nothing else changes
+    bool changes = false;
     for (const KeyChange& change : effect.changes) {
       const KeySpec* spec = nullptr;
       const std::vector<double*> values = numbers_at(c, change.key, spec);
@@ -158,8 +160,10 @@ void apply_effects(Case& c, std::vector<Finding>& findings) {
               fmt::format("changes {}, as effects.{} does", change.key, other.first->second)));
         }
         if (change.how == KeyChange::How::scale && *x == 0) {
-          findings.push_back(
+          zeros.push_back(
               finding_at(c, key, fmt::format("scales {}, which is 0 in this case", change.key)));
+        } else {
+          changes = true;
         }
         switch (change.how) {
           case KeyChange::How::add:
@@ -180,6 +184,7 @@ void apply_effects(Case& c, std::vector<Finding>& findings) {
         }
       }
     }
+    if (!changes) findings.insert(findings.end(), zeros.begin(), zeros.end());
   }
 }
 
