@@ -78,7 +78,8 @@ TEST_F(TimedPathTest, EveryFaultIsNamedWithItsLine) {
   expect("13,1,0,0,0,0\n15,1,-1,0,0,0\n17,1,0,0,0,0\n", ":3:1: speed_m_s is -1");
   expect("13,1,1,0,0,0\n15,1,0,0,0,0\n", ":2:1: speed_m_s is 1; a motion begins and ends at rest");
   expect("13,1,0,0,0,0\n15,1,1,2,0,0\n17,1,0,0,0,0\n", ":3:1: wait_s is 2, but the teeth move");
-  expect("13,1,0,0,0,0\n13,1,0,0,9,0\n", ":3:1: repeats the point; write the waiting time in wait_s");
+  expect("13,1,0,0,0,0\n13,1,0,0,9,0\n",
+         ":3:1: repeats the point; write the waiting time in wait_s");
   expect("13,1,0,0,0,0\n15,1,1,0,0,0\n15,1,0,3,0,0\n", ":4:1: repeats the point; speed_m_s");
   const TimedPath near = read("13,1,0,0,0,0\n9.2,10.8,1,0,0,0\n13,1,0,0,0,0\n");
   EXPECT_THROW(motion_rows(near, kinematics_), std::domain_error);

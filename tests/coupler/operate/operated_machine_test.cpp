@@ -124,8 +124,7 @@ class OperatedMachineTest : public mbs::ShovelTest {
   static constexpr const char* kRows = "0,-4,-0.5,0,0\n1,-4,-0.5,0,0\n4,-4,1,0,0\n7,-6,1,10,20\n";
   const TemporaryFolder folder{"operated"};
   const fs::path motion_file = folder.path() / "motion.csv";
-  std::shared_ptr<machine::Motion> motion_ =
-      std::make_shared<machine::Motion>(motion(kRows));
+  std::shared_ptr<machine::Motion> motion_ = std::make_shared<machine::Motion>(motion(kRows));
 };
 
 std::vector<core::MachineState> windows(core::Coupling& coupling, int n) {
