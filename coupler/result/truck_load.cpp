@@ -60,7 +60,7 @@ std::string to_text(const TruckLoad& l) {
                   plural(l.passes_to_fill), l.passes_to_fill == 1 ? "s" : "", l.filled_t,
                   std::abs(percent), percent > 0 ? "over" : "under", l.rated_t);
   if (l.passes_to_fill > l.passes)
-    text += fmt::format(", with more of the mean {:.0f} t", l.mean_pass_t);
+    text += fmt::format(", if further passes load the mean {:.0f} t", l.mean_pass_t);
   if (l.passes_to_fill != l.passes)
     text += fmt::format("; after {} it has {:.0f} t, {:.0f} % of it", plural(l.passes), l.load_t,
                         100 * l.load_t / l.rated_t);

@@ -37,7 +37,8 @@ TEST(TruckLoad, IsFilledByThePassesWhoseLoadIsNearest) {
   const auto one = truck_load(220, passes({70}));  // 210 after three, 280 after four
   EXPECT_EQ(one->passes_to_fill, 3);
   EXPECT_DOUBLE_EQ(one->filled_t, 210);
-  EXPECT_THAT(to_text(*one), HasSubstr("5 % under its rated 220 t, with more of the mean 70 t"));
+  EXPECT_THAT(to_text(*one),
+              HasSubstr("5 % under its rated 220 t, if further passes load the mean 70 t"));
   EXPECT_THAT(to_text(*one), HasSubstr("after 1 pass it has 70 t, 32 % of it"));
 
   const auto fourth = truck_load(220, passes({80, 80, 60, 70}));  // three were enough

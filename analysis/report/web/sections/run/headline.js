@@ -67,7 +67,7 @@ function notes(model) {
 function truck(t) {
   const passes = (n) => `${n} ${n === 1 ? 'pass' : 'passes'}`;
   const off = t.filled_fraction - 1;
-  const more = t.passes_to_fill > t.passes ? `, with more of the mean ${fixed(t.mean_pass_t, 0)} t` : '';
+  const more = t.passes_to_fill > t.passes ? `, if further passes load the mean ${fixed(t.mean_pass_t, 0)} t` : '';
   const now = t.passes_to_fill === t.passes ? ''
     : ` After the ${passes(t.passes)} of this run it has ${fixed(t.load_t, 0)} t, ${percent(t.load_fraction)} of it.`;
   return `${passes(t.passes_to_fill)} ${t.passes_to_fill === 1 ? 'fills' : 'fill'} it with ${fixed(t.filled_t, 0)} t, `
