@@ -8,9 +8,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from dipper_run.findings import BadInput, Findings
 from dipper_gap.readings.measured import read_measured, write_measured
-from dipper_run.program import ProgramFailed
+from dipper_run.exit_status import exit_status
+from dipper_run.findings import BadInput, Findings
 
 from .build import build, motion_text
 from .clock import order_rows
@@ -69,21 +69,13 @@ def write(made, what, said, log, out, dry):
 
 def main(given=None):
     args = arguments(given)
-    out = args.out or Path(args.log.stem)
-    try:
-        made, what, said = read(args.log, args.map)
-        print("\n".join(said), flush=True)
-        write(made, what, said, args.log, out, args.dry)
-    except BadInput as e:
-        print(e.counted(), file=sys.stderr)
-        return 2
-    except OSError as e:
-        print(f"{e.filename}: {e.strerror}", file=sys.stderr)
-        return 2
-    except ProgramFailed as e:
-        print(f"import: {e}", file=sys.stderr)
-        return 3
-    return 0
+    return exit_status("import", lambda: run(args))
+
+
+def run(args):
+    made, what, said = read(args.log, args.map)
+    print("\n".join(said), flush=True)
+    write(made, what, said, args.log, args.out or Path(args.log.stem), args.dry)
 
 
 if __name__ == "__main__":

@@ -8,8 +8,9 @@ import os
 import sys
 from pathlib import Path
 
+from dipper_run.exit_status import exit_status
 from dipper_run.findings import BadInput
-from dipper_run.program import ProgramFailed, check_json
+from dipper_run.program import check_json
 from dipper_run.text_file import number
 
 from .report import plot, to_csv, to_stl, words
@@ -77,26 +78,19 @@ def box_of(values, rear):
 
 def main(given=None):
     args = arguments(given)
+    return exit_status("survey", lambda: run(args))
+
+
+def run(args):
     out = args.out or args.case / "face.stl"
-    try:
-        if out.suffix.lower() not in (".stl", ".csv"):
-            raise BadInput([f"--out: is '{out}'; a surface, FILE.stl, or a section, FILE.csv"])
-        values = read_case(args.case)
-        made = survey(args.cloud, site_of(values, args), box_of(values, args.rear), args.rear is not None)
-        said = words(made, args.cloud)
-        print("\n".join(said), flush=True)
-        write(made, said, args.cloud.name, out)
-        print("\n".join(next_step(args.case, out, values)))
-    except BadInput as e:
-        print(e.counted(), file=sys.stderr)
-        return 2
-    except OSError as e:
-        print(f"{e.filename}: {e.strerror}", file=sys.stderr)
-        return 2
-    except ProgramFailed as e:
-        print(f"survey: {e}", file=sys.stderr)
-        return 3
-    return 0
+    if out.suffix.lower() not in (".stl", ".csv"):
+        raise BadInput([f"--out: is '{out}'; a surface, FILE.stl, or a section, FILE.csv"])
+    values = read_case(args.case)
+    made = survey(args.cloud, site_of(values, args), box_of(values, args.rear), args.rear is not None)
+    said = words(made, args.cloud)
+    print("\n".join(said), flush=True)
+    write(made, said, args.cloud.name, out)
+    print("\n".join(next_step(args.case, out, values)))
 
 
 def write(made, said, name, out):
