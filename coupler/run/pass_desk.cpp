@@ -71,6 +71,14 @@ PassDesk::PassDesk(const cases::Case& c, const Sides& sides, std::filesystem::pa
   truck_kg_ = state.at("truck_kg");
   loaded_kg_ = state.at("loaded_kg");
   finished_ = state.at("finished");
+  forget_later();
+}
+
+void PassDesk::forget_later() const {
+  namespace fs = std::filesystem;
+  for (int pass = passes_ + 1; fs::remove(folder_ / fmt::format("pass_{}.json", pass)); ++pass) {
+  }
+  if (!finished_) fs::remove(folder_ / "end.json");
 }
 
 json PassDesk::state() const {

@@ -28,7 +28,8 @@ class PassDesk final : public Observer {
   };
 
   /// \param folder  of the decisions
-  /// \param state  as `state` gave it, of the checkpoint that a run goes on from; null: a new run
+  /// \param state  as `state` gave it, of the checkpoint that a run goes on from; null: a new
+  /// run. Decisions in the folder that were made after the checkpoint are removed.
   PassDesk(const cases::Case& c, const Sides& sides, std::filesystem::path folder,
            const nlohmann::json& state, Reporter& reporter);
 
@@ -42,6 +43,7 @@ class PassDesk final : public Observer {
   nlohmann::json state() const;
 
  private:
+  void forget_later() const;
   double along_s(const core::Window& w) const;
   std::string reason_to_stop(double truck_kg) const;
   void plan(const core::Window& w);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "common/input_error.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 
 namespace dipper::mbs {
@@ -101,6 +102,42 @@ TEST_P(ShovelState, SaveAndLoadContinueBitIdentically) {
   for (int i = 401; i <= 800; ++i) {
     ASSERT_TRUE(same(shovel.step({window(i), load(i)}), other.step({window(i), load(i)})));
   }
+}
+
+TEST_P(ShovelState, KeepsTheRowsItsMotionHasGoneOnWith) {
+  const std::string more = "1.3,-4.1,0.5,0,0\n1.5,-4.1,0.5,0,0\n",
+                    last = "1.9,-4,0.5,0,0\n2.3,-4,0.5,1,0\n";
+  const auto planned = [&] {
+    return Shovel(machine, still(), Pose{}, rake, kLongestSubstep_ns, GetParam());
+  };
+  Shovel one = planned();
+  one.follow(more);
+  for (int i = 1; i <= 800; ++i) one.step({window(i), no_rock});
+  one.save(file("rows.bin"));
+  Shovel other = planned();
+  other.load(file("rows.bin"));
+  for (int i = 801; i <= 900; ++i)
+    ASSERT_TRUE(same(one.step({window(i), no_rock}), other.step({window(i), no_rock}))) << i;
+  EXPECT_NEAR(named(one, one.state(0)).at("hoist"), -4.1, 0.05);
+  for (Shovel* each : {&one, &other}) each->follow(last);  // what is loaded goes on like it
+  for (int i = 901; i <= 1400; ++i)
+    ASSERT_TRUE(same(one.step({window(i), no_rock}), other.step({window(i), no_rock}))) << i;
+  EXPECT_NEAR(named(one, one.state(0)).at("hoist"), -4, 0.05);
+  EXPECT_THROW(one.follow(more), InputError) << "its time is past";
+
+  // And without rows what was loaded before is forgotten.
+  planned().save(file("none.bin"));
+  other.load(file("none.bin"));
+  for (int i = 1; i <= 800; ++i) other.step({window(i), no_rock});
+  EXPECT_NEAR(named(other, other.state(0)).at("hoist"), -4, 0.01) << "it stands";
+
+  const auto size = std::filesystem::file_size(file("rows.bin"));
+  std::filesystem::resize_file(file("rows.bin"), size - 8);
+  EXPECT_THAT([&] { other.load(file("rows.bin")); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("ends too early")));
+  std::filesystem::resize_file(file("rows.bin"), size + 1);
+  EXPECT_THAT([&] { other.load(file("rows.bin")); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("longer than a saved shovel")));
 }
 
 // The door both rides on the dipper and is driven: its twist is checked against its poses.
