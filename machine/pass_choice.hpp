@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/height_map.hpp"
+#include "machine/handle_statics.hpp"
 #include "machine/kinematics.hpp"
 #include "machine/motion_plan.hpp"
 #include "machine/pass_motion.hpp"
@@ -86,6 +87,7 @@ class DigPlanner {
   MachineData machine_;
   Vector3d base_m_;
   ShovelKinematics shovel_;
+  HandleStatics statics_;
   DigGoal goal_;
 };
 
