@@ -36,6 +36,13 @@ Burden HandlePlace::held(const Holding& by) const {
   return {-by.hoist * arm_, -by.crowd - by.hoist * rope_.dot(out_)};
 }
 
+DigLoad HandlePlace::dig_load(const Holding& by) const {
+  const Burden b = held(by) - empty(), kg = of_a_kg(), newton = of_a_newton();
+  const double both = kg.moment * newton.along - newton.moment * kg.along;
+  return {(b.moment * newton.along - newton.moment * b.along) / both,
+          (kg.moment * b.along - b.moment * kg.along) / both};
+}
+
 HandleStatics::HandleStatics(const MachineData& machine, double rake, const Vector3d& load_B)
     : machine_(machine), shovel_(machine, Pose{}, rake), load_B_(load_B) {}
 
@@ -68,14 +75,6 @@ HandlePlace HandleStatics::at(const Drives& drives) const {
 double HandleStatics::load_kg(const Drives& drives, double hoist_N) const {
   const HandlePlace p = at(drives);
   return (p.held({hoist_N, 0}) - p.empty()).moment / p.of_a_kg().moment;
-}
-
-DigLoad HandleStatics::dig_load(const Drives& drives, const Holding& by) const {
-  const HandlePlace p = at(drives);
-  const Burden b = p.held(by) - p.empty(), kg = p.of_a_kg(), newton = p.of_a_newton();
-  const double both = kg.moment * newton.along - newton.moment * kg.along;
-  return {(b.moment * newton.along - newton.moment * b.along) / both,
-          (kg.moment * b.along - b.moment * kg.along) / both};
 }
 
 }  // namespace dipper::machine

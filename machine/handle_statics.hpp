@@ -51,6 +51,9 @@ class HandlePlace {
   Holding holding(const Burden& burden) const;
   /// The burden that these hold.
   Burden held(const Holding& by) const;
+  /// Load and resistance by hoist and crowd together, below 0 too: two balances, two unknowns.
+  DigLoad dig_load(const Holding& by) const;
+  double handle_rise() const { return out_.y(); }  ///< sine of its angle over the horizontal
 
  private:
   friend class HandleStatics;
@@ -78,10 +81,6 @@ class HandleStatics {
   /// The load by the hoist's pull alone, kg, below 0 too: all that pulls down is weighed. Throws as
   /// `at`.
   double load_kg(const Drives& drives, double hoist_N) const;
-
-  /// Load and resistance by hoist and crowd together, below 0 too: two balances, two unknowns.
-  /// Throws as `at`.
-  DigLoad dig_load(const Drives& drives, const Holding& by) const;
 
  private:
   MachineData machine_;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "common/angles.hpp"
+#include "machine/approach.hpp"
 #include "machine/cut_ahead.hpp"
 #include "machine/handle_statics.hpp"
 #include "machine/motion_row.hpp"
@@ -41,8 +42,9 @@ class Judge {
  public:
   Judge(const HeightMap& face, const DigChoice& choice, const MotionPlan& cycle,
         const DigFacts& facts, const MachineData& machine, const ShovelKinematics& shovel,
-        const HandleStatics& statics, const Vector3d& base_m)
+        const HandleStatics& statics, const Vector3d& base_m, const DigExperience& before)
       : face_(face),
+        before_(before),
         choice_(choice),
         cycle_(cycle),
         facts_(facts),
@@ -61,6 +63,7 @@ class Judge {
       if (profile.size() < 3) throw std::invalid_argument("there is no face at this heading");
       Cut cut;
       cut.start = choice_.start;
+      cut.begin = begin(X_WBoom);
       cut.depth_m = c.depth_m;
       cut.floor_rise = c.floor_rise;
       cut.exit_z_m = c.exit_z_m;
@@ -77,6 +80,14 @@ class Judge {
   }
 
  private:
+  /// As far down as the rock lets him come.
+  Vector2d begin(const Pose& X_WBoom) const {
+    if (cycle_.lower.empty()) return choice_.start;
+    TeethPath down = cycle_.lower;
+    down.push_back(choice_.start);
+    return approach_end(spline(down), face_, X_WBoom, m_.dipper.inside.y() / 2, shovel_);
+  }
+
   void walk(DigCandidate& c) const {
     TeethPath polygon = c.dig;
     polygon.insert(polygon.end(), cycle_.lift.begin(), cycle_.lift.end());
@@ -90,7 +101,7 @@ class Judge {
     const Vector3d lip_left_B = tip_B + Vector3d(0, half.y(), 0),
                    lip_right_B = tip_B - Vector3d(0, half.y(), 0);
     StretchPeak crowd_peak, hoist_peak;
-    double force_sum = 0, force_s = 0, lift_s = 0;
+    double force_sum = 0, force_s = 0, lift_s = 0, crowd_sum = 0, rock_m = 0;
     Pose before;
     Drives at_before;
     for (int k = 0; k <= n; ++k) {
@@ -103,11 +114,11 @@ class Judge {
       if (k > 0) {
         c.swept_m3 += left.cut(before * lip_left_B, before * lip_right_B, X.X_WB * lip_left_B,
                                X.X_WB * lip_right_B);
-        const double load_kg = std::min(facts_.capacity_kg, facts_.bulk_density_kg_m3 * c.swept_m3);
+        const double load_kg = payload_kg(c.swept_m3);
         const Vector3d moved = (X.X_WB * tip_B - before * tip_B) / ds;  // at 1 m/s
         const CutAhead ahead = cut_ahead(left, X.X_WB, tip_B, moved);
         const double resistance =
-            ahead.meets ? facts_.specific_resistance_Pa * ahead.depth_m * 2 * half.y() : 0;
+            ahead.meets ? before_.resistance * facts_.specific_resistance_Pa * ahead.depth_m * 2 * half.y() : 0;
         const HandlePlace place = statics_.at(d);
         const Holding f = place.holding(place.empty() + load_kg * place.of_a_kg() +
                                         resistance * place.of_a_newton());
@@ -120,6 +131,10 @@ class Judge {
           hoist_peak.add(f.hoist);
           force_sum += std::hypot(f.crowd, f.hoist) * ds / speed;
           force_s += ds / speed;
+          crowd_sum += f.crowd * ds;
+          if (rock_m == 0) c.rock_from_m = (k - 1) * ds;
+          c.rock_to_m = k * ds;
+          rock_m += ds;
         }
         lift_s += ds / speed;
         c.energy_J += ds * (std::max(0.0, f.hoist * lifted) + std::max(0.0, f.crowd * crowded));
@@ -131,7 +146,9 @@ class Judge {
     c.hoist_peak_N = hoist_peak.peak();
     c.dig_s = force_s;
     c.dig_force_mean_N = force_s > 0 ? force_sum / force_s : 0;
-    c.payload_kg = std::min(facts_.capacity_kg, facts_.bulk_density_kg_m3 * c.swept_m3);
+    c.crowd_mean_N = rock_m > 0 ? crowd_sum / rock_m : 0;
+    c.swept_kg = facts_.bulk_density_kg_m3 * c.swept_m3;
+    c.payload_kg = payload_kg(c.swept_m3);
     PassStart from;
     from.at_dump = cycle_.returns;
     from.tip = c.dig.front();
@@ -147,6 +164,10 @@ class Judge {
     else if (c.hoist_peak_N > drives.hoist.stall)
       c.refused = fmt::format("the hoist needs {:.2f} MN and has {:.2f}", c.hoist_peak_N * 1e-6,
                               drives.hoist.stall * 1e-6);
+  }
+
+  double payload_kg(double swept_m3) const {
+    return std::min(facts_.capacity_kg, before_.loaded * facts_.bulk_density_kg_m3 * swept_m3);
   }
 
   /// That the drives' speeds and powers allow, up to the planned one.
@@ -178,6 +199,7 @@ class Judge {
   }
 
   const HeightMap& face_;
+  DigExperience before_;
   const DigChoice& choice_;
   const MotionPlan& cycle_;
   const DigFacts& facts_;
@@ -239,13 +261,14 @@ PassStart DigPlanner::start() const {
 HeightGrid DigPlanner::grid() const {
   const double reach = machine_.saddle.position.x() + shovel_.teeth_reach(choice_.crowd_max_m);
   const double half = facts_.half_width_m + kSide_m;
-  const double from = std::min(facts_.walls_from_x_m, base_m_.x() + choice_.start.x()) - kSide_m;
+  const double heel = base_m_.x() + shovel_.heel(choice_.start).x();
+  const double from = std::min(facts_.walls_from_x_m, heel) - kSide_m;
   return face_grid(from, base_m_.x() + reach + kSide_m, -half, half);
 }
 
 DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, double least_kg,
-                               double most_kg) const {
-  const Judge judge(face, choice_, cycle_, facts_, machine_, shovel_, statics_, base_m_);
+                               double most_kg, const DigExperience& before) const {
+  const Judge judge(face, choice_, cycle_, facts_, machine_, shovel_, statics_, base_m_, before);
   DigDecision decision;
   for (const double heading : choice_.heading_rad)
     for (const double depth : choice_.depth_m)
@@ -285,6 +308,9 @@ DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, dou
     decision.chosen = static_cast<int>(best - decision.candidates.begin());
     decision.rows = rows;
     decision.times = pass_times(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
+    const double set_off_s = decision.times.dig_s + cycle_.dig.ramp_s / 2;
+    decision.rock_from_s = set_off_s + best->rock_from_m / choice_.teeth_m_s;
+    decision.rock_to_s = set_off_s + best->rock_to_m / choice_.teeth_m_s;
     break;
   }
   decision.reason = reason(decision, goal_, least_kg);

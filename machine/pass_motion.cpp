@@ -34,7 +34,8 @@ Layout lay_out(const MotionPlan& p, const PlannedPass& pass, double teeth_m_s, d
   if (from.at_dump) {
     const double first = std::min({p.back.start_s, p.swing_back.start_s, p.door_close.start_s});
     TeethPath back(1, p.lift.back());
-    back.insert(back.end(), p.lower.begin(), p.lower.end());
+    for (const Vector2d& q : p.lower)  // down to where the dig begins
+      if (q.y() > pass.dig.front().y()) back.push_back(q);
     back.push_back(pass.dig.front());
     l.back = spline(back);
     l.back_move = later(p.back, -first);

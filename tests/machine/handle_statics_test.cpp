@@ -71,7 +71,7 @@ TEST_F(HandleStaticsTest, WeighsWhatHangsAndTellsItFromWhatTheTeethMeet) {
   for (const Drives& at : {Drives{-1, -1.2, 0, 0}, {-4, 0.5, 0, 0}, {-9, 1.5, 0, 0}}) {
     EXPECT_NEAR(statics.load_kg(at, by_work(at, 63e3, 0).hoist), 63e3, 10);
     for (const double resistance_N : {0.0, 1.5e6}) {
-      const DigLoad l = statics.dig_load(at, by_work(at, 63e3, resistance_N));
+      const DigLoad l = statics.at(at).dig_load(by_work(at, 63e3, resistance_N));
       EXPECT_NEAR(l.load_kg, 63e3, 20) << at.hoist;
       EXPECT_NEAR(l.resistance_N, resistance_N, 200) << at.hoist;
     }

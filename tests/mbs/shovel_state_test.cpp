@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/input_error.hpp"
+#include "mbs/feeling_operator.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 
 namespace dipper::mbs {
@@ -192,6 +193,30 @@ TEST_P(ShovelState, RefusesAForeignOrBrokenFile) {
   std::filesystem::resize_file(file("short.bin"), size + 8);
   EXPECT_THROW(shovel.load(file("short.bin")), std::runtime_error);
   EXPECT_EQ(shovel.state(0).t_ns, 0);
+}
+
+// An operator who feels the dig: weak hoist, so that he is caught, weighs and lifts.
+TEST_F(ShovelTest, AnOperatorWhoFeelsGoesOnFromACheckpointToTheBit) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "feeling.bin";
+  const auto another = [&] {
+    const auto way = std::make_shared<machine::Motion>(quick());
+    return Shovel(machine, way, Pose{}, rake,
+                  std::make_unique<FeelingOperator>(way, machine, rake, 80e3));
+  };
+  const std::vector<Wrench> under = {Wrench{Vector3d(0, 1e5, 0), Vector3d(0, 0, 6e5)}, Wrench{}};
+  Shovel one = another();
+  for (int i = 1; i <= 400; ++i) one.step({2 * i * kMillisecond, under});
+  EXPECT_GT(named(one, one.state(0)).at("hoist_lift"), 0.05) << "the dipper stands on rock";
+  one.save(file);
+  Shovel other = another();
+  other.load(file);
+  for (int i = 401; i <= 700; ++i)
+    ASSERT_TRUE(same(one.step({2 * i * kMillisecond, no_rock}),
+                     other.step({2 * i * kMillisecond, no_rock})));
+  EXPECT_THROW(Shovel(machine, quick(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited)
+                   .load(file),
+               std::runtime_error)
+      << "another kind of operator's";
 }
 
 INSTANTIATE_TEST_SUITE_P(Drives, ShovelState,

@@ -31,7 +31,7 @@ swing_back: [27, 36.5, 2.5]
 back: [29.5, 43.5, 3]
 door_close: [34.5, 37.5, 1]
 lift_m: [[24.2, 11.4], [22.6, 14.3], [21.3, 15.2]]
-lower_deg_m: [[8, 12.1], [-12, 11.5], [-30, 11.35], [-48, 11.35], [-60, 11.3]]
+lower_deg_m: [[8, 12.1], [-12, 11.5], [-30, 11.15], [-48, 11.1], [-60, 11.1]]
 dump_deg: 80
 door_deg: 75
 choose:
@@ -47,7 +47,7 @@ choose:
 
 /// Keeps what it is told to follow; the desk asks it nothing else.
 struct TellingMachine final : core::Machine {
-  core::ServerInfo info() const override { return {"machine", {}, {{"path_time", "s", "-"}}, 0}; }
+  core::ServerInfo info() const override { return {"machine", {}, {{"path_time", "s", "-"}, {"crowd_force", "N", "-"}}, 0}; }
   core::MachineState state(std::int64_t) override { return {}; }
   core::MachineState step(const core::MachineStep&) override { return {}; }
   void save(const fs::path&) override {}
@@ -107,10 +107,10 @@ class PassDeskTest : public testing::Test {
   json read(const std::string& name) const { return json::parse(test::read_text(folder() / name)); }
 
   /// A window's end. \param path_s  of the motion, where the machine is on it
-  static core::Window at(std::int64_t index, double path_s, double truck_t) {
+  static core::Window at(std::int64_t index, double path_s, double truck_t, double crowd_N = 0) {
     core::Window w;
     w.step_index = index;
-    w.machine.channels = {path_s};
+    w.machine.channels = {path_s, crowd_N};
     w.rock.t_ns = std::llround(1.1e9 * path_s);  // late
     w.rock.channels = {1e3 * truck_t};
     return w;
@@ -207,6 +207,25 @@ TEST_F(PassDeskTest, GoesOnFromACheckpointAsItWouldHaveWithoutAndForgetsWhatCame
   EXPECT_TRUE(fs::exists(folder() / "notes.txt"));
   resumed.window(at(2, end_s, 140));
   EXPECT_EQ(machine.sent.back(), third);
+}
+
+TEST_F(PassDeskTest, LearnsFromAPassWhatTheNextNeeds) {
+  PassDesk one = desk();
+  one.window(at(0, 0, 0));
+  const json first = one.state(), file = read("pass_1.json");
+  EXPECT_EQ(file.at("resistance"), 1);
+  const double from_s = first.at("rock_from_s"), to_s = first.at("rock_to_s"),
+               expected_N = first.at("crowd_N");
+  EXPECT_GT(from_s, file.at("dig_at_s").get<double>());
+  EXPECT_LT(to_s, file.at("dump_at_s").get<double>());
+  // 1.4 times the force that was expected, in rock; what is outside of it teaches nothing.
+  int index = 1;
+  for (double t = from_s - 1; t < to_s + 1; t += 0.05)
+    one.window(at(index++, t, 0, t > from_s && t <= to_s ? 1.4 * expected_N : 9e6));
+  one.window(at(index, first.at("end_s").get<double>() + 0.01, 50));
+  EXPECT_NEAR(read("pass_2.json").at("resistance").get<double>(), 1.4, 0.05);
+  EXPECT_NEAR(read("pass_2.json").at("loaded").get<double>(),
+              50e3 / first.at("swept_kg").get<double>(), 1e-3);
 }
 
 TEST_F(PassDeskTest, AScannersErrorsAreThoseOfTheSeedAndThePass) {
