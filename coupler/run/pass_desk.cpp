@@ -190,8 +190,8 @@ void PassDesk::plan(const core::Window& w) {
   from.heading_rad = start_heading_rad_;
   const double room_kg = case_.truck.rated_t > 0 ? case_.truck.rated_t * 1e3 - truck_kg
                                                  : std::numeric_limits<double>::infinity();
-  const machine::DigDecision decision =
-      planner_.decide(seen, from, case_.op.least_fill * planner_.facts().capacity_kg, room_kg, before_);
+  const machine::DigDecision decision = planner_.decide(
+      seen, from, case_.op.least_fill * planner_.facts().capacity_kg, room_kg, before_);
   ++passes_;
   write(w, seen, decision, from.t_s, truck_kg);
   if (decision.chosen < 0) {
@@ -201,7 +201,8 @@ void PassDesk::plan(const core::Window& w) {
   sides_.machine.follow(decision.rows);
   end_s_ = decision.times.end_s;
   const auto& best = decision.candidates[static_cast<std::size_t>(decision.chosen)];
-  pass_ = {decision.rock_from_s, decision.rock_to_s, best.crowd_mean_N, best.swept_kg, along_s(w), 0, 0};
+  pass_ = {
+      decision.rock_from_s, decision.rock_to_s, best.crowd_mean_N, best.swept_kg, along_s(w), 0, 0};
   reporter_.line(fmt::format("operator, {:.1f} s, pass {}: {}",
                              static_cast<double>(w.rock.t_ns) * 1e-9, passes_, decision.reason));
 }

@@ -47,7 +47,7 @@ TEST_F(Approach, StopsAboveWhatLiesUnderTheTeethOrTheHeel) {
 }
 
 TEST_F(Approach, LooksAlongTheBoom) {
-  put(13.1 * std::cos(0.2) + 0.01, 13.1 * std::sin(0.2) + 0.01, 1.2, 2);
+  for (double x = 12.3; x < 13.5; x += 0.2) put(x, 13.1 * std::sin(0.2), 1.2, 2.4);
   Pose X_WBoom;
   X_WBoom.R = from_rotation_vector({0, 0, 0.2});
   EXPECT_GT(end(X_WBoom).y(), 1.3);

@@ -203,7 +203,7 @@ TEST_F(ShovelTest, AnOperatorWhoFeelsGoesOnFromACheckpointToTheBit) {
     return Shovel(machine, way, Pose{}, rake,
                   std::make_unique<FeelingOperator>(way, machine, rake, 80e3));
   };
-  const std::vector<Wrench> under = {Wrench{Vector3d(0, 1e5, 0), Vector3d(0, 0, 6e5)}, Wrench{}};
+  const std::vector<Wrench> under = {Wrench{Vector3d(0, -2.4e6, 0), Vector3d(0, 0, 6e5)}, Wrench{}};
   Shovel one = another();
   for (int i = 1; i <= 400; ++i) one.step({2 * i * kMillisecond, under});
   EXPECT_GT(named(one, one.state(0)).at("hoist_lift"), 0.05) << "the dipper stands on rock";
