@@ -91,6 +91,29 @@ class Faults(RunTest):
         self.assert_ended(process, out, 3, "the mbs side failed at t = ", "no answer for 2 s",
                           within=8)
 
+    def test_a_run_that_hangs_ends_on_a_scheduler_s_sigterm(self):
+        """Long before coupling.timeout_s, whichever side hangs."""
+        hung = []
+        for name in ("dipper-mbs", "dipper-dem"):
+            process, out = self.digging(name, "--ranks", "1", "--set", "coupling.timeout_s=200")
+            os.kill(self.pids(out, name)[0], signal.SIGSTOP)
+            process.send_signal(signal.SIGTERM)
+            hung.append((process, out, name.removeprefix("dipper-")))
+        for process, out, side in hung:
+            self.assert_ended(process, out, 3, f"the {side} side failed at t = ", "no answer for 1", "--resume",
+                              within=25)
+            self.assertEqual(self.summary(out)["status"], "failed")
+
+    def test_a_settling_that_hangs_ends_on_sigterm(self):
+        process, out = self.settling("hung", "--set", "pile.settle_s=60", "--set", "coupling.timeout_s=200",
+                                     "--ranks", "1")
+        deadline = time.time() + 60
+        while not self.pids(out, "dipper-liggghts") and time.time() < deadline:
+            time.sleep(0.05)
+        os.kill(self.pids(out, "dipper-liggghts")[0], signal.SIGSTOP)
+        process.send_signal(signal.SIGTERM)
+        self.assert_ended(process, out, 4, "interrupted", within=10)
+
     def test_killed_while_starting(self):
         out = self.folder / "early"
         process = self.start(out)
