@@ -17,7 +17,7 @@ def doubt(rows, spans, what, notes):
     for name in (*FORCES, TRUCK_MASS):
         if name in what.channels:
             _doubt_size(name, rows, what, notes)
-            _doubt_empty(name, rows, what, notes)
+            _doubt_empty(name, rows, notes)
     lengths = [b - a for a, b in spans]
     if lengths and not (PASS_S[0] <= np.median(lengths) <= PASS_S[1]):
         notes.append(f"warning: a pass takes {np.median(lengths):.4g} s, where 20 to 60 s are usual: is "
@@ -35,7 +35,7 @@ def doubt_masses(masses, what, notes):
                      "wrong unit or scale?")
 
 
-def _doubt_empty(name, rows, what, notes):
+def _doubt_empty(name, rows, notes):
     empty = ~np.isfinite(rows.values[name])
     if name in FORCES and empty.mean() > MOSTLY_EMPTY:
         notes.append(f"warning: {name}: {int(empty.sum())} of {len(empty)} rows have no reading: "
