@@ -36,8 +36,8 @@ Vector2d approach_end(const TeethPath& way, const HeightMap& face, const Pose& X
   const int n = static_cast<int>(std::ceil(length(way) / kStep_m));
   const auto point = [&](int k) { return at_fraction(way, static_cast<double>(k) / n); };
   int last = -1;
-  while (last < n && is_clear(point(last + 1), shovel.heel(point(last + 1)), face, X_WBoom,
-                              half_width_m))
+  while (last < n &&
+         is_clear(point(last + 1), shovel.heel(point(last + 1)), face, X_WBoom, half_width_m))
     ++last;
   if (last < 0) throw std::domain_error("the dipper cannot come down: there is rock in its way");
   return point(last);

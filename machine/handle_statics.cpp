@@ -24,7 +24,8 @@ Burden HandlePlace::of_mass(double kg, const Vector2d& p, double swing_rad_s) co
 
 Burden HandlePlace::empty(double swing_rad_s) const {
   return of_mass(mass_of_handle_, handle_, swing_rad_s) +
-         of_mass(mass_of_dipper_, dipper_, swing_rad_s) + of_mass(mass_of_door_, door_, swing_rad_s);
+         of_mass(mass_of_dipper_, dipper_, swing_rad_s) +
+         of_mass(mass_of_door_, door_, swing_rad_s);
 }
 
 Holding HandlePlace::holding(const Burden& burden) const {
@@ -59,7 +60,8 @@ HandlePlace HandleStatics::at(const Drives& drives) const {
   p.saddle_ = out_and_up(m.saddle.position);
   p.out_ = Vector2d(std::cos(X.saddle), std::sin(X.saddle));
   const Vector2d bail = out_and_up(X.X_WB * m.dipper.bail), point = out_and_up(m.boom.point);
-  p.rope_ = sheave_path(out_and_up(m.rope.drum) - point, bail - point, m.boom.sheave_radius).toward_b;
+  p.rope_ =
+      sheave_path(out_and_up(m.rope.drum) - point, bail - point, m.boom.sheave_radius).toward_b;
   const Vector2d r = bail - p.saddle_;
   p.arm_ = r.x() * p.rope_.y() - r.y() * p.rope_.x();
   p.handle_ = out_and_up(X.X_WB * m.dipper.handle_end) + m.handle.mass_center * p.out_;

@@ -117,8 +117,9 @@ class Judge {
         const double load_kg = payload_kg(c.swept_m3);
         const Vector3d moved = (X.X_WB * tip_B - before * tip_B) / ds;  // at 1 m/s
         const CutAhead ahead = cut_ahead(left, X.X_WB, tip_B, moved);
-        const double resistance =
-            ahead.meets ? before_.resistance * facts_.specific_resistance_Pa * ahead.depth_m * 2 * half.y() : 0;
+        const double resistance = ahead.meets ? before_.resistance * facts_.specific_resistance_Pa *
+                                                    ahead.depth_m * 2 * half.y()
+                                              : 0;
         const HandlePlace place = statics_.at(d);
         const Holding f = place.holding(place.empty() + load_kg * place.of_a_kg() +
                                         resistance * place.of_a_newton());

@@ -46,13 +46,13 @@ struct DigCandidate {
   double payload_kg = 0;    ///< of that, what the dipper holds
   double crowd_peak_N = 0;  ///< means over a metre of the teeth's way
   double hoist_peak_N = 0;
-  double crowd_mean_N = 0;  ///< over the teeth's way in rock
+  double crowd_mean_N = 0;                ///< over the teeth's way in rock
   double rock_from_m = 0, rock_to_m = 0;  ///< of the teeth's way: where they are in rock
-  double dig_force_mean_N = 0;  ///< sqrt(crowd^2 + hoist^2), while the teeth are in rock
-  double dig_s = 0;             ///< with the teeth in rock
-  double cycle_s = 0;           ///< from dump to dump
-  double energy_J = 0;          ///< that hoist and crowd put in from the dig to the dump
-  double score = 0;             ///< kg/s or kg/J
+  double dig_force_mean_N = 0;            ///< sqrt(crowd^2 + hoist^2), while the teeth are in rock
+  double dig_s = 0;                       ///< with the teeth in rock
+  double cycle_s = 0;                     ///< from dump to dump
+  double energy_J = 0;                    ///< that hoist and crowd put in from the dig to the dump
+  double score = 0;                       ///< kg/s or kg/J
 };
 
 /// Candidates, and which is the best: the largest score of those that can be dug. None: there is

@@ -11,9 +11,9 @@ constexpr double kWaits = 0.25;
 constexpr double kBreakOut_m_s = 0.3;
 constexpr double kLight = 0.9;  // of what the dipper takes
 constexpr double kDeeper_m_s = 0.2;
-constexpr double kMeets = 0.05;    // of the crowd's stall force
+constexpr double kMeets = 0.05;        // of the crowd's stall force
 constexpr double kSteepest = -0.7071;  // sine of the handle's angle
-constexpr double kRoom_m = 0.1;    // to the crowd's stop
+constexpr double kRoom_m = 0.1;        // to the crowd's stop
 
 }  // namespace
 

@@ -19,9 +19,9 @@ struct DigFeel {
 
 /// What he asks of the machine.
 struct DigWish {
-  double rate = 1;                     ///< along the motion, at most
-  std::optional<double> crowd_back;    ///< m/s, below 0: further out; none: as the motion says
-  std::optional<double> lift;          ///< m/s of rope drawn in; none: as the motion says
+  double rate = 1;                   ///< along the motion, at most
+  std::optional<double> crowd_back;  ///< m/s, below 0: further out; none: as the motion says
+  std::optional<double> lift;        ///< m/s of rope drawn in; none: as the motion says
 };
 
 /// The machine's numbers in the rules.
@@ -32,7 +32,8 @@ struct DigLimits {
 
 /// The rules, the first that holds:
 ///   caught: the ropes hold less than half of the empty dipper, so heel or lip stands on rock. He
-///     draws rope in and the crowd back, 0.3 m/s each, and waits on his way (a quarter of the rate).
+///     draws rope in and the crowd back, 0.3 m/s each, and waits on his way (a quarter of the
+///     rate).
 ///   full: the load is what the dipper takes. He breaks out: the crowd comes back by 0.3 m/s while
 ///     the teeth meet rock, and stays there.
 ///   light: less than nine tenths of that, with the teeth in rock and a crowd that does not stall.

@@ -80,7 +80,7 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
       [&] {
         return PathWish{wish.rate, wish.crowd_back};
       });
-  const double lift_rate = !wish.lift                       ? -then_.lift / PathFollower::kGiveOut_s
+  const double lift_rate = !wish.lift                 ? -then_.lift / PathFollower::kGiveOut_s
                            : then_.lift < kMostLift_m ? *wish.lift
                                                       : 0.0;
   lift_slope_ = (lift_rate - then_.lift_rate) / PathFollower::kReaction_s;

@@ -16,8 +16,8 @@ namespace dipper::mbs {
 class FeelingOperator final : public Operator {
  public:
   /// \param full_kg  what the dipper takes
-  FeelingOperator(std::shared_ptr<const machine::Motion> motion, const machine::MachineData& machine,
-                  double rake, double full_kg);
+  FeelingOperator(std::shared_ptr<const machine::Motion> motion,
+                  const machine::MachineData& machine, double rake, double full_kg);
 
   /// \param state  of the path follower, then lift, its rate, and the load
   void reset(double t_s, const std::vector<double>& state) override;

@@ -58,8 +58,9 @@ class PathFollower final : public Operator {
 
   /// Sets new rates at a time. \param overload  of the drives at that time, after the update
   /// \param wish  asked for after that
-  void ease(double t_s, const std::function<Overload()>& overload,
-            const std::function<PathWish()>& wish = [] { return PathWish{}; });
+  void ease(
+      double t_s, const std::function<Overload()>& overload,
+      const std::function<PathWish()>& wish = [] { return PathWish{}; });
 
   /// Where he is at a time after the last update, at most a sub-step later.
   PathState at(double t_s) const;

@@ -24,8 +24,7 @@ constexpr char kFeeling[] = "DIPMBSF1", kFeelingSegmented[] = "DIPMBSG1";
 constexpr std::size_t kFollower = 4, kFeels = 7;
 
 const char* magic_of(const Snapshot& s) {
-  if (s.sender.size() == kFeels)
-    return s.numbers.rope.size() > 0 ? kFeelingSegmented : kFeeling;
+  if (s.sender.size() == kFeels) return s.numbers.rope.size() > 0 ? kFeelingSegmented : kFeeling;
   if (s.sender.size() > kFollower) return s.numbers.rope.size() > 0 ? kToldSegmented : kTold;
   if (s.numbers.rope.size() > 0) return s.sender.empty() ? kSegmented : kLimitedSegmented;
   return s.sender.empty() ? kPrescribed : kLimited;

@@ -53,7 +53,8 @@ std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
       // What the drives hold beyond the empty dipper, and a kilogram of load, as forces.
       const machine::HandlePlace p = statics.at({s.hoist_m[i], s.crowd_m[i], 0, 0});
       const double turns = speed_at(t, s.swing_rad, i);
-      const machine::Burden load = p.held({s.hoist_force_N[i], s.crowd_force_N[i]}) - p.empty(turns),
+      const machine::Burden load =
+                                p.held({s.hoist_force_N[i], s.crowd_force_N[i]}) - p.empty(turns),
                             kg = p.of_a_kg(turns);
       const double arm2 = p.arm() * p.arm();
       sum += kg.moment * load.moment / arm2 + kg.along * load.along;

@@ -29,9 +29,9 @@ class Approach : public testing::Test {
 
 TEST_F(Approach, GoesDownWhereThereIsNoRock) {
   EXPECT_LT((end() - way.back()).norm(), 1e-9);
-  put(13.1, 3, 5);         // beside the dipper
-  put(14, 0, 5);           // in front of it
-  put(13.1, 0, 5, 0.8);    // a rock, which is pushed aside
+  put(13.1, 3, 5);       // beside the dipper
+  put(14, 0, 5);         // in front of it
+  put(13.1, 0, 5, 0.8);  // a rock, which is pushed aside
   EXPECT_LT((end() - way.back()).norm(), 1e-9);
 }
 

@@ -65,9 +65,9 @@ TEST(SweptFace, OfADigThatIsTurnedToFirst) {
     rows += std::to_string(t + 6) + "," + std::to_string(d.hoist) + "," + std::to_string(d.crowd) +
             "," + std::to_string(degrees(d.swing)) + "," + std::to_string(degrees(d.door)) + "\n";
   }
-  const auto passes = swept_passes(
-      Motion::parse("time_s,hoist_m,crowd_m,swing_deg,door_deg\n" + rows, "t"), level.shovel,
-      [](double heading) { return Level::bench(heading); });
+  const auto passes =
+      swept_passes(Motion::parse("time_s,hoist_m,crowd_m,swing_deg,door_deg\n" + rows, "t"),
+                   level.shovel, [](double heading) { return Level::bench(heading); });
   ASSERT_FALSE(passes.empty());
   EXPECT_NEAR(passes[0].area_m2, 3.5 * 2, 0.35);
   EXPECT_TRUE(passes[0].first);

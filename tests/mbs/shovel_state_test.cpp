@@ -213,9 +213,10 @@ TEST_F(ShovelTest, AnOperatorWhoFeelsGoesOnFromACheckpointToTheBit) {
   for (int i = 401; i <= 700; ++i)
     ASSERT_TRUE(same(one.step({2 * i * kMillisecond, no_rock}),
                      other.step({2 * i * kMillisecond, no_rock})));
-  EXPECT_THROW(Shovel(machine, quick(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited)
-                   .load(file),
-               std::runtime_error)
+  EXPECT_THROW(
+      Shovel(machine, quick(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited)
+          .load(file),
+      std::runtime_error)
       << "another kind of operator's";
 }
 
