@@ -17,7 +17,7 @@ class FeelingOperatorTest : public ShovelTest {
  protected:
   /// Teeth 7 m up, lifting slowly.
   std::shared_ptr<const machine::Motion> way =
-      std::make_shared<machine::Motion>(motion("0,-5,1,0,0\n100,-6,1,0,0\n"));
+      std::make_shared<machine::Motion>(motion("0,-5,1,0,0\n50,-5.5,1,0,0\n"));
   FeelingOperator one{way, machine, rake, kFull_kg};
   machine::HandleStatics statics{machine, rake};
   const machine::Drives at{-5, 1, 0, 0};
