@@ -95,7 +95,7 @@ def plans(rng, runs):
 
 def complete(folder):
     """Seeds of a folder of runs that have all their digs."""
-    return sorted(f for f in folder.iterdir() if all((f / f"pass_{k}.csv").exists() for k in range(1, PASSES + 1)))
+    return sorted(f for f in folder.iterdir() if all((f / f"pass_{k}.csv.gz").exists() for k in range(1, PASSES + 1)))
 
 
 def drawn_trucks(folders, rng):
