@@ -359,6 +359,11 @@ std::vector<KeySpec> make_schema() {
       {"observation.crowd_cell_gain", "", between(-0.5, 0.5), {}, optional, instruments,
        "the crowd's force is read as 1 + this times what it is; default 0",
        SLOT(c.observation.crowd_cell_gain)},
+      {"observation.hoist_law.*", "", between(-1e5, 1e5), {}, optional, instruments,
+       "force that the hoist shows besides, by term of the motion (docs/gap_method.md)",
+       SLOT(c.observation.hoist_law[p.name])},
+      {"observation.crowd_law.*", "", between(-1e5, 1e5), {}, optional, instruments,
+       "likewise the crowd", SLOT(c.observation.crowd_law[p.name])},
 
       {"effects.*", "", any, {}, optional, settling,
        "strength of an effect in analysis/effects or in the case's own effects folder",

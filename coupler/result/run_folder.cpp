@@ -27,7 +27,7 @@ RunFolder::RunFolder(const fs::path& folder, bool resume)
 
 void RunFolder::seal() const {
   dipper::seal(root_,
-               {"case.txt", "inputs.sha256", "motion.csv", "machine.yaml", "poses.csv", "operator",
+               {"case.txt", "inputs.sha256", "motion.csv", "machine.yaml", "poses.csv", "operator", "faces",
                 "deck", record().filename(), scales().filename(), summary().filename()});
 }
 

@@ -4,6 +4,7 @@ import json
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import fake_mine
@@ -126,12 +127,26 @@ def test_no_gap_ends_before_the_runs_of_effects_and_says_so():
     page(out, a, SMALL, "synthetic")
 
 
-def test_an_effect_outside_the_catalogue_is_unknown_with_an_experiment():
-    out, a, _ = judge(mine_with({"outside": 3}, 4))
-    assert a["verdict"] == "unknown" and a["patch"] == {}
-    assert a["next_experiment"]
+def test_an_effect_outside_the_catalogue_is_unknown_with_a_law_that_closes_the_gap():
+    out, a, simulator = judge(mine_with({"outside": 3}, 4))
+    assert a["verdict"] == "unknown" and a["effect"] is None and a["next_experiment"]
+    law = a["law"]
+    assert {law["channel"], *(other["channel"] for other in law["also"])} == {"hoist_force_kN", "crowd_force_kN"}
+    assert law["terms"] == [{"term": "swing moves", "kN": pytest.approx(180, rel=0.1)}]
+    assert a["patch"] == {"effects.motion_law": 1.0} and a["gap"]["holdout_closure"] > 0.6
+    assert len(simulator.laws) == 1 and a["runs"] == LEAST_SEEDS + 12 + 5
     data = page(out, a, SMALL, "synthetic")
-    assert data["experiments"] and data["closures"] == {} and data["curves"][0]["after"] is None
+    assert data["experiments"] and set(data["closures"]) == {"training", "holdout"}
+
+
+def test_what_is_no_law_of_the_motion_is_unknown_without_one():
+    """A force in fits and starts: nothing in the catalogue, and no term of the motion."""
+    mine = mine_with({}, 4)
+    fits = 400 * (np.random.default_rng(1).random(len(mine.time_s)) < 0.2)
+    mine = replace(mine, signals={**mine.signals, "crowd_force_kN": mine.signals["crowd_force_kN"] + fits})
+    out, a, _ = judge(mine)
+    assert a["verdict"] == "unknown" and a["law"] is None and a["patch"] == {}
+    assert page(out, a, SMALL, "synthetic")["closures"] == {}
 
 
 def test_an_effect_that_skips_the_hold_out_is_named_but_says_so():
