@@ -19,7 +19,7 @@ from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
 from .decision.law import find_laws
 from .decision.law_effect import law_effect
 from .decision.next_experiment import propose
-from .history import History, history
+from .history import History, history, within_the_shift
 from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
 from .readings.before import check_reference
 from .readings.face import CHANGED_P, compare_faces
@@ -163,6 +163,9 @@ def conclude(model, prediction, measured, runner, before=None):
         if out.look.verdict.verdict != "no-gap":
             told = history(model, prediction, names, seen.training.at, measured, before)
             out = replace(out, history=told, warnings=(*out.warnings, *within(told, reference.trucks)))
+    elif out.effects:
+        told = within_the_shift(model, prediction, list(out.effects), measured)
+        out = replace(out, history=told, warnings=(*out.warnings, *changing(told, runner.catalogue)))
     if out.look.verdict.verdict == "unknown":
         out, with_them = with_laws(out, model, prediction, measured, runner, before)
         after = with_them or after
@@ -209,6 +212,16 @@ def other_faces(faces):
     return tuple(f"the face is another one than in the reference: {f.kind} {f.now:.3g} {f.unit} for {f.before:.3g} (p "
                  f"{f.p:.2g}): what the rock and the place of the shovel do is in the difference too"
                  for f in faces if f.kind in ("slope", "toe", "crest") and f.p < CHANGED_P)
+
+
+def changing(told, catalogue):
+    """Of an effect that is not the same in all trucks: what is named is its mean over them."""
+    if not told:
+        return ()
+    t, unit = told.trend, catalogue[told.effect].unit
+    how = {"step": "at once", "ramp": "little by little", "unclear": "in some way"}[t.shape]
+    size = f"{t.size:.3g} {unit} +- {2 * t.size_sd:.2g} (2 sd)"
+    return (f"{told.effect} is not the same in all trucks: it changes by {size}, {how}, after truck {told.trucks[t.began - 1].truck}; what is named is the mean over the trucks",)
 
 
 def within(told, before):

@@ -10,12 +10,13 @@ import pytest
 import fake_mine
 import synthetic
 from dipper_gap.gap_json import as_json, write_json
+from dipper_gap.history import within_the_shift
 from dipper_gap.readings.measured import write_measured
 from dipper_gap.model import learn, predict
 from dipper_gap.readings.passes import split
 from dipper_gap.simulation.plan import LEAST_SEEDS, make_plan, statement
 from dipper_gap.report import page
-from dipper_gap.workflow import Runner, analyse, conclude
+from dipper_gap.workflow import Runner, analyse, changing, conclude
 from trucks import in_a_row
 
 # Fewer effects than the whole catalogue: a test needs seconds, not a minute.
@@ -181,6 +182,22 @@ def test_several_trucks_show_what_one_does_not():
     assert few["verdict"] == "no-gap" and few["trucks"] == 1
     assert many["verdict"] == "named" and many["effect"] == "fines" and many["trucks"] == 6
     assert many["parameter"]["estimate"] == pytest.approx(0.06, rel=0.5)  # d 4, and a signature of three runs
+
+
+def test_an_effect_that_grows_within_the_shift_is_told():
+    """Friction of 20 to 170 kN over six trucks is named by its mean, and its growth said; constant friction has none."""
+    told = {}
+    for name, kN in (("grows", np.arange(20, 180, 30)), ("stays", np.full(6, 95))):
+        trucks = [synthetic.run({"crowd_friction": float(s)}, seed=960 + k) for k, s in enumerate(kN)]
+        mine = synthetic.with_noise(in_a_row(trucks), 9)
+        _, prediction, _ = known(6)
+        told[name] = within_the_shift(known(6)[0], prediction, ["crowd_friction"], mine)
+    assert told["stays"] is None
+    history = told["grows"]
+    assert history.effect == "crowd_friction" and len(history.trucks) == 6
+    assert history.trend.shape != "step" and history.trend.size == pytest.approx(150, rel=0.3)
+    [text] = changing(history, SMALL)
+    assert text.startswith("crowd_friction is not the same in all trucks: it changes by 1")
 
 
 class MassOnly(fake_mine.FakeSimulator):
