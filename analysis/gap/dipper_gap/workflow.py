@@ -221,7 +221,8 @@ def changing(told, catalogue):
     t, unit = told.trend, catalogue[told.effect].unit
     how = {"step": "at once", "ramp": "little by little", "unclear": "in some way"}[t.shape]
     size = f"{t.size:.3g} {unit} +- {2 * t.size_sd:.2g} (2 sd)"
-    return (f"{told.effect} is not the same in all trucks: it changes by {size}, {how}, after truck {told.trucks[t.began - 1].truck}; what is named is the mean over the trucks",)
+    return (f"{told.effect} is not the same in all trucks: it changes by {size}, {how}, after truck "
+            f"{told.trucks[t.began - 1].truck}; what is named is the mean over the trucks",)
 
 
 def within(told, before):

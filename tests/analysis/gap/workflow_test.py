@@ -185,7 +185,7 @@ def test_several_trucks_show_what_one_does_not():
 
 
 def test_an_effect_that_grows_within_the_shift_is_told():
-    """Friction of 20 to 170 kN over six trucks is named by its mean, and its growth said; constant friction has none."""
+    """Friction of 20 to 170 kN over six trucks: its growth is said; that of constant friction is none."""
     told = {}
     for name, kN in (("grows", np.arange(20, 180, 30)), ("stays", np.full(6, 95))):
         trucks = [synthetic.run({"crowd_friction": float(s)}, seed=960 + k) for k, s in enumerate(kN)]
