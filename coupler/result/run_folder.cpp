@@ -27,8 +27,8 @@ RunFolder::RunFolder(const fs::path& folder, bool resume)
 
 void RunFolder::seal() const {
   dipper::seal(root_,
-               {"case.txt", "inputs.sha256", "motion.csv", "machine.yaml", "poses.csv", "operator", "faces",
-                "deck", record().filename(), scales().filename(), summary().filename()});
+               {"case.txt", "inputs.sha256", "motion.csv", "machine.yaml", "poses.csv", "operator",
+                "faces", "deck", record().filename(), scales().filename(), summary().filename()});
 }
 
 void RunFolder::unseal() const { fs::remove(root_ / kManifest); }

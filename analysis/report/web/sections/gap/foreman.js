@@ -72,7 +72,8 @@ function howSure(answer) {
   }
   if (answer.verdict === 'named') return `${probability}; the passes held out do not show it.`;
   if (answer.law?.effect && answer.gap.holdout_closure !== null) {
-    return `That something is there: noise alone gives such a gap in ${percent(answer.omnibus_p, 1)} of cases. With this force the model closes ${percent(Math.min(answer.gap.holdout_closure, 1))} of the gap on passes that it had not seen; what causes it is open.`;
+    return `That something is there: noise alone gives such a gap in ${percent(answer.omnibus_p, 1)} of cases. `
+      + `With this force the model closes ${percent(Math.min(answer.gap.holdout_closure, 1))} of the gap on passes that it had not seen; what causes it is open.`;
   }
   const which = answer.verdict === 'class' ? `one of these, ${probability.toLowerCase()}` : 'open';
   return `That something is there: noise alone gives such a gap in ${percent(answer.omnibus_p, 1)} of cases. What it is: ${which}.`;

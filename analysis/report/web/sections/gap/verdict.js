@@ -53,7 +53,9 @@ function law({ answer }) {
   const closed = answer.gap.holdout_closure ?? null;
   return h('p', 'The difference follows from the motion. ', h('b', lawText(answer.law)),
     `. That explains ${percent(answer.law.holdout_explained)} of it on the passes held out`
-    + (answer.law.effect ? `. The case with it (effects.${answer.law.effect}: 1) ${closed === null ? 'was run' : `closes ${percent(Math.min(closed, 1))} of the gap there`}.` : '.'));
+    + (answer.law.effect
+      ? `. The case with it (effects.${answer.law.effect}: 1) ${closed === null ? 'was run' : `closes ${percent(Math.min(closed, 1))} of the gap there`}.`
+      : '.'));
 }
 
 function second(data) {
