@@ -84,7 +84,8 @@ std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instrument
       std::find_if(passes.rbegin(), passes.rend(), [](const Pass& p) { return p.truck_kg > 0; });
   for (const Pass& p : passes) {
     const double kept = last != passes.rend() && &p == &*last ? 1 - instruments.truck_spillage : 1;
-    double mass_t = 1e-3 * p.truck_kg * kept * (1 + instruments.scale_gain);
+    double mass_t =
+        1e-3 * p.truck_kg * (1 - instruments.door_leak) * kept * (1 + instruments.scale_gain);
     if (p.truck_kg > 0) mass_t = std::max(0.0, mass_t + instruments.scale_offset_t);
     out.push_back({p.pass, p.t_start_s, p.t_end_s, mass_t});
   }

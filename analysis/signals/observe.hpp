@@ -17,6 +17,7 @@ struct Instruments {
   double truck_spillage = 0;
   double scale_offset_t = 0;
   double hoist_cell_gain = 0, crowd_cell_gain = 0;
+  double door_leak = 0;  ///< share of each load that the truck does not get (door_leak.hpp)
   ForceLaw hoist_law, crowd_law;  ///< what the forces have besides
 };
 
@@ -43,7 +44,7 @@ std::vector<LoggedSample> log_signals(const DriveSignals& signals, const Instrum
                                       const std::vector<TimeSpan>& passes = {});
 
 /// The scale reads (1 + scale_gain) times what a pass brought, and scale_offset_t more of each pass
-/// that brought rock, 0 at least; of the last pass truck_spillage is lost.
+/// that brought rock, 0 at least; of every pass door_leak, and of the last truck_spillage is lost.
 std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instruments& instruments);
 
 }  // namespace dipper::analysis::signals

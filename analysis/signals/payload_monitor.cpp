@@ -40,6 +40,7 @@ double speed_at(const std::vector<double>& time_s, const std::vector<double>& x,
 /// up.
 struct Balances {
   Vector2d lack, of_a_kg;
+  double rope_out = 0;  ///< of the hoist's force, along the handle
 };
 
 Balances balances(const machine::MachineData& m, const machine::ShovelKinematics& shovel,
@@ -59,7 +60,8 @@ Balances balances(const machine::MachineData& m, const machine::ShovelKinematics
     return Vector2d(moment(p - saddle, pull(p)) / arm, pull(p).dot(out));
   };
   Balances b;
-  b.lack = {hoist_N, crowd_N + hoist_N * rope.dot(out)};
+  b.rope_out = rope.dot(out);
+  b.lack = {hoist_N, crowd_N + hoist_N * b.rope_out};
   const Vector2d end = in_plane(X.X_WB * m.dipper.handle_end);
   b.lack += m.handle.mass * carried(end + m.handle.mass_center * out);
   b.lack += m.dipper.mass * carried(in_plane(X.X_WB * m.dipper.mass_center));
@@ -69,6 +71,17 @@ Balances balances(const machine::MachineData& m, const machine::ShovelKinematics
 }
 
 }  // namespace
+
+std::optional<PayloadMonitor::ForceOfAKg> PayloadMonitor::force_of_a_kg(double hoist_m,
+                                                                        double crowd_m) const {
+  try {
+    const machine::ShovelKinematics shovel(machine_, Pose{}, rake_);
+    const Balances b = balances(machine_, shovel, {hoist_m, crowd_m, 0, 0}, 0, 0, 0);
+    return ForceOfAKg{b.of_a_kg.x(), b.of_a_kg.y() - b.of_a_kg.x() * b.rope_out};
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
+}
 
 std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
                                                     const std::vector<double>& door_rad,

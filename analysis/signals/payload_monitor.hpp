@@ -36,6 +36,13 @@ class PayloadMonitor {
   std::optional<MonitorReading> weigh(const DriveSignals& s, const std::vector<double>& door_rad,
                                       const PassPhases& pass) const;
 
+  /// What a kilogram in the middle of the dipper adds to the drives' forces, at rest.
+  struct ForceOfAKg {
+    double hoist_N = 0, crowd_N = 0;
+  };
+  /// None where the ropes hang slack.
+  std::optional<ForceOfAKg> force_of_a_kg(double hoist_m, double crowd_m) const;
+
  private:
   machine::MachineData machine_;
   double rake_;

@@ -5,8 +5,10 @@
 #include <stdexcept>
 
 #include "analysis/run/run_folder.hpp"
+#include "analysis/signals/door_leak.hpp"
 #include "analysis/signals/drive_terms.hpp"
 #include "analysis/signals/observe.hpp"
+#include "common/angles.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/numbers.hpp"
@@ -14,6 +16,7 @@
 #include "coupler/case/force_laws.hpp"
 #include "coupler/case/schema.hpp"
 #include "coupler/result/surveyed_faces.hpp"
+#include "machine/machine_data.hpp"
 
 namespace dipper::result {
 namespace fs = std::filesystem;
@@ -30,22 +33,33 @@ constexpr const char* kChannels =
 constexpr const char* kFaceChannel =
     "face_m: {unit: m, role: response, sigma: 0, common_sigma: 0}\n";
 
+/// The machine of a run, which weighs its load.
+analysis::signals::PayloadMonitor monitor_of(const fs::path& run) {
+  const fs::path file = run / "case.txt";
+  const auto rake_deg = CaseLines::read(file).number("machine.rake_angle_deg");
+  if (!rake_deg) throw InputError({{file, 0, "machine.rake_angle_deg", "has no number"}});
+  return {machine::load_machine(run / "machine.yaml"), radians(*rake_deg)};
+}
+
 }  // namespace
 
 void write_observed(const fs::path& record, const cases::ObservationCase& o, const fs::path& out) {
   const analysis::run::RunSignals s = analysis::run::read_drive_signals(record);
-  write_observed(s.drive, s.pass, o, record.parent_path() / "faces", out);
+  write_observed(s.drive, s.pass, o, record.parent_path(), out);
 }
 
-void write_observed(const analysis::signals::DriveSignals& drives,
+void write_observed(const analysis::signals::DriveSignals& plain,
                     const analysis::signals::PassSignals& pass_signals,
-                    const cases::ObservationCase& o, const fs::path& faces, const fs::path& out) {
+                    const cases::ObservationCase& o, const fs::path& run, const fs::path& out) {
   const analysis::signals::Instruments instruments{
       o.rate_Hz,         o.lag_s,           o.scale_gain, o.truck_spillage, o.scale_offset_t,
-      o.hoist_cell_gain, o.crowd_cell_gain, o.hoist_law,  o.crowd_law};
+      o.hoist_cell_gain, o.crowd_cell_gain, o.door_leak,  o.hoist_law,      o.crowd_law};
   const std::vector<analysis::signals::Pass> found = analysis::signals::find_passes(pass_signals);
   std::vector<analysis::signals::TimeSpan> spans;
   for (const analysis::signals::Pass& p : found) spans.push_back({p.t_start_s, p.t_end_s});
+  analysis::signals::DriveSignals drives = plain;
+  if (o.door_leak > 0)
+    analysis::signals::leak(o.door_leak, pass_signals, found, monitor_of(run), drives);
   std::string signals = "time_s,hoist_m,crowd_m,swing_rad,hoist_force_kN,crowd_force_kN\n";
   for (const analysis::signals::LoggedSample& l :
        analysis::signals::log_signals(drives, instruments, spans)) {
@@ -58,7 +72,7 @@ void write_observed(const analysis::signals::DriveSignals& drives,
         fmt::format("{},{:.4f},{:.4f},{:.5f}\n", p.pass, p.t_start_s, p.t_end_s, p.truck_mass_t);
   }
   fs::create_directories(out);
-  const bool surveyed = write_profiles(faces, drives, found, out);
+  const bool surveyed = write_profiles(run / "faces", drives, found, out);
   write_text(out / "channels.yaml", std::string(kChannels) + (surveyed ? kFaceChannel : ""));
   write_text(out / "signals.csv", signals);
   write_text(out / "passes.csv", passes);

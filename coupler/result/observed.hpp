@@ -14,10 +14,10 @@ namespace dipper::result {
 void write_observed(const std::filesystem::path& record, const cases::ObservationCase& observation,
                     const std::filesystem::path& out);
 
-/// The same from signals in memory, with the faces of a run's folder.
+/// The same from signals in memory, with machine and faces of the run's folder.
 void write_observed(const analysis::signals::DriveSignals& drives,
                     const analysis::signals::PassSignals& passes,
-                    const cases::ObservationCase& observation, const std::filesystem::path& faces,
+                    const cases::ObservationCase& observation, const std::filesystem::path& run,
                     const std::filesystem::path& out);
 
 /// The observation.* lines of a run's case.txt. Throws std::runtime_error naming file and line.
