@@ -31,9 +31,27 @@ class Integral {
   std::vector<double> sum_;
 };
 
+void add_laws(const Instruments& instruments, const std::vector<TimeSpan>& passes,
+              std::vector<LoggedSample>& log) {
+  if (instruments.hoist_law.empty() && instruments.crowd_law.empty()) return;
+  DriveSignals logged;
+  for (const LoggedSample& l : log) {
+    logged.time_s.push_back(l.time_s);
+    logged.hoist_m.push_back(l.hoist_m);
+    logged.crowd_m.push_back(l.crowd_m);
+    logged.swing_rad.push_back(l.swing_rad);
+  }
+  const auto terms = drive_terms(logged, passes);
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    log[k].hoist_force_kN += force_kN(instruments.hoist_law, terms[k]);
+    log[k].crowd_force_kN += force_kN(instruments.crowd_law, terms[k]);
+  }
+}
+
 }  // namespace
 
-std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& instruments) {
+std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& instruments,
+                                      const std::vector<TimeSpan>& passes) {
   for (const auto* v : {&s.hoist_m, &s.crowd_m, &s.swing_rad, &s.hoist_force_N, &s.crowd_force_N}) {
     if (v->size() != s.time_s.size()) {
       throw std::invalid_argument("drive signals of different lengths");
@@ -54,6 +72,7 @@ std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& 
          1e-3 * (1 + instruments.hoist_cell_gain) * hoist_force.mean(from - late, to - late),
          1e-3 * (1 + instruments.crowd_cell_gain) * crowd_force.mean(from - late, to - late)});
   }
+  add_laws(instruments, passes, log);
   return log;
 }
 
@@ -65,7 +84,8 @@ std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instrument
       std::find_if(passes.rbegin(), passes.rend(), [](const Pass& p) { return p.truck_kg > 0; });
   for (const Pass& p : passes) {
     const double kept = last != passes.rend() && &p == &*last ? 1 - instruments.truck_spillage : 1;
-    double mass_t = 1e-3 * p.truck_kg * kept * (1 + instruments.scale_gain);
+    double mass_t =
+        1e-3 * p.truck_kg * (1 - instruments.door_leak) * kept * (1 + instruments.scale_gain);
     if (p.truck_kg > 0) mass_t = std::max(0.0, mass_t + instruments.scale_offset_t);
     out.push_back({p.pass, p.t_start_s, p.t_end_s, mass_t});
   }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "machine/handle_statics.hpp"
-
 namespace dipper::analysis::signals {
 namespace {
 
@@ -26,6 +24,17 @@ double speed_at(const std::vector<double>& time_s, const std::vector<double>& x,
 }
 
 }  // namespace
+
+std::optional<machine::Holding> PayloadMonitor::holding_of_a_kg(double hoist_m,
+                                                                double crowd_m) const {
+  try {
+    const machine::HandleStatics statics(machine_, rake_);
+    const machine::HandlePlace p = statics.at({hoist_m, crowd_m, 0, 0});
+    return p.holding(p.of_a_kg());
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
+}
 
 std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
                                                     const std::vector<double>& door_rad,

@@ -6,6 +6,7 @@
 
 #include "analysis/signals/drive_signals.hpp"
 #include "analysis/signals/pass_phases.hpp"
+#include "machine/handle_statics.hpp"
 #include "machine/machine_data.hpp"
 
 namespace dipper::analysis::signals {
@@ -35,6 +36,10 @@ class PayloadMonitor {
   /// nothing of the load, and counts for nothing. None: the pass has not dumped, or does not swing.
   std::optional<MonitorReading> weigh(const DriveSignals& s, const std::vector<double>& door_rad,
                                       const PassPhases& pass) const;
+
+  /// What a kilogram in the middle of the dipper adds to hoist and crowd, at rest. None where the
+  /// ropes hang slack.
+  std::optional<machine::Holding> holding_of_a_kg(double hoist_m, double crowd_m) const;
 
  private:
   machine::MachineData machine_;

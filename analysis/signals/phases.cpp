@@ -22,27 +22,48 @@ double crossing(const std::vector<double>& t, const std::vector<double>& x, std:
   return t[k - 1] + (t[k] - t[k - 1]) * (level - x[k - 1]) / (x[k] - x[k - 1]);
 }
 
+struct Readings {
+  std::vector<double> t, crowd, swing;
+
+  /// The first at which the crowd is nearly all out.
+  std::size_t out(double share) const {
+    const auto [least, most] = std::minmax_element(crowd.begin(), crowd.end());
+    const double nearly = *least + share * (*most - *least);
+    std::size_t i = 0;
+    while (crowd[i] < nearly) ++i;
+    return i;
+  }
+};
+
+Readings in_pass(const DriveSignals& s, double t_start_s, double t_end_s) {
+  if (s.crowd_m.size() != s.time_s.size() || s.swing_rad.size() != s.time_s.size())
+    throw std::invalid_argument("drive signals of different lengths");
+  Readings r;
+  for (std::size_t i = 0; i < s.time_s.size(); ++i) {
+    if (s.time_s[i] < t_start_s || s.time_s[i] > t_end_s) continue;
+    r.t.push_back(s.time_s[i]);
+    r.crowd.push_back(s.crowd_m[i]);
+    r.swing.push_back(s.swing_rad[i]);
+  }
+  if (r.t.size() < 2) throw std::invalid_argument("fewer than two readings in a pass");
+  return r;
+}
+
 }  // namespace
+
+double dig_heading_rad(const DriveSignals& s, double t_start_s, double t_end_s,
+                       const PhaseRules& rules) {
+  const Readings r = in_pass(s, t_start_s, t_end_s);
+  return r.swing[r.out(rules.breakout_from)];
+}
 
 std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t_end_s,
                                const PhaseRules& rules) {
-  if (s.crowd_m.size() != s.time_s.size() || s.swing_rad.size() != s.time_s.size())
-    throw std::invalid_argument("drive signals of different lengths");
-  std::vector<double> t, crowd, turned;
-  for (std::size_t i = 0; i < s.time_s.size(); ++i) {
-    if (s.time_s[i] < t_start_s || s.time_s[i] > t_end_s) continue;
-    t.push_back(s.time_s[i]);
-    crowd.push_back(s.crowd_m[i]);
-    turned.push_back(s.swing_rad[i]);
-  }
-  if (t.size() < 2) throw std::invalid_argument("fewer than two readings in a pass");
+  auto [t, crowd, turned] = in_pass(s, t_start_s, t_end_s);
   // The shovel faces the rock where it is when the crowd is nearly all out. A pass may begin while
   // it still swings back, and need not end at the same heading.
   const std::size_t n = t.size();
-  const auto [least, most] = std::minmax_element(crowd.begin(), crowd.end());
-  const double nearly = *least + rules.breakout_from * (*most - *least);
-  std::size_t out = 0;
-  while (crowd[out] < nearly) ++out;
+  const std::size_t out = Readings{{}, crowd, {}}.out(rules.breakout_from);
   const double heading = turned[out];
   for (double& a : turned) a = std::abs(a - heading);
   const double swing = *std::max_element(turned.begin() + static_cast<long>(out), turned.end());

@@ -43,4 +43,9 @@ struct PhaseRules {
 std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t_end_s,
                                const PhaseRules& rules = {});
 
+/// The house's angle while it digs in that pass: where the crowd is nearly all out for the first
+/// time. Throws std::invalid_argument as find_phases does.
+double dig_heading_rad(const DriveSignals& s, double t_start_s, double t_end_s,
+                       const PhaseRules& rules = {});
+
 }  // namespace dipper::analysis::signals

@@ -219,6 +219,9 @@ struct ObservationCase {
   double scale_offset_t = 0;   ///< the truck scale reads so much too much for each pass
   double hoist_cell_gain = 0;  ///< the hoist's force is read as 1 + this times what it is
   double crowd_cell_gain = 0;  ///< likewise the crowd's
+  double door_leak = 0;        ///< share of each load that is lost before the dump
+  /// Force that the drives show besides: {term: number}, analysis/signals/drive_terms.hpp.
+  std::map<std::string, double> hoist_law, crowd_law;
 };
 
 /// The whole case, as it will run (after --set).

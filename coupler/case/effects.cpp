@@ -9,6 +9,7 @@
 #include "common/installation.hpp"
 #include "common/nearest_word.hpp"
 #include "common/yaml_section.hpp"
+#include "coupler/case/force_laws.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
 
@@ -22,7 +23,10 @@ fs::path catalogue() { return data_folder() / "analysis" / "effects"; }
 std::vector<double*> numbers_at(Case& c, const std::string& key, const KeySpec*& found) {
   std::vector<double*> out;
   for (const KeySpec& spec : schema()) {
-    for (const Place& place : places_of(c, spec)) {
+    std::vector<Place> places = places_of(c, spec);
+    if (is_law(spec) && spec_of(key) == &spec)  // a term that the law does not have yet
+      places = {{0, key.substr(key.rfind('.') + 1)}};
+    for (const Place& place : places) {
       const std::string here = concrete_key(spec, place);
       if (key != spec.key && key.rfind(here, 0) != 0)
         continue;  // a key that takes another's value keeps doing so

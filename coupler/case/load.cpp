@@ -15,6 +15,7 @@
 #include "coupler/case/case_text.hpp"
 #include "coupler/case/case_tree.hpp"
 #include "coupler/case/effects.hpp"
+#include "coupler/case/force_laws.hpp"
 #include "coupler/case/machine_kind.hpp"
 #include "coupler/case/pile_profile.hpp"
 #include "coupler/case/schema.hpp"
@@ -367,6 +368,7 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
   check_machine_kind(c, findings);
   read_pile_profile(c, findings);
   if (findings.size() == before) apply_effects(c, findings);
+  check_force_laws(c, findings);
   c.contact = of_every_pair(c.contact);
   check_between_keys(c, findings);
   sort_by_line(findings, before);

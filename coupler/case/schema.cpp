@@ -117,7 +117,10 @@ std::vector<Place> places_of(const Case& c, const KeySpec& spec) {
     const auto add = [&](const auto& entries) {
       for (const auto& entry : entries) places.push_back({0, entry.first});
     };
-    spec.key == "effects.*" ? add(c.effects) : add(c.bodies);
+    if (spec.key == "effects.*") add(c.effects);
+    if (spec.key == "bodies.*") add(c.bodies);
+    if (spec.key == "observation.hoist_law.*") add(c.observation.hoist_law);
+    if (spec.key == "observation.crowd_law.*") add(c.observation.crowd_law);
   } else {
     places.push_back({});
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "analysis/run/run_folder.hpp"
+#include "analysis/signals/drive_terms.hpp"
 #include "analysis/signals/pass_phases.hpp"
 #include "analysis/signals/passes.hpp"
 #include "common/input_error.hpp"
@@ -54,12 +55,20 @@ json of_readings(std::istream& in) {
   drive.crowd_m = readings.at("crowd_m").get<std::vector<double>>();
   drive.swing_rad = readings.at("swing_rad").get<std::vector<double>>();
   json passes = json::array();
+  std::vector<signals::TimeSpan> spans;
   for (const json& pass : readings.at("passes")) {
     json row = {{"t_start_s", pass.at("t_start_s")}, {"t_end_s", pass.at("t_end_s")}};
     row["phases"] = list(signals::find_phases(drive, row["t_start_s"], row["t_end_s"]));
+    spans.push_back({row["t_start_s"], row["t_end_s"]});
     passes.push_back(row);
   }
-  return {{"passes", passes}};
+  json told = {{"passes", passes}};
+  if (readings.contains("hoist_m")) {  // what a law's force may depend on, at each reading
+    drive.hoist_m = readings["hoist_m"].get<std::vector<double>>();
+    told["terms"] = signals::kDriveTerms;
+    told["values"] = signals::drive_terms(drive, spans);
+  }
+  return told;
 }
 
 }  // namespace

@@ -5,12 +5,18 @@
 #include <stdexcept>
 
 #include "analysis/run/run_folder.hpp"
+#include "analysis/signals/door_leak.hpp"
+#include "analysis/signals/drive_terms.hpp"
 #include "analysis/signals/observe.hpp"
+#include "common/angles.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
 #include "common/numbers.hpp"
 #include "common/text_file.hpp"
+#include "coupler/case/force_laws.hpp"
 #include "coupler/case/schema.hpp"
+#include "coupler/result/surveyed_faces.hpp"
+#include "machine/machine_data.hpp"
 
 namespace dipper::result {
 namespace fs = std::filesystem;
@@ -24,45 +30,64 @@ constexpr const char* kChannels =
     "swing_rad: {unit: rad, role: driven, sigma: 0, common_sigma: 0}\n"
     "hoist_force_kN: {unit: kN, role: response, sigma: 0, common_sigma: 0}\n"
     "crowd_force_kN: {unit: kN, role: response, sigma: 0, common_sigma: 0}\n";
+constexpr const char* kFaceChannel =
+    "face_m: {unit: m, role: response, sigma: 0, common_sigma: 0}\n";
+
+/// The machine of a run, which weighs its load.
+analysis::signals::PayloadMonitor monitor_of(const fs::path& run) {
+  const fs::path file = run / "case.txt";
+  const auto rake_deg = CaseLines::read(file).number("machine.rake_angle_deg");
+  if (!rake_deg) throw InputError({{file, 0, "machine.rake_angle_deg", "has no number"}});
+  return {machine::load_machine(run / "machine.yaml"), radians(*rake_deg)};
+}
 
 }  // namespace
 
 void write_observed(const fs::path& record, const cases::ObservationCase& o, const fs::path& out) {
   const analysis::run::RunSignals s = analysis::run::read_drive_signals(record);
-  write_observed(s.drive, s.pass, o, out);
+  write_observed(s.drive, s.pass, o, record.parent_path(), out);
 }
 
-void write_observed(const analysis::signals::DriveSignals& drives,
+void write_observed(const analysis::signals::DriveSignals& plain,
                     const analysis::signals::PassSignals& pass_signals,
-                    const cases::ObservationCase& o, const fs::path& out) {
+                    const cases::ObservationCase& o, const fs::path& run, const fs::path& out) {
   const analysis::signals::Instruments instruments{
-      o.rate_Hz,        o.lag_s,           o.scale_gain,     o.truck_spillage,
-      o.scale_offset_t, o.hoist_cell_gain, o.crowd_cell_gain};
+      o.rate_Hz,         o.lag_s,           o.scale_gain, o.truck_spillage, o.scale_offset_t,
+      o.hoist_cell_gain, o.crowd_cell_gain, o.door_leak,  o.hoist_law,      o.crowd_law};
+  const std::vector<analysis::signals::Pass> found = analysis::signals::find_passes(pass_signals);
+  std::vector<analysis::signals::TimeSpan> spans;
+  for (const analysis::signals::Pass& p : found) spans.push_back({p.t_start_s, p.t_end_s});
+  analysis::signals::DriveSignals drives = plain;
+  if (o.door_leak > 0)
+    analysis::signals::leak(o.door_leak, pass_signals, found, monitor_of(run), drives);
   std::string signals = "time_s,hoist_m,crowd_m,swing_rad,hoist_force_kN,crowd_force_kN\n";
   for (const analysis::signals::LoggedSample& l :
-       analysis::signals::log_signals(drives, instruments)) {
+       analysis::signals::log_signals(drives, instruments, spans)) {
     signals += fmt::format("{:.6g},{:.5f},{:.5f},{:.6f},{:.4f},{:.4f}\n", l.time_s, l.hoist_m,
                            l.crowd_m, l.swing_rad, l.hoist_force_kN, l.crowd_force_kN);
   }
   std::string passes = "pass,t_start_s,t_end_s,truck_mass_t\n";
-  for (const analysis::signals::WeighedPass& p :
-       analysis::signals::weigh(analysis::signals::find_passes(pass_signals), instruments)) {
+  for (const analysis::signals::WeighedPass& p : analysis::signals::weigh(found, instruments)) {
     passes +=
         fmt::format("{},{:.4f},{:.4f},{:.5f}\n", p.pass, p.t_start_s, p.t_end_s, p.truck_mass_t);
   }
   fs::create_directories(out);
-  write_text(out / "channels.yaml", kChannels);
+  const bool surveyed = write_profiles(run / "faces", drives, found, out);
+  write_text(out / "channels.yaml", std::string(kChannels) + (surveyed ? kFaceChannel : ""));
   write_text(out / "signals.csv", signals);
   write_text(out / "passes.csv", passes);
 }
 
 void set_observation(cases::ObservationCase& observation, const cases::Override& set) {
-  const cases::KeySpec* spec = cases::find_spec(set.key);
+  const cases::KeySpec* spec = cases::spec_of(set.key);
   if (spec == nullptr || spec->affects != cases::Affects::instruments) {
     throw std::invalid_argument(
         fmt::format("{}: not a key of the instruments; known are observation.{{{}}}", set.key,
                     fmt::join(cases::children_of("observation"), ", ")));
   }
+  const std::string name = set.key.substr(set.key.rfind('.') + 1);
+  if (cases::is_law(*spec) && !analysis::signals::is_drive_term(name))
+    throw std::invalid_argument(set.key + ": " + cases::no_term(name));
   cases::Case c;
   c.observation = observation;
   double value = 0;
@@ -70,14 +95,14 @@ void set_observation(cases::ObservationCase& observation, const cases::Override&
     throw std::invalid_argument(fmt::format("{}: is '{}'; write {}, {}", set.key, set.value,
                                             spec->expected(), spec->range.text()));
   }
-  *std::get<double*>(spec->slot(c, {})) = value;
+  *std::get<double*>(spec->slot(c, {0, name})) = value;
   observation = c.observation;
 }
 
 cases::ObservationCase read_observation(const fs::path& case_txt) {
   cases::ObservationCase observation;
   for (const CaseLine& line : CaseLines::read(case_txt)) {
-    const cases::KeySpec* spec = cases::find_spec(line.key);
+    const cases::KeySpec* spec = cases::spec_of(line.key);
     if (spec == nullptr || spec->affects != cases::Affects::instruments) continue;
     try {
       set_observation(observation, {line.key, line.value});

@@ -9,14 +9,16 @@
 namespace dipper::result {
 
 /// Writes channels.yaml, passes.csv and signals.csv of the run with this record.h5 into `out`
-/// (created; files there are replaced). Throws std::runtime_error naming the file.
+/// (created; files there are replaced), and profile.csv where the run has faces. Throws
+/// std::runtime_error naming the file.
 void write_observed(const std::filesystem::path& record, const cases::ObservationCase& observation,
                     const std::filesystem::path& out);
 
-/// The same from signals in memory.
+/// The same from signals in memory, with machine and faces of the run's folder.
 void write_observed(const analysis::signals::DriveSignals& drives,
                     const analysis::signals::PassSignals& passes,
-                    const cases::ObservationCase& observation, const std::filesystem::path& out);
+                    const cases::ObservationCase& observation, const std::filesystem::path& run,
+                    const std::filesystem::path& out);
 
 /// The observation.* lines of a run's case.txt. Throws std::runtime_error naming file and line.
 cases::ObservationCase read_observation(const std::filesystem::path& case_txt);

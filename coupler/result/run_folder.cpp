@@ -28,7 +28,7 @@ RunFolder::RunFolder(const fs::path& folder, bool resume)
 void RunFolder::seal() const {
   dipper::seal(root_,
                {"case.txt", "inputs.sha256", "motion.csv", "machine.yaml", "poses.csv", "operator",
-                "deck", record().filename(), scales().filename(), summary().filename()});
+                "faces", "deck", record().filename(), scales().filename(), summary().filename()});
 }
 
 void RunFolder::unseal() const { fs::remove(root_ / kManifest); }

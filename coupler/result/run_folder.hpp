@@ -25,6 +25,7 @@ class RunFolder {
   std::filesystem::path logs() const { return root_ / "logs"; }
   std::filesystem::path record() const { return root_ / "record.h5"; }
   std::filesystem::path decisions() const { return root_ / "operator"; }  ///< of one who plans
+  std::filesystem::path faces() const { return root_ / "faces"; }  ///< seen before and after passes
   std::filesystem::path summary() const { return root_ / "summary.json"; }
   std::filesystem::path observed() const { return root_ / "observed"; }
   /// The regions in which the rock side weighs, which reports need.

@@ -101,7 +101,7 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
     }
   }
   result::write_observed(s, analysis::run::read_drive_signals(record).pass, changed.observation,
-                         out);
+                         run, out);
 }
 
 }  // namespace dipper::run

@@ -68,6 +68,11 @@ Session::Session(const cases::Case& c, const result::RunFolder& folder,
   if (operated_) stepper_.end_when([this](const core::MachineState&) { return operated_->done(); });
   stepper_.add(record_);
   stepper_.add(progress_);
+  if (c.machine.kind == cases::MachineKind::shovel) {
+    survey_.emplace(c, FaceSurvey::Sides{rock_, sides_.machine().info()}, folder.faces(),
+                    from ? &from->coupling : nullptr, coupling_.machine_state());
+    stepper_.add(*survey_);
+  }
   if (c.machine.operated_by == cases::OperatorKind::plan && !program) {
     desk_.emplace(c,
                   PassDesk::Sides{sides_.machine(), rock_, sides_.machine().info(), rock_.info()},

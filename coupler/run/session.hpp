@@ -12,6 +12,7 @@
 #include "coupler/result/run_folder.hpp"
 #include "coupler/result/summary.hpp"
 #include "coupler/run/checkpointer.hpp"
+#include "coupler/run/face_survey.hpp"
 #include "coupler/run/pass_desk.hpp"
 #include "coupler/run/preparation.hpp"
 #include "coupler/run/progress.hpp"
@@ -63,6 +64,7 @@ class Session {
   RunRecord record_;
   RunEnd end_;
   std::optional<PassDesk> desk_;
+  std::optional<FaceSurvey> survey_;
   Stepper stepper_;
   Progress progress_;
   Checkpointer checkpointer_;

@@ -30,7 +30,7 @@ class Dig:
     def load(cls, folder, number):
         """A dig that was made before the last calibration of the density is scaled to it (effects.rock_density)."""
         made = json.loads((folder / "run.json").read_text())
-        table = np.loadtxt(folder / f"pass_{number}.csv", delimiter=",", skiprows=1)
+        table = np.loadtxt(folder / f"pass_{number}.csv.gz", delimiter=",", skiprows=1)
         table[:, 1:8] *= Material().density * made["keys"]["density"] / made["material"]["density"]
         return cls(table, np.loadtxt(folder / f"face_{number}.csv", delimiter=",", skiprows=1), int(folder.name))
 

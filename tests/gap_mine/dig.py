@@ -9,7 +9,7 @@ from shovel import Arm
 BEGIN_S, END_S = 0.5, 13.6        # of a pass, by the plan: before the teeth meet rock, after the dipper is clear of it
 ACTIVE_M, HELD_M = 3.7, 4.8       # beside the boom's plane: rock that moves, rock that is held; beyond it is left out
 DEEP_M, FLOOR_M = 2.9, 4.0        # the same below the surveyed face, normal to it
-LED_STEPS, LOG_S, LOOK_S = 6, 0.048, 0.24   # steps a lead; s a row of forces, and a look at where the rock is
+LED_STEPS, LOG_S, LOOK_S = 5, 0.048, 0.24   # steps a lead; s a row of forces, and a look at where the rock is
 
 
 def parts(rocks, heading, outline):

@@ -184,7 +184,7 @@ LOGGED = {f.__name__: f for f in (truck_spillage, scale_gain, payload_bias, logg
                                   crowd_cell_drift, hoist_zero_drift, crowd_zero_drift, clipped_cell, lazy_cell)}
 CATALOGUE = ("carry_back", "liners", "hoist_drive_loss", "crowd_friction", "truck_spillage", "scale_gain",
              "logger_offset", "payload_bias", "hoist_cell_drift", "crowd_cell_drift", "standoff", "rake_offset",
-             "grading")
+             "grading", "leaking_door")
 NUISANCE = ("rock_density",)
-OUTSIDE = ("leaking_door", "sticky_load", "sloping_ground", "tight_crowd", "cable_drag", "hoist_zero_drift",
+OUTSIDE = ("sticky_load", "sloping_ground", "tight_crowd", "cable_drag", "hoist_zero_drift",
            "crowd_zero_drift", "clipped_cell", "lazy_cell", "slippery_steel")

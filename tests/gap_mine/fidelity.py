@@ -72,7 +72,7 @@ def observed(folder):
 
 def own(folder, motion):
     """The figures of one of the mine's trucks, and those of the committed table of the model's passes."""
-    digs = [Dig.load(folder, k + 1) for k in range(PASSES) if (folder / f"pass_{k + 1}.csv").exists()]
+    digs = [Dig.load(folder, k + 1) for k in range(PASSES) if (folder / f"pass_{k + 1}.csv.gz").exists()]
     log, passes = truck_log(digs, motion, {})
     time, means = second_means(log)
     said = figures(time, means, [(a, b, m) for (a, _, b), m in zip(passes, log.tonnes)])
@@ -100,7 +100,7 @@ def main(words):
         print(__doc__, file=sys.stderr)
         return 2
     motion = Motion.read(HERE.parents[1] / "cases/screening/motion.csv")
-    mine = [own(f, motion) for f in sorted((HERE / "runs/base").iterdir()) if (f / "pass_1.csv").exists()]
+    mine = [own(f, motion) for f in sorted((HERE / "runs/base").iterdir()) if (f / "pass_1.csv.gz").exists()]
     model = [observed(Path(w)) for w in words[1:]] + known()
     rows = ["# tests/gap_mine/fidelity.py: nothing hidden, no errors of instruments; sd of single trucks",
             "# forces of a phase as a logger of 1 Hz shows them, kN; from dig to dump at full rate",

@@ -17,7 +17,8 @@ CHANNELS = {"truck_mass_t": ("t", "response", 0.8, 1.0, 0.3),
 STEP = {"truck_mass_t": 0.1, "hoist_m": 0.001, "crowd_m": 0.001, "swing_rad": 1e-4, "hoist_force_kN": 5.0,
         "crowd_force_kN": 5.0}     # of the displays
 CHANGE_S = 60.0                    # from truck to truck, nothing logged
-SURVEY_M, SURVEY_COMMON_M, ANGLE_DEG = 0.06, 0.04, 0.8   # of a drone's points, of its levelling, of a pile's angle
+SURVEY = ("m", "response", 0.06, 0.04, 0.056)   # of a drone's points, of its levelling, which is another each day
+ANGLE_DEG = 0.8                                 # of a pile's angle
 
 
 def truck_log(digs, motion, hidden, truck=1):
@@ -49,12 +50,12 @@ class Errors:
 
     @classmethod
     def draw(cls, rng):
-        return cls({n: rng.normal(0, c[3]) for n, c in CHANNELS.items()}, rng.normal(0, SURVEY_COMMON_M))
+        return cls({n: rng.normal(0, c[3]) for n, c in CHANNELS.items()}, rng.normal(0, SURVEY[3]))
 
     def moved(self, rng):
         """Of the same instruments at another time."""
         return Errors({n: e + rng.normal(0, CHANNELS[n][4]) for n, e in self.common.items()},
-                      rng.normal(0, SURVEY_COMMON_M))
+                      rng.normal(0, SURVEY[3]))
 
 
 def second_means(log):
@@ -75,7 +76,7 @@ def write_folder(folder, trucks, hidden, motion, errors, rng, pile_deg=()):
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "channels.yaml").write_text("".join(
         f"{n}: {{unit: {u}, role: {r}, sigma: {s:g}, common_sigma: {c:g}{f', drift_sigma: {d:g}' if d else ''}}}\n"
-        for n, (u, r, s, c, d) in CHANNELS.items()))
+        for n, (u, r, s, c, d) in {**CHANNELS, "face_m": SURVEY}.items()))
     passes, rows, faces, start = [], [], [], 0.0
     for number, digs in enumerate(trucks, 1):
         log, spans = truck_log(digs, motion, hidden, number)
@@ -86,19 +87,19 @@ def write_folder(folder, trucks, hidden, motion, errors, rng, pile_deg=()):
         passes += [f"{k},{start + a:.3f},{start + b:.3f},{m:.1f},{number}"
                    for k, ((a, _, b), m) in enumerate(zip(spans, tonnes), 1)]
         for k, d in enumerate(digs, 1):
-            faces += _points(k, d.face[:, 0], d.face[:, 1], number, errors, rng)
-        faces += _points(len(digs) + 1, digs[-1].face[:, 0], digs[-1].face[:, 2], number, errors, rng)
+            for after in (0, 1):
+                faces += _points(k, d.face[:, 0], d.face[:, 1 + after], after, number, errors, rng)
         start += time[-1] + CHANGE_S
     names = [n for n in CHANNELS if n != "truck_mass_t"]
     _table(folder / "signals.csv", "time_s," + ",".join(names), rows)
     _table(folder / "passes.csv", "pass,t_start_s,t_end_s,truck_mass_t,truck", passes)
-    _table(folder / "profile.csv", "pass,x_m,z_m,truck", faces)
+    _table(folder / "profile.csv", "pass,x_m,z_m,after,truck", faces)
     _table(folder / "pile_angle.csv", "pile,angle_deg",
            [f"{k},{a + rng.normal(0, ANGLE_DEG):.1f}" for k, a in enumerate(pile_deg, 1)])
 
 
-def _points(number, x, z, truck, errors, rng):
-    return [f"{number},{a:.2f},{max(0.0, b + errors.level_m + rng.normal(0, SURVEY_M)):.2f},{truck}"
+def _points(number, x, z, after, truck, errors, rng):
+    return [f"{number},{a:.2f},{max(0.0, b + errors.level_m + rng.normal(0, SURVEY[2])):.2f},{after},{truck}"
             for a, b in zip(x, z)]
 
 

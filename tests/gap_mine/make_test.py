@@ -28,7 +28,7 @@ def runs(tmp_path):
             (folder / "run.json").write_text(json.dumps({"keys": {"density": 1.0}, "material": material}))
             for k in range(3):
                 dig = a_dig(kg=50e3 + 1e3 * seed, number=k)
-                np.savetxt(folder / f"pass_{k + 1}.csv", dig.table, delimiter=",", header="h", comments="")
+                np.savetxt(folder / f"pass_{k + 1}.csv.gz", dig.table, delimiter=",", header="h", comments="")
                 np.savetxt(folder / f"face_{k + 1}.csv", dig.face, delimiter=",", header="h", comments="")
     return tmp_path / "runs"
 

@@ -29,22 +29,22 @@ VOLUME = {n: _union(m) for n, m in SHAPES.items()}
 class Material:
     """Hertz-Mindlin contacts; the friction makes the pile's angle, the density the box's weight (calibrate.py)."""
 
-    density: float = 3600.0      # of a rock, kg/m^3
+    density: float = 3551.0      # of a rock, kg/m^3
     friction: float = 0.45       # rock on rock and on the ground
     steel: float = 0.45          # rock on the dipper
-    young: float = 5e8           # Pa: soft, for the step; 0.2 MN presses two of the least rocks 16 mm together
+    young: float = 2e8           # Pa: soft, for the step; 0.2 MN presses two of the least rocks 28 mm together
     poisson: float = 0.2
     restitution: float = 0.3
-    step: float = 8e-4           # s
+    step: float = 1.6e-3         # s
 
 
 @dataclass(frozen=True)
 class Grading:
     """(least and largest diameter of equal volume [m], share of mass, {spheres: share of rocks})."""
 
-    classes: tuple = ((0.60, 0.76, 0.37, {1: 0.5, 2: 0.5}),
-                      (0.76, 0.96, 0.25, {2: 0.4, 3: 0.6}),
-                      (0.96, 1.12, 0.38, {3: 0.4, 4: 0.6}))
+    classes: tuple = ((0.68, 0.84, 0.37, {1: 0.5, 2: 0.5}),
+                      (0.84, 1.04, 0.25, {2: 0.5, 3: 0.5}),
+                      (1.04, 1.20, 0.38, {3: 0.4, 4: 0.6}))
 
     def draw(self, volume, rng):
         """Diameters and numbers of spheres of rocks of `volume` m^3 together, in an order of chance."""

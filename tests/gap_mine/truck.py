@@ -3,7 +3,7 @@
 
     yade -x -n -j1 truck.py SEED FOLDER [KEY=VALUE ...]
 
-FOLDER/SEED gets pass_1.csv ... (dig.py's table), face.csv (the section before each pass and after the last), run.json
+FOLDER/SEED gets pass_1.csv.gz ... (dig.py's table), face_1.csv ... (the section before and after the dig), run.json
 (what was run, with the version of YADE and the CPU time) and, kept for a resumed run, bench.npz and left_*.npz.
 Keys change the mine itself: toe_m (the face is nearer by so much), rake_deg, density (a factor), size (a factor on
 every rock), friction and steel (the coefficients), passes (how many of the three are dug).
@@ -61,7 +61,7 @@ def main(words):
             start = time.process_time()
             before = section(rocks, heading)
             table, after, notes["digs"][str(number)] = dig(rocks, material, outline, shovel, motion, begin)
-            np.savetxt(folder / f"pass_{number}.csv", table, delimiter=",", header=HEAD, comments="", fmt="%.6g")
+            np.savetxt(folder / f"pass_{number}.csv.gz", table, delimiter=",", header=HEAD, comments="", fmt="%.6g")
             np.savetxt(folder / f"face_{number}.csv", np.c_[before, section(after, heading)[:, 1]], delimiter=",",
                        header="x_m,z_before_m,z_after_m", comments="", fmt="%.3f")
             keep(f"left_{number}", after, start)

@@ -1,6 +1,7 @@
 """The files of an answer: gap.json, report.html and, where effects were found, the case with them."""
 import hashlib
 
+from .decision.law_effect import effect_text
 from .decision.patch import write_patched_case
 from .gap_json import as_json, write_json
 from .report import write_report
@@ -17,6 +18,10 @@ def write_answer(out, catalogue, simulator, measured, folder, reference=None):
     write_json(answer, folder / "gap.json")
     if out.effects:
         write_patched_case(simulator.case, out.effects, folder / "case")
+        files.append(folder / "case")
+    elif out.added:
+        write_patched_case(simulator.case, {out.added.name: 1.0}, folder / "case",
+                           {out.added.name: effect_text(out.added)})
         files.append(folder / "case")
     write_report(out, answer, catalogue, folder / "report.html", simulator.case.resolve().name)
     return files

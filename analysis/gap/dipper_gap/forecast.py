@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .model import learn, signatures_of
+from .readings.measured import FACE
 from .readings.passes import split
 from .simulation.plan import make_plan, statement
 from .statistics.isolability import isolability, with_nuisances
@@ -23,6 +24,7 @@ class Forecast:
     trucks: tuple
     channels: tuple   # names of the responses
     limits: dict      # {effect: {"model": [strength or None for each of trucks], "reference": [...]}}
+    faceless: dict    # the same without surveys of the face; None where the channels have none
     runs: int
 
 
@@ -35,10 +37,16 @@ def forecast(channels, simulator, catalogue, first_seed, say=print):
     first = folders[plan.baseline[0]]
     mine = replace(first.seen_by(channels), channels={n: channels[n] for n in first.channels if n in channels})
     model = learn(plan, folders, mine)
+    blind = mine.seen_by({n: c for n, c in mine.channels.items() if n != FACE})
+    faceless = _ways(learn(plan, folders, blind), catalogue, blind) if FACE in mine.channels else None
+    return Forecast(TRUCKS, model.responses, _ways(model, catalogue, mine), faceless,
+                    sum(r.how == "run" for r in requests))
+
+
+def _ways(model, catalogue, mine):
     found = {way: [_limits(model, catalogue, mine, trucks, way == "reference") for trucks in TRUCKS]
              for way in ("model", "reference")}
-    limits = {n: {way: [row[n] for row in rows] for way, rows in found.items()} for n in found["model"][0]}
-    return Forecast(TRUCKS, model.responses, limits, sum(r.how == "run" for r in requests))
+    return {n: {way: [row[n] for row in rows] for way, rows in found.items()} for n in found["model"][0]}
 
 
 def _limits(model, catalogue, mine, trucks, with_reference):
@@ -57,11 +65,19 @@ def _limits(model, catalogue, mine, trucks, with_reference):
 
 
 def as_lines(told, catalogue):
-    """A table to print: an effect a line, the most easily found (by its prior) first."""
+    """Tables to print, without and with surveys of the face."""
+    if told.faceless is None:
+        return _table(told, told.limits, catalogue)
+    return ["without the face:", *_table(told, told.faceless, catalogue), "",
+            "with the face surveyed before and after each pass:", *_table(told, told.limits, catalogue)]
+
+
+def _table(told, limits, catalogue):
+    """An effect a line, the most easily found (by its prior) first."""
     head = [f"{t} trucks" for t in told.trucks]
     rows = [["", "unit", *head, *(f"+ {t} before" for t in told.trucks)]]
-    for n in sorted(told.limits, key=lambda n: _ease(told.limits[n], catalogue[n])):
-        e, ways = catalogue[n], told.limits[n]
+    for n in sorted(limits, key=lambda n: _ease(limits[n], catalogue[n])):
+        e, ways = catalogue[n], limits[n]
         unit = "" if e.unit in ("-", "1") else e.unit
         rows.append([n, unit, *map(_text, ways["model"]), *map(_text, ways["reference"])])
     widths = [max(len(r[k]) for r in rows) for k in range(len(rows[0]))]
@@ -80,5 +96,5 @@ def _text(x):
 def write_forecast(told, catalogue, file):
     data = {"trucks": list(told.trucks), "channels": list(told.channels), "runs": told.runs, "effects": {
         n: {"title": catalogue[n].title, "unit": catalogue[n].unit, "high": catalogue[n].high, "low": catalogue[n].low,
-            **ways} for n, ways in told.limits.items()}}
+            **ways, "without_face": told.faceless and told.faceless[n]} for n, ways in told.limits.items()}}
     file.write_text(json.dumps(data, indent=2, allow_nan=False) + "\n")

@@ -23,11 +23,11 @@ def as_json(out, catalogue, hashes):
         "confusable": _confusable(out, lead or (v.members[0] if v.members else "")),
         "gap": _gap(out),
         "rejected": [{"effect": n, "probability": p, "reason": r} for n, p, r in v.rejected],
-        "patch": overlay(out.effects),
+        "patch": overlay(out.effects or ({out.added.name: 1.0} if out.added else {})),
         "trucks": out.trucks,
         "reference": _reference(out),
         "history": _history(out, catalogue),
-        "law": _law(out.law) if out.law else None,
+        "law": _law(out) if out.laws else None,
         "face": [{"what": f.kind, "unit": f.unit, "before": f.before, "now": f.now, "p_adjusted": f.p}
                  for f in out.faces],
         "runs": out.runs,
@@ -49,9 +49,11 @@ def _parameter(out, catalogue, name):
             "interval90": list(out.intervals[name])}
 
 
-def _law(law):
-    return {"channel": law.channel, "terms": [{"term": n, "kN": a} for n, a in law.terms], "words": law.words,
-            "p": law.p, "holdout_explained": law.explained}
+def _law(out):
+    """The best law, and in `also` those of other forces."""
+    first, *others = ({"channel": law.channel, "terms": [{"term": n, "kN": a} for n, a in law.terms],
+                       "words": law.words, "p": law.p, "holdout_explained": law.explained} for law in out.laws)
+    return {**first, "effect": out.added.name, "also": others}
 
 
 def _reference(out):

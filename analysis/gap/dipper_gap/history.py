@@ -1,4 +1,4 @@
-"""Truck by truck since the reference: how strong what was found is, and when it began."""
+"""Truck by truck, since the reference or over the measured ones: how strong what was found is, and when it changed."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,6 +7,7 @@ from dipper_run.csv_text import stamp_text
 
 from .statistics.trend import Trend, find_trend, weights
 
+CHANGES_SD = 3.0  # of a change among the measured trucks, from which it is told where no reference says when
 LEAST_SIDE = 2  # trucks on each side of a change that has no name: each is left out in turn
 ROUNDS = 3
 
@@ -62,6 +63,23 @@ def history(model, prediction, names, training, measured, before):
     return History(names[0] if names else None,
                    tuple(Truck(period, t.passes[0].truck, time, float(a), float(np.sqrt(v)))
                          for (period, t), time, a, v in zip(told, times, strength, variance)), trend)
+
+
+def within_the_shift(model, prediction, names, measured):
+    """History of the effects `names` over the measured trucks alone, where the first of them changes from truck to
+    truck by more than CHANGES_SD; None where it does not, or there are too few trucks."""
+    b = prediction.baseline
+    rows, one = model.of_mine(measured) - b.mean, b.own + b.seed
+    by_name = {s.name: s.g for s in prediction.signatures}
+    w = weights(np.column_stack([by_name[n] for n in names]), one)
+    strength, variance = rows @ w, np.full(len(rows), w @ one @ w)
+    trend = find_trend(strength, 0, variance, float(((b.common @ w) ** 2).sum()))
+    if trend is None or abs(trend.size) < CHANGES_SD * trend.size_sd:
+        return None
+    trucks = measured.trucks()
+    times = _times([t.passes[0].t_start_s for t in trucks])
+    return History(names[0], tuple(Truck("measured", t.passes[0].truck, time, float(a), float(np.sqrt(v)))
+                                   for t, time, a, v in zip(trucks, times, strength, variance)), trend)
 
 
 def _along_the_others(rows, began, training, one):

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .readings.measured import MASS
+from .readings.measured import FACE, MASS
 from .readings.passes import common_passes, split
 from .readings.vectors import Vectors, indices_of
 from .simulation.plan import Plan
@@ -102,7 +102,7 @@ class Part:
 
 def response_names(measured):
     """Channels that answer, in the order of the instruments' shared errors."""
-    return (*measured.responses(), *([MASS] if MASS in measured.channels else []))
+    return (*measured.responses(), *(n for n in (MASS, FACE) if n in measured.channels))
 
 
 def learn(plan, folders, measured, before=None):

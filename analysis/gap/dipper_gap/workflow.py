@@ -16,9 +16,10 @@ import numpy as np
 
 from .decision.confirm import confirm, drawn
 from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
-from .decision.law import find_law
+from .decision.law import find_laws
+from .decision.law_effect import law_effect
 from .decision.next_experiment import propose
-from .history import History, history
+from .history import History, history, within_the_shift
 from .model import Part, SignatureRuns, compare, learn, predict, predict_change, signature
 from .readings.before import check_reference
 from .readings.face import CHANGED_P, compare_faces
@@ -92,7 +93,8 @@ class Outcome:
     reference: int = 0      # trucks of the reference
     fidelity: float = None  # mean z^2 by which the reference differs from the model, in the model's own spread
     history: History = None  # truck by truck since the reference
-    law: object = None      # decision.law.Law, where the catalogue has no name
+    laws: tuple = ()        # decision.law.Law, one a force, where the catalogue has no name and the hold-out confirms
+    added: object = None    # the Effect that they are
     faces: tuple = ()       # readings.face.FaceChange of the surveys of both periods
     runs: int = 0
     seeds: dict = field(default_factory=dict)
@@ -161,10 +163,42 @@ def conclude(model, prediction, measured, runner, before=None):
         if out.look.verdict.verdict != "no-gap":
             told = history(model, prediction, names, seen.training.at, measured, before)
             out = replace(out, history=told, warnings=(*out.warnings, *within(told, reference.trucks)))
+    elif out.effects:
+        told = within_the_shift(model, prediction, list(out.effects), measured)
+        out = replace(out, history=told, warnings=(*out.warnings, *changing(told, runner.catalogue)))
     if out.look.verdict.verdict == "unknown":
-        out = replace(out, law=find_law(model, prediction.baseline, seen.holdout.passes, measured, before))
+        out, with_them = with_laws(out, model, prediction, measured, runner, before)
+        after = with_them or after
     lines, loads = drawn(model, prediction, seen.holdout, measured, after, before)
     return replace(out, curves=lines, masses=loads, proposals=tuple(experiments(out)))
+
+
+def with_laws(out, model, prediction, measured, runner, before):
+    """The outcome with laws of the motion, if there are any, and the folders of the runs with them; unchanged but for
+    the reasons where the hold-out does not confirm them."""
+    seen = out.look
+    laws = find_laws(model, prediction.baseline, seen.holdout.passes, measured, before)
+    if not laws:
+        return out, ()
+    effect = law_effect(laws)
+    runner.say(f"gap: a law of the motion: {effect.signature}; {FRESH_SEEDS} fresh runs with it")
+    knows = replace(runner, simulator=runner.simulator.with_effect(effect),
+                    catalogue={**runner.catalogue, effect.name: effect})
+    seeds = [r.seed for r in model.plan.baseline]
+    runs = SignatureRuns((1.0,) * len(seeds), tuple(range(len(seeds))), model.of_runs(knows.run({effect.name: 1.0},
+                                                                                                seeds)), True)
+    shown = signature(effect, prediction.baseline, runs)
+    training, holdout = (replace(p, signatures=[*p.signatures, shown.part(p.at)])
+                         for p in (seen.training, seen.holdout))
+    fresh = confirm(model, training, holdout, seen.matched, {effect.name: 1.0}, knows)
+    objections = fresh.holdout.objections()
+    if objections:
+        reasons = (*seen.verdict.reasons, *(f"a law ({effect.signature}) was added, but on the hold-out {o}"
+                                            for o in objections))
+        return replace(out, look=replace(seen, verdict=replace(seen.verdict, reasons=reasons))), ()
+    return replace(out, laws=laws, added=effect, runs=out.runs + FRESH_SEEDS,
+                   confirmed={"training": fresh.training, "holdout": fresh.holdout},
+                   seeds={**out.seeds, "fresh": fresh.seeds}), fresh.folders
 
 
 def fidelity(b):
@@ -178,6 +212,17 @@ def other_faces(faces):
     return tuple(f"the face is another one than in the reference: {f.kind} {f.now:.3g} {f.unit} for {f.before:.3g} (p "
                  f"{f.p:.2g}): what the rock and the place of the shovel do is in the difference too"
                  for f in faces if f.kind in ("slope", "toe", "crest") and f.p < CHANGED_P)
+
+
+def changing(told, catalogue):
+    """Of an effect that is not the same in all trucks: what is named is its mean over them."""
+    if not told:
+        return ()
+    t, unit = told.trend, catalogue[told.effect].unit
+    how = {"step": "at once", "ramp": "little by little", "unclear": "in some way"}[t.shape]
+    size = f"{t.size:.3g} {unit} +- {2 * t.size_sd:.2g} (2 sd)"
+    return (f"{told.effect} is not the same in all trucks: it changes by {size}, {how}, after truck "
+            f"{told.trucks[t.began - 1].truck}; what is named is the mean over the trucks",)
 
 
 def within(told, before):

@@ -1,6 +1,7 @@
 """The synthetic shovel as a simulator with a catalogue, for tests of the statistics and the workflow."""
 import functools
 import zlib
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from dipper_gap.statistics.baseline import make_baseline
 from dipper_gap.simulation.effects import Effect
 from dipper_gap.statistics.isolability import with_nuisances
 from dipper_gap.readings.noise import common_errors, measured_features, noise_covariance, noisy_features
+from dipper_gap.readings.phases import find_terms
 from dipper_gap.statistics.null import simulate_null
 from dipper_gap.statistics.signatures import fit_signature
 from dipper_gap.simulation.simulator import Simulator
@@ -48,8 +50,8 @@ CATALOGUE = {e.name: e for e in (
 class FakeSimulator(Simulator):
     """The synthetic shovel behind the workflow's interface; counts what it is asked to run."""
 
-    def __init__(self, spread=1.0):
-        self.spread, self.made = spread, []
+    def __init__(self, spread=1.0, faces=False):
+        self.spread, self.faces, self.made, self.laws = spread, faces, [], {}
 
     def run(self, requests, say=print):
         return [self._one(r) for r in requests]
@@ -59,13 +61,32 @@ class FakeSimulator(Simulator):
             self.made.append(r)
         # A chaotic run shares nothing with the plain one of its seed; what the instruments do is no run.
         chaos = 0 if r.how != "run" or not r.effects else zlib.crc32(repr(r.effects).encode()) % 10**6
-        return synthetic.run(dict(r.effects), r.seed + 17 * chaos, spread=self.spread)
+        made = synthetic.run(dict(r.effects), r.seed + 17 * chaos, spread=self.spread, faces=self.faces)
+        for name, strength in r.effects:
+            made = with_law(made, self.laws[name].overlay, strength) if name in self.laws else made
+        return made
+
+    def with_effect(self, effect):
+        self.laws[effect.name] = effect
+        return self
 
     def plan(self, requests):
         return len({r if r.how == "run" else r.plain for r in requests}), 0, None
 
     def case_hash(self):
         return "synthetic"
+
+
+def with_law(m, overlay, strength):
+    """A folder whose forces follow the motion besides, as `observation.hoist_law` and `crowd_law` say."""
+    spans = [(p.t_start_s, p.t_end_s) for p in m.passes]
+    names, values = find_terms(m.time_s, *(m.signals[n] for n in ("hoist_m", "crowd_m", "swing_rad")), spans)
+    signals = dict(m.signals)
+    for key, _, number in overlay:
+        _, law, term = key.split(".")
+        name = law.replace("_law", "_force_kN")
+        signals[name] = signals[name] + strength * number * values[:, names.index(term)]
+    return replace(m, signals=signals)
 
 
 class World:

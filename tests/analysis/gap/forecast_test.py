@@ -35,5 +35,18 @@ def test_more_trucks_show_less_and_a_reference_shows_the_scale(told, tmp_path):
     assert len(lines) == 1 + 3 and "+ 8 before" in lines[0] and len({len(line) for line in lines}) == 1
 
 
+def test_a_scan_of_the_face_shows_what_forces_and_masses_do_not():
+    """The height of a pile that the teeth leave below its crest, and where the shovel stands."""
+    few = {n: fake_mine.CATALOGUE[n] for n in ("pile_height", "standoff", "scale_gain")}
+    said = []
+    out = forecast(read_channels(), fake_mine.FakeSimulator(faces=True), few, 1, said.append)
+    assert "face_m" in out.channels
+    for name in ("pile_height", "standoff"):
+        with_face, without = out.limits[name]["model"][1], out.faceless[name]["model"][1]
+        assert with_face and (without is None or with_face < 0.75 * without), (name, with_face, without)
+    lines = as_lines(out, few)
+    assert lines[0] == "without the face:" and len(lines) == 2 * (2 + 3) + 1
+
+
 def test_assumed_instruments_are_a_channels_file():
     assert read_channels()["hoist_force_kN"].drift_sigma == 7.5

@@ -61,14 +61,19 @@ def smooth_noise(rng, t, scale_s):
     return np.convolve(x, kernel / np.sqrt((kernel**2).sum()), "valid")[:len(t)]
 
 
-def run(effects=None, seed=0, rate_hz=1.0, spread=1.0):
-    """One noise-free observed folder in memory; `effects` {name: strength}, `spread` scales the seeds'."""
+FACE_CHANNEL = Channel("face_m", "m", "response", 0.06, 0.04)
+FACE_X = np.arange(12.0, 27.0, 0.25)
+
+
+def run(effects=None, seed=0, rate_hz=1.0, spread=1.0, faces=False):
+    """One noise-free observed folder in memory; `effects` {name: strength}, `spread` scales the seeds'; with `faces`
+    surveyed before and after each pass."""
     e = dict(effects or {})
     rng = np.random.default_rng([seed, 77])
     t, hoist_m, crowd_m, swing = motion(rate_hz)
     v_hoist, v_crowd = np.gradient(hoist_m, t), np.gradient(crowd_m, t)
     hoist, crowd = np.zeros_like(t), np.zeros_like(t)
-    passes, carried = [], 0.0
+    passes, carried, before, left = [], 0.0, {}, {}
     hoist_wobble = 1 + 0.05 * spread * smooth_noise(rng, t, 1.5)
     crowd_wobble = 1 + 0.09 * spread * smooth_noise(rng, t, 1.5) + 0.4 * (hoist_wobble - 1)
     for k, ph in enumerate(phase_index(rate_hz)):
@@ -112,10 +117,17 @@ def run(effects=None, seed=0, rate_hz=1.0, spread=1.0):
         if k == 2:
             mass -= e.get("truck_spillage", 0.0)
         mass *= 1 + e.get("scale_gain", 0.0)
+        if faces:
+            before[1, k + 1], left[1, k + 1] = _faces(e, np.random.default_rng([seed, 78, k]), spread, load)
         passes.append(Pass(k + 1, start, start + CYCLE_S, mass))
     unknown = e.get("outside", 0.0)  # no effect of the catalogue: a brake that drags while swinging and back
     hoist = hoist + 60 * unknown * (np.abs(np.gradient(swing, t)) > 0.02)
     crowd = crowd - 45 * unknown * (np.abs(np.gradient(swing, t)) > 0.02)
+    # Others that no catalogue has: a bent handle, which drags the more the farther it is out; a cable that pulls by the
+    # house's angle; a cell whose zero is off.
+    crowd = crowd + e.get("bent_handle", 0.0) * np.tanh(v_crowd / 0.05) * (crowd_m - crowd_m.min())
+    crowd = crowd + e.get("cable", 0.0) * swing
+    hoist = hoist + e.get("zero", 0.0)
     crowd = crowd + e.get("crowd_friction", 0.0) * np.tanh(v_crowd / 0.05)
     hoist = hoist * (1 + e.get("hoist_loss", 0.0) * np.tanh(-v_hoist / 0.1))
     lag = e.get("logger_offset", 0.0)
@@ -125,7 +137,21 @@ def run(effects=None, seed=0, rate_hz=1.0, spread=1.0):
         crowd = np.interp(t - lag, t, crowd)
     signals = {"hoist_m": hoist_m, "crowd_m": crowd_m, "swing_rad": swing,
                "hoist_force_kN": hoist, "crowd_force_kN": crowd}
-    return Measured(dict(CHANNELS), tuple(passes), t, signals)
+    if not faces:
+        return Measured(dict(CHANNELS), tuple(passes), t, signals)
+    return Measured({**CHANNELS, "face_m": FACE_CHANNEL}, tuple(passes), t, signals, "", before, left)
+
+
+def _faces(e, rng, spread, load):
+    """(x, z) of a face before a pass and after it: 37 degrees, 8.5 m, and what `load` t of rock in place (1.9 t/m3,
+    4 m wide, a fifth of it run in again) leave of it."""
+    toe = 13.5 - e.get("standoff", 0.0) - e.get("standoff_scan", 0.0) + 0.05 * spread * rng.standard_normal()
+    height = 8.5 + e.get("pile_height", 0.0) + 0.05 * spread * rng.standard_normal()
+    z = np.clip((FACE_X - toe) * np.tan(np.radians(37 + 1.5 * e.get("cohesion", 0.0))), 0, height)
+    area = load / (1.9 * (1 + e.get("density", 0.0)) * (1 + 0.8 * e.get("fines", 0.0)) * 4) * 0.8
+    area *= 1 + 0.02 * spread * rng.standard_normal()
+    cut = np.clip(z, 0, 7) * bump(FACE_X, toe, toe + 9)
+    return (FACE_X, z), (FACE_X, z - cut * area / (cut.sum() * (FACE_X[1] - FACE_X[0])))
 
 
 def with_noise(m, seed, channels=None):
@@ -141,4 +167,10 @@ def with_noise(m, seed, channels=None):
     shared = scale.common_sigma * rng.standard_normal()
     passes = tuple(replace(p, truck_mass_t=p.truck_mass_t + shared + scale.sigma * rng.standard_normal())
                    for p in m.passes)
-    return Measured(dict(channels), passes, m.time_s, signals)
+    if not m.profiles:
+        return Measured(dict(channels), passes, m.time_s, signals)
+    level = FACE_CHANNEL.common_sigma * rng.standard_normal()
+    point = FACE_CHANNEL.sigma * np.sqrt(2)  # two points in half a metre
+    seen = ({at: (x, z + level + point * rng.standard_normal(len(z))) for at, (x, z) in faces.items()}
+            for faces in (m.profiles, m.left))
+    return Measured({**channels, "face_m": FACE_CHANNEL}, passes, m.time_s, signals, "", *seen)

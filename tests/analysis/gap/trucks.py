@@ -14,4 +14,7 @@ def in_a_row(runs):
         times.append(m.time_s + start)
         start += m.time_s[-1] + CHANGE_S
     signals = {n: np.concatenate([m.signals[n] for m in runs]) for n in runs[0].signals}
-    return replace(runs[0], passes=tuple(passes), time_s=np.concatenate(times), signals=signals)
+    before, left = ({(truck, number): face for truck, m in enumerate(runs, 1) for (_, number), face in kept(m).items()}
+                    for kept in (lambda m: m.profiles, lambda m: m.left))
+    return replace(runs[0], passes=tuple(passes), time_s=np.concatenate(times), signals=signals, profiles=before,
+                   left=left)

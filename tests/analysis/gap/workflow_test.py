@@ -4,17 +4,19 @@ import json
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import fake_mine
 import synthetic
 from dipper_gap.gap_json import as_json, write_json
+from dipper_gap.history import within_the_shift
 from dipper_gap.readings.measured import write_measured
 from dipper_gap.model import learn, predict
 from dipper_gap.readings.passes import split
 from dipper_gap.simulation.plan import LEAST_SEEDS, make_plan, statement
 from dipper_gap.report import page
-from dipper_gap.workflow import Runner, analyse, conclude
+from dipper_gap.workflow import Runner, analyse, changing, conclude
 from trucks import in_a_row
 
 # Fewer effects than the whole catalogue: a test needs seconds, not a minute.
@@ -126,12 +128,26 @@ def test_no_gap_ends_before_the_runs_of_effects_and_says_so():
     page(out, a, SMALL, "synthetic")
 
 
-def test_an_effect_outside_the_catalogue_is_unknown_with_an_experiment():
-    out, a, _ = judge(mine_with({"outside": 3}, 4))
-    assert a["verdict"] == "unknown" and a["patch"] == {}
-    assert a["next_experiment"]
+def test_an_effect_outside_the_catalogue_is_unknown_with_a_law_that_closes_the_gap():
+    out, a, simulator = judge(mine_with({"outside": 3}, 4))
+    assert a["verdict"] == "unknown" and a["effect"] is None and a["next_experiment"]
+    law = a["law"]
+    assert {law["channel"], *(other["channel"] for other in law["also"])} == {"hoist_force_kN", "crowd_force_kN"}
+    assert law["terms"] == [{"term": "swing moves", "kN": pytest.approx(180, rel=0.1)}]
+    assert a["patch"] == {"effects.motion_law": 1.0} and a["gap"]["holdout_closure"] > 0.6
+    assert len(simulator.laws) == 1 and a["runs"] == LEAST_SEEDS + 12 + 5
     data = page(out, a, SMALL, "synthetic")
-    assert data["experiments"] and data["closures"] == {} and data["curves"][0]["after"] is None
+    assert data["experiments"] and set(data["closures"]) == {"training", "holdout"}
+
+
+def test_what_is_no_law_of_the_motion_is_unknown_without_one():
+    """A force in fits and starts: nothing in the catalogue, and no term of the motion."""
+    mine = mine_with({}, 4)
+    fits = 400 * (np.random.default_rng(1).random(len(mine.time_s)) < 0.2)
+    mine = replace(mine, signals={**mine.signals, "crowd_force_kN": mine.signals["crowd_force_kN"] + fits})
+    out, a, _ = judge(mine)
+    assert a["verdict"] == "unknown" and a["law"] is None and a["patch"] == {}
+    assert page(out, a, SMALL, "synthetic")["closures"] == {}
 
 
 def test_an_effect_that_skips_the_hold_out_is_named_but_says_so():
@@ -166,6 +182,22 @@ def test_several_trucks_show_what_one_does_not():
     assert few["verdict"] == "no-gap" and few["trucks"] == 1
     assert many["verdict"] == "named" and many["effect"] == "fines" and many["trucks"] == 6
     assert many["parameter"]["estimate"] == pytest.approx(0.06, rel=0.5)  # d 4, and a signature of three runs
+
+
+def test_an_effect_that_grows_within_the_shift_is_told():
+    """Friction of 20 to 170 kN over six trucks: its growth is said; that of constant friction is none."""
+    told = {}
+    for name, kN in (("grows", np.arange(20, 180, 30)), ("stays", np.full(6, 95))):
+        trucks = [synthetic.run({"crowd_friction": float(s)}, seed=960 + k) for k, s in enumerate(kN)]
+        mine = synthetic.with_noise(in_a_row(trucks), 9)
+        _, prediction, _ = known(6)
+        told[name] = within_the_shift(known(6)[0], prediction, ["crowd_friction"], mine)
+    assert told["stays"] is None
+    history = told["grows"]
+    assert history.effect == "crowd_friction" and len(history.trucks) == 6
+    assert history.trend.shape != "step" and history.trend.size == pytest.approx(150, rel=0.3)
+    [text] = changing(history, SMALL)
+    assert text.startswith("crowd_friction is not the same in all trucks: it changes by 1")
 
 
 class MassOnly(fake_mine.FakeSimulator):

@@ -65,6 +65,31 @@ TEST(Effects, AddScaleAndSetChangeTheValuesAndTheTextAlone) {
   EXPECT_EQ(load(checkout, {{"effects.mine", "0"}}, &findings).text, plain.text);
 }
 
+TEST(Effects, ALawIsMadeOfTermsOfTheMotion) {
+  const Checkout checkout;
+  fs::create_directories(checkout.folder() / "effects");
+  const std::string head =
+      "title: t\nkind: observation\n"
+      "parameter: {name: size, unit: m, low: 0, high: 2, scale: 1, source: s}\noverlay:\n";
+  const fs::path file = checkout.folder() / "effects/law.yaml";
+  write_text(file, head +
+                       "  observation.crowd_law.crowd_out_kN: {add: 90}\n"
+                       "  observation.crowd_law.crowd_in_kN: {add: -90}\n");
+  std::vector<Finding> findings;
+  const Case c = load(checkout, {{"effects.law", "0.5"}}, &findings);
+  ASSERT_TRUE(findings.empty()) << to_string(findings[0]);
+  EXPECT_EQ(c.observation.crowd_law,
+            (std::map<std::string, double>{{"crowd_in_kN", -45}, {"crowd_out_kN", 45}}));
+  EXPECT_NE(c.text.find("observation.crowd_law.crowd_in_kN=-45\n"), std::string::npos);
+
+  write_text(file, head + "  observation.crowd_law.crowd_aut_kN: {add: 90}\n");
+  load(checkout, {{"effects.law", "1"}}, &findings);
+  EXPECT_NE(only_message(findings).find("is no term of the motion; did you mean crowd_out_kN?"),
+            std::string::npos);
+  load(checkout, {{"observation.hoist_law.weight_kN", "1"}}, &findings);
+  EXPECT_NE(only_message(findings).find("is no term of the motion"), std::string::npos);
+}
+
 TEST(Effects, ANumberThatFollowsAnotherFollowsItsChange) {
   const Checkout checkout;
   fs::create_directories(checkout.folder() / "effects");

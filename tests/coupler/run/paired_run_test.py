@@ -233,7 +233,14 @@ class PairedRun(RunTest):
         np.testing.assert_allclose(replayed[5:, 5] - plain[5:, 5], 100, atol=0.5)
         np.testing.assert_allclose(replayed[:, 4], plain[:, 4], rtol=1e-9)
         files = {p.name for p in (run / "observed").iterdir()}
-        self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})
+        self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})  # no pass has dumped: no sections
+        face = json.loads((run / "faces" / "face_0.json").read_text())
+        self.assertEqual((face["t_s"], face["axis_m"]), (0, [0, 0]))
+        heights = np.array(face["z_cm"]).reshape(face["nx"], face["ny"]) / 100
+        x = face["x0_m"] + (np.arange(face["nx"]) + 0.5) * face["cell_m"]
+        top = np.median(heights, axis=1)
+        self.assertAlmostEqual(top.max(), 2.5, delta=0.3)      # the bench, and the floor before its toe
+        self.assertEqual(top[x < 13].max(), 0)
         # A machine that could not run is not replayed either: its dipper would be in the ground.
         sunk = ("--set", "machine.base_position_m=[0, 0, -5]")
         errors = subprocess.run([DIPPER, "check", TINY, *sunk], text=True, capture_output=True)

@@ -5,79 +5,129 @@ explained by a constant and few terms that the driven signals give. Terms are ad
 training passes, each predicted from the others, likelier. Both the number of terms and how much they explain by chance
 are judged by the same search on residuals in which there is no law: differences of the model's own runs, scaled to the
 mine's scatter and read by its instruments. A law is told if fewer than ALARMS of those do as well, on the training
-passes and then on those held out.
+passes and then on those held out. Where no term helps, the constant itself is a law, if fewer than ALARMS of those
+residuals, with the error that all readings share, have so large a one.
 """
 from dataclasses import dataclass
 
 import numpy as np
 
 from ..readings.curves import one_pass, read_signal
+from ..readings.phases import find_terms
+from ..statistics.reference import drift_sigmas
 
-ALARMS = 0.05
+ALARMS = 0.05         # over both kinds of law and all forces
 DRAWS = 99
 MOST_TERMS = 3
 LEAST_GAIN = 0.10     # of the weighted square that is left, for one more term
 LEAST_EXPLAINED = 0.25  # of the residual's weighted square on the passes held out: less is no law
-STANDS_M_S, STANDS_RAD_S = 0.05, 0.02  # speeds below which a drive counts as standing
+CONSTANT = "constant"
 
-WORDS = {  # how a term's coefficient a is told, in kN
-    "hoist moves in": "{a:+.0f} kN while the ropes come in",
-    "hoist moves out": "{a:+.0f} kN while the ropes run out",
-    "crowd moves out": "{a:+.0f} kN while the crowd moves out",
-    "crowd moves in": "{a:+.0f} kN while the crowd moves in",
-    "swing moves": "{a:+.0f} kN while the house swings",
-    "crowd direction": "{a:+.0f} kN as the crowd moves out, and {b:+.0f} kN as it moves in",
-    "hoist direction": "{a:+.0f} kN as the ropes come in, and {b:+.0f} kN as they run out",
-    "crowd speed": "{a:+.0f} kN per m/s of the crowd, out",
-    "hoist speed": "{a:+.0f} kN per m/s of the ropes, in",
-    "crowd extension": "{a:+.0f} kN per metre that the crowd is out",
-    "hoist length": "{a:+.0f} kN per metre of rope",
-    "load carried": "{a:+.0f} kN while a load is carried, from breakout to dump",
-    "pass": "{a:+.0f} kN more with each pass",
+# What may be in a law: the terms of drive_terms.hpp that it adds up, and how its number a is told.
+TERMS = {
+    CONSTANT: ({"constant_kN": 1}, "{a:+.0f} kN at all times"),
+    "hoist moves in": ({"hoist_in_kN": 1}, "{a:+.0f} kN while the ropes come in"),
+    "hoist moves out": ({"hoist_out_kN": 1}, "{a:+.0f} kN while the ropes run out"),
+    "crowd moves out": ({"crowd_out_kN": 1}, "{a:+.0f} kN while the crowd moves out"),
+    "crowd moves in": ({"crowd_in_kN": 1}, "{a:+.0f} kN while the crowd moves in"),
+    "swing moves": ({"swing_kN": 1}, "{a:+.0f} kN while the house swings"),
+    "crowd direction": ({"crowd_out_kN": 1, "crowd_in_kN": -1},
+                        "{a:+.0f} kN as the crowd moves out, and {b:+.0f} kN as it moves in"),
+    "hoist direction": ({"hoist_in_kN": 1, "hoist_out_kN": -1},
+                        "{a:+.0f} kN as the ropes come in, and {b:+.0f} kN as they run out"),
+    "crowd drag": ({"crowd_drag_kN_m": 1}, "{a:+.0f} kN for each metre that the crowd is out as it moves out, and "
+                   "{b:+.0f} kN as it moves in"),
+    "crowd speed": ({"crowd_speed_kNs_m": 1}, "{a:+.0f} kN per m/s of the crowd, out"),
+    "hoist speed": ({"hoist_speed_kNs_m": 1}, "{a:+.0f} kN per m/s of the ropes, in"),
+    "crowd extension": ({"crowd_extension_kN_m": 1}, "{a:+.0f} kN per metre that the crowd is out"),
+    "hoist length": ({"hoist_length_kN_m": 1}, "{a:+.0f} kN per metre of rope"),
+    "swing angle": ({"swing_angle_kN_rad": 1}, "{a:+.0f} kN per radian of the house's angle"),
+    "load carried": ({"load_kN": 1}, "{a:+.0f} kN while a load is carried, from breakout to dump"),
+    "pass": ({"pass_kN": 1}, "{a:+.0f} kN more with each pass"),
 }
+FORMS = [n for n in TERMS if n != CONSTANT]   # in the order of a _Readings' columns
 
 
 @dataclass(frozen=True)
 class Law:
     channel: str
-    terms: tuple         # ((name of WORDS, kN), ...)
+    terms: tuple         # ((name of TERMS, kN), ...)
     p: float             # that differences of the model's own runs give as much on the training passes
     explained: float     # share of the residual's weighted square on the passes held out
 
     @property
     def words(self):
-        return "; ".join(WORDS[name].format(a=a, b=-a) for name, a in self.terms)
+        return "; ".join(TERMS[name][1].format(a=a, b=-a) for name, a in self.terms)
+
+    def numbers(self):
+        """{term of drive_terms.hpp: number}."""
+        out = {}
+        for name, a in self.terms:
+            for term, factor in TERMS[name][0].items():
+                out[term] = out.get(term, 0.0) + factor * a
+        return out
 
 
 @dataclass(frozen=True)
 class _Readings:
     """One force at the first truck's readings within the passes, (M,)."""
 
-    terms: np.ndarray     # (M, K)
+    terms: np.ndarray     # (M, K) of FORMS
     passes: np.ndarray    # (M,) numbers
     residual: np.ndarray  # (M,)
     chance: np.ndarray    # (R, M) of the model's runs less their mean
     sigma: float          # of one reading's mean over the trucks
+    shared: float         # of an error that all readings have
 
 
-def find_law(model, baseline, holdout, measured, before=None, seed=0):
-    """The Law of the force it explains best; None where none does better than chance."""
-    rng, best = np.random.default_rng(seed), None
+def find_laws(model, baseline, holdout, measured, before=None, seed=0):
+    """(Law, ...) of the forces that one explains better than chance, the best explained first."""
+    rng, found = np.random.default_rng(seed), []
     share = baseline.share(baseline.seeds)
     for channel in measured.responses():
         r = _readings(model, channel, measured, before)
         held = np.isin(r.passes, holdout)
         weight = 1.0 / (r.chance.var(axis=0, ddof=1) * share + r.sigma**2)
-        gain, chosen, after = _search(r, r.residual, weight, held)
-        by_chance = [_search(r, _no_law(r, share, rng), weight, held) for _ in range(DRAWS)]
-        p = (1 + sum(g >= gain for g, _, _ in by_chance)) / (1.0 + DRAWS)
-        confirmed = (1 + sum(a >= after for _, _, a in by_chance)) / (1.0 + DRAWS)
-        sound = p <= ALARMS / len(measured.responses()) and confirmed <= ALARMS and after >= LEAST_EXPLAINED
-        if chosen and sound and (not best or gain > best[0]):
-            size = _fit(r.terms[~held][:, chosen], r.residual[~held], weight[~held])[1:]
-            names = list(WORDS)
-            best = gain, Law(channel, tuple((names[k], float(a)) for k, a in zip(chosen, size)), float(p), float(after))
-    return best[1] if best else None
+        by_chance = [_no_law(r, share, rng) for _ in range(DRAWS)]
+        law = _of_terms(r, channel, weight, held, by_chance, ALARMS / (2 * len(measured.responses())))
+        if not law:
+            by_chance = [y + r.shared * rng.standard_normal() for y in by_chance]
+            law = _constant(r, channel, weight, held, by_chance, ALARMS / (2 * len(measured.responses())))
+        if law:
+            found.append(law)
+    return tuple(law for _, law in sorted(found, key=lambda f: -f[0]))
+
+
+def _of_terms(r, channel, weight, held, by_chance, alarms):
+    """(gain, Law) of terms of the motion; None where chance does as well."""
+    gain, chosen, after = _search(r, r.residual, weight, held)
+    if not chosen or after < LEAST_EXPLAINED:
+        return None
+    others = [_search(r, y, weight, held) for y in by_chance]
+    p, confirmed = (_p(sum(o[k] >= mine for o in others)) for k, mine in ((0, gain), (2, after)))
+    if p > alarms or confirmed > ALARMS:
+        return None
+    size = _fit(r.terms[~held][:, chosen], r.residual[~held], weight[~held])[1:]
+    return gain, Law(channel, tuple((FORMS[k], float(a)) for k, a in zip(chosen, size)), p, after)
+
+
+def _constant(r, channel, weight, held, by_chance, alarms):
+    """(gain, Law) of a force that is there at all times; None where chance and the shared error do as well."""
+    def level(y, at):
+        return (weight[at] @ y[at]) / weight[at].sum()
+
+    a = level(r.residual, ~held)
+    p = _p(sum(abs(level(y, ~held)) >= abs(a) for y in by_chance))
+    y, w = r.residual[held], weight[held]
+    explained = 1.0 - float(w @ (y - a) ** 2 / (w @ y**2))
+    if p > alarms or explained < LEAST_EXPLAINED:
+        return None
+    y, w = r.residual[~held], weight[~held]
+    return float(w @ y**2 - w @ (y - a) ** 2), Law(channel, ((CONSTANT, float(a)),), p, explained)
+
+
+def _p(as_good):
+    return float((1 + as_good) / (1.0 + DRAWS))
 
 
 def _no_law(r, share, rng):
@@ -130,32 +180,24 @@ def _fit(x, y, weight):
 def _readings(model, channel, measured, before):
     first, usual = measured.trucks()[0], before.trucks() if before else None
     terms, passes, residual, chance = [], [], [], []
-    for number, phases in zip(model.passes, model.vectors.durations):
+    spans = [(p.t_start_s, p.t_end_s) for p in (one_pass(first, n) for n in model.passes)]
+    names, values = find_terms(first.time_s, *(first.signals[n] for n in ("hoist_m", "crowd_m", "swing_rad")), spans)
+    columns = np.column_stack([sum(f * values[:, names.index(t)] for t, f in TERMS[n][0].items()) for n in FORMS])
+    for number in model.passes:
         p = one_pass(first, number)
         inside = (first.time_s >= p.t_start_s) & (first.time_s <= p.t_end_s)
         t = first.time_s[inside] - p.t_start_s
         runs = np.array([read_signal(m, number, channel, t) for m in model.folders])
         seen = np.mean([read_signal(m, number, channel, t) for m in measured.trucks()], axis=0)
         then = np.mean([read_signal(m, number, channel, t) for m in usual], axis=0) if usual else runs.mean(axis=0)
-        terms.append(_terms(first, inside, t, phases, number))
+        terms.append(columns[inside])
         passes += [number] * len(t)
         residual.append(seen - then)
         chance.append(runs - runs.mean(axis=0))
     trucks = len(measured.trucks())
     variance = measured.channels[channel].sigma**2 / trucks
     variance += before.channels[channel].sigma**2 / len(usual) if usual else 0.0
+    shared = drift_sigmas(measured.channels, before.channels, [channel])[0] if before else \
+        measured.channels[channel].common_sigma
     return _Readings(np.vstack(terms), np.array(passes), np.concatenate(residual), np.hstack(chance),
-                     float(np.sqrt(max(variance, 1e-12))))
-
-
-def _terms(m, inside, t, phases, number):
-    """(M, K) in the order of WORDS; ropes that come in have a hoist that falls."""
-    hoist, crowd, swing = (m.signals[n] for n in ("hoist_m", "crowd_m", "swing_rad"))
-    v_in, v_out, turn = (np.gradient(s, m.time_s)[inside] for s in (-hoist, crowd, swing))
-    lifts, lowers, out, back = v_in > STANDS_M_S, v_in < -STANDS_M_S, v_out > STANDS_M_S, v_out < -STANDS_M_S
-    ends = np.cumsum([0.0, *phases.values()])
-    spans = dict(zip(phases, zip(ends, ends[1:])))
-    loaded = (t >= spans["breakout"][0]) & (t < spans["dump"][0]) if {"breakout", "dump"} <= set(spans) else t < 0
-    columns = (lifts, lowers, out, back, np.abs(turn) > STANDS_RAD_S, 1.0 * out - back, 1.0 * lifts - lowers,
-               v_out, v_in, crowd[inside], hoist[inside], loaded, np.full(len(t), float(number)))
-    return np.column_stack(columns).astype(float)
+                     float(np.sqrt(max(variance, 1e-12))), float(shared))

@@ -13,10 +13,10 @@ def overlay(effects):
     return {f"effects.{name}": float(f"{strength:.6g}") for name, strength in effects.items()}
 
 
-def write_patched_case(case, effects, out):
+def write_patched_case(case, effects, out, files=None):
     """Writes out/case.yaml: the case's own text, its paths seen from `out`, and the effects at its end.
 
-    Those of the effects that are the case's own come along.
+    Those of the effects that are the case's own come along, and `files` {effect: text} of those that are in no file.
     """
     case, out = Path(case), Path(out)
     text = (case / "case.yaml").read_text()
@@ -34,6 +34,9 @@ def write_patched_case(case, effects, out):
         if own.exists():
             (out / "effects").mkdir(exist_ok=True)
             shutil.copyfile(own, out / "effects" / own.name)
+    for name, told in (files or {}).items():
+        (out / "effects").mkdir(exist_ok=True)
+        (out / "effects" / f"{name}.yaml").write_text(told)
     return out
 
 

@@ -5,7 +5,7 @@ import numpy as np
 
 from dipper_run.findings import Findings
 
-from .measured import MASS, RESPONSE
+from .measured import FACE, MASS, RESPONSE
 from .passes import NEED_PASSES
 
 RATES = 1.5          # ratio of two loggers' rates from which peaks differ by what the slower one misses
@@ -19,11 +19,11 @@ def check_reference(measured, before):
     if measured.folder and now.resolve() == then.resolve():
         found.add(then, 0, "--reference", "is the measured folder itself", "a folder of earlier trucks")
         found.raise_if_any()
-    missing = [n for n in (*measured.responses(), MASS) if n in measured.channels and n not in before.channels]
+    missing = [n for n in (*measured.responses(), MASS, FACE) if n in measured.channels and n not in before.channels]
     for name in missing:
         found.add(then / "channels.yaml", 0, name, f"not there, but {now} has it",
                   f"what the same instrument read then, or leave {name} out of {now}")
-    for name in (*measured.responses(), MASS):
+    for name in (*measured.responses(), MASS, FACE):
         if name in measured.channels and name in before.channels and before.channels[name].role != RESPONSE:
             found.add(then / "channels.yaml", 0, f"{name}.role", f"is {before.channels[name].role}",
                       f"{RESPONSE}, as in {now}")
@@ -45,7 +45,7 @@ def _questions(measured, before, both, passes):
     if len(both) < max(map(len, passes)):
         out.append(f"passes {_list(both)} are compared: the reference has {_list(passes[1])}, the measured folder "
                    f"{_list(passes[0])}")
-    for name in (*measured.responses(), MASS):
+    for name in (*measured.responses(), MASS, FACE):
         channel = measured.channels.get(name)
         if channel and channel.drift_sigma is None and (channel.common_sigma or before.channels[name].common_sigma):
             size = np.hypot(channel.common_sigma, before.channels[name].common_sigma)

@@ -1,7 +1,8 @@
 """The face as a survey shows it: what each pass removed, and where the face stands.
 
-profile.csv holds the face in the plane of the dig before each pass, and as pass P + 1 after the last pass P. Heights
-are linear between points. With the lowest and highest point of a face at heights b and b + h,
+profile.csv holds the face in the plane of the dig before each pass, and after it: marked so, or as what the next pass
+finds (P + 1 after the last pass P). Heights are linear between points. With the lowest and highest point of a face at
+heights b and b + h,
 
     toe      x at which it first rises above b + 0.1 h, coming from the shovel
     crest    x at which it first rises above b + 0.9 h
@@ -16,6 +17,7 @@ from scipy.stats import ttest_ind_from_stats
 
 LOW, HIGH = 0.1, 0.9
 LEAST_POINTS = 5
+BIN_M = 0.5  # sigma of face_m is that of a height over so much of the section
 KINDS = {"slope": "deg", "toe": "m", "crest": "m", "removed": "m2", "t_a_m2": "t/m2"}
 CHANGED_P = 0.01  # family-wise: the faces of two periods differ
 
@@ -55,6 +57,20 @@ def removed_area(before, after):
     return float(np.trapz(np.interp(x, *before) - np.interp(x, *after), x))
 
 
+def before_and_after(measured, truck, number):
+    """Faces (x, z) before a truck's pass and after it, in one plane; None for what was not surveyed."""
+    after = measured.left.get((truck, number), measured.profiles.get((truck, number + 1)))
+    return measured.profiles.get((truck, number)), after
+
+
+def binned(face):
+    """(x, z) by steps of BIN_M: the mean of the points in each; steps without points are left out."""
+    x, z = face
+    step = np.floor(x / BIN_M + 1e-9).astype(int)
+    steps, at = np.unique(step, return_inverse=True)
+    return (steps + 0.5) * BIN_M, np.bincount(at, z) / np.bincount(at)
+
+
 def truck_faces(measured):
     """{kind: (trucks,)} of a folder with a profile.csv; each truck's mean over its passes, nan where it is not told.
 
@@ -63,12 +79,11 @@ def truck_faces(measured):
     out = {kind: [] for kind in KINDS}
     for truck in measured.trucks():
         number, passes = truck.passes[0].truck, truck.passes
-        known = {p: face for (t, p), face in measured.profiles.items() if t == number}
-        first = face_of(*known[passes[0].number]) if passes[0].number in known else {}
+        known = {p.number: before_and_after(measured, number, p.number) for p in passes}
+        first = face_of(*known[passes[0].number][0]) if known[passes[0].number][0] else {}
         for kind in ("slope", "toe", "crest"):
             out[kind].append(first.get(kind, np.nan))
-        areas = [(removed_area(known[p.number], known[p.number + 1]), p.truck_mass_t) for p in passes
-                 if p.number in known and p.number + 1 in known]
+        areas = [(removed_area(*known[p.number]), p.truck_mass_t) for p in passes if all(known[p.number])]
         out["removed"].append(np.mean([a for a, _ in areas]) if areas else np.nan)
         whole = sum(a for a, _ in areas)
         out["t_a_m2"].append(sum(m for _, m in areas) / whole if whole > 0 else np.nan)

@@ -6,20 +6,22 @@
     work   of a force along the way of its own drive, kJ
     mass   what the truck scale gained, one a pass (filed under `dump`)
     balance of that and the carried hoist force (balance.py)
+    removed, slope, toe, crest  of the face that a survey shows, one a pass (face.py, filed under `dump`)
     duration  of the phase, s (channel `time`): prescribed, so it only shows that the motion differs
 
-All but the peak are linear in the signal; a signal is taken as straight between readings.
+All but the peak and where a face stands are linear in the signal; a signal is taken as straight between readings.
 """
 from dataclasses import dataclass
 
 import numpy as np
 
-from .measured import MASS
+from .face import before_and_after, binned, face_of, removed_area
+from .measured import FACE, MASS
 from .phases import find_phases
 
 TIME = "time"
 DRIVE = {"hoist_force_kN": ("hoist_m", -1.0), "crowd_force_kN": ("crowd_m", 1.0)}  # rope in lifts
-FEATURES = ("mean", "slope", "peak", "work", "mass", "balance", "duration")
+FEATURES = ("mean", "slope", "peak", "work", "mass", "balance", "removed", "toe", "crest", "duration")
 
 
 @dataclass(frozen=True)
@@ -100,7 +102,17 @@ class FeatureMap:
             spans = [(p.t_start_s, p.t_end_s) for p in self.passes]
             for index, phases in enumerate(find_phases(measured.time_s, *driven, spans)):
                 self._add_pass(index, phases)
-        self.cells = [cell for cell, _ in self._columns(measured.signals, self.masses())]
+        self.faces = self._faces() if FACE in measured.channels else {}
+        self.cells = [cell for cell, _ in self._columns(measured.signals, self.masses(), self.faces)]
+
+    def _faces(self):
+        """{(pass index, after): (x, z)} in steps, of the passes that are surveyed before and after."""
+        out = {}
+        for i, p in enumerate(self.passes):
+            both = before_and_after(self.measured, p.truck, p.number)
+            if all(both) and np.isfinite(list(face_of(*binned(both[0])).values())).all():
+                out.update({(i, k): binned(face) for k, face in enumerate(both)})
+        return out
 
     def masses(self):
         return np.array([p.truck_mass_t for p in self.passes])
@@ -113,7 +125,7 @@ class FeatureMap:
             points = np.concatenate([[a], inner, [b]])
             self._spans.append(_Span(index, phase, _reading(m.time_s, points), points))
 
-    def _columns(self, signals, masses):
+    def _columns(self, signals, masses, faces):
         out = []
         for span in self._spans:
             number = self.passes[span.pass_index].number
@@ -125,11 +137,25 @@ class FeatureMap:
         if MASS in self.measured.channels:
             for i, p in enumerate(self.passes):
                 out.append((Cell(p.number, "dump", MASS, "mass"), masses[..., i]))
+        for i, p in enumerate(self.passes):
+            if (i, 0) in faces:
+                out += [(Cell(p.number, "dump", FACE, f), v) for f, v in _of_faces(faces[i, 0], faces[i, 1])]
         return out
 
-    def __call__(self, signals, masses):
-        """Features of copies of this folder: signals {name: (B, T)}, masses (B, P) -> (B, n)."""
+    def __call__(self, signals, masses, faces=None):
+        """Features of copies of this folder: signals {name: (B, T)}, masses (B, P), and of `faces` heights z (B, X), or
+        its own -> (B, n)."""
         out = np.empty((len(masses), len(self.cells)))
-        for i, (_, v) in enumerate(self._columns(signals, masses)):
+        for i, (_, v) in enumerate(self._columns(signals, masses, self.faces if faces is None else faces)):
             out[:, i] = v
         return out
+
+
+def _of_faces(before, after):
+    """[(feature, numbers)] of a face (x, z) and what a pass left of it; z (X,) or copies (B, X)."""
+    (x, z), (x_after, z_after) = before, after
+    if np.ndim(z) > 1:
+        rows = [_of_faces((x, a), (x_after, b)) for a, b in zip(z, z_after)]
+        return [(column[0][0], np.array([v for _, v in column])) for column in zip(*rows)]
+    stands = face_of(x, z)
+    return [("removed", removed_area(before, after)), *((f, stands[f]) for f in ("slope", "toe", "crest"))]

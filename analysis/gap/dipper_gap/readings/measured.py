@@ -40,6 +40,7 @@ class Kind:
 # The largest values are far beyond any shovel's: they catch a wrong unit, not a strange pass.
 KNOWN = {
     "truck_mass_t": Kind("t", 1000.0, "kg, perhaps? 1 t = 1000 kg"),
+    "face_m": Kind("m", 1000.0, "mm, perhaps?"),
     "hoist_m": Kind("m", 100.0, "mm, perhaps?"),
     "crowd_m": Kind("m", 50.0, "mm, perhaps?"),
     "swing_rad": Kind("rad", 10.0, "degrees, perhaps? 1 rad = 57.3 deg"),
@@ -47,6 +48,7 @@ KNOWN = {
     "crowd_force_kN": Kind("kN", 1e5, "N, perhaps? 1 kN = 1000 N"),
 }
 MASS = "truck_mass_t"
+FACE = "face_m"  # heights of profile.csv
 MOTION = ("hoist_m", "crowd_m", "swing_rad")
 PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
 TRUCK = "truck"
@@ -84,6 +86,7 @@ class Measured:
     signals: dict
     folder: str = ""
     profiles: dict = field(default_factory=dict)  # {(truck, pass): (x, z)}, x rising: the face before that pass
+    left: dict = field(default_factory=dict)      # likewise what that pass left in the same plane, where it is told
 
     def seen_by(self, channels):
         """The same as a mine with these channels would have it: what it does not log is left out."""
@@ -131,9 +134,12 @@ def read_measured(folder, need_passes=1, simulated=False):
     if simulated and signals:
         passes = [p for p in passes if _readings(time_s, p) >= LEAST_SAMPLES]
     _optional_table(folder / "pile_angle.csv", ("pile", "angle_deg"), found)
-    profiles = read_profiles(folder / "profile.csv", found)
+    profiles, left = read_profiles(folder / "profile.csv", found)
+    if FACE in channels and not profiles:
+        found.add(folder / "profile.csv", 0, FACE, "declared in channels.yaml, but there are no faces",
+                  "pass,x_m,z_m[,after][,truck]")
     found.raise_if_any()
-    return Measured(channels, tuple(passes), time_s, signals, str(folder), profiles)
+    return Measured(channels, tuple(passes), time_s, signals, str(folder), profiles, left)
 
 
 def read_channels(file=ASSUMED):
@@ -306,7 +312,7 @@ def _list(numbers):
 
 
 def _signals(file, channels, passes, found):
-    declared = [n for n in channels if n != MASS]
+    declared = [n for n in channels if n not in (MASS, FACE)]
     if not file.is_file():
         if declared:
             found.add(file, 0, "file", "not there, but channels.yaml declares " + ", ".join(declared),
@@ -336,23 +342,28 @@ def _readings(time, p):
 
 
 def read_profiles(file, found):
-    """{(truck, pass): (x, z)} of a profile.csv, each with x rising; {} where there is none."""
+    """{(truck, pass): (x, z)} of the faces before passes, and of what passes left, of a profile.csv; each with x
+    rising; {} where there is none."""
+    out, left = {}, {}
     if not file.is_file():
-        return {}
+        return out, left
     table, lines = read_table(file, ("pass", "x_m", "z_m"), found)
     if not lines or any(name not in table for name in ("pass", "x_m", "z_m")):
-        return {}
-    trucks, out = table.get(TRUCK, np.ones(len(lines))), {}
+        return out, left
+    trucks, after = table.get(TRUCK, np.ones(len(lines))), table.get("after", np.zeros(len(lines)))
+    for line, is_after in zip(lines, after):
+        if is_after not in (0, 1) and np.isfinite(is_after):
+            found.add(file, line, "after", f"is {is_after:g}", "0: the face before the pass, 1: after it")
     for line, truck, number in zip(lines, trucks, table["pass"]):
         if np.isfinite(truck + number) and not (truck == int(truck) >= 1 and number == int(number) >= 1):
             found.add(file, line, "pass", f"is {number:g} of truck {truck:g}", "whole numbers from 1")
-    for key in dict.fromkeys(zip(trucks.tolist(), table["pass"].tolist())):
-        at = np.flatnonzero((trucks == key[0]) & (table["pass"] == key[1]))
+    for *key, is_after in dict.fromkeys(zip(trucks.tolist(), table["pass"].tolist(), after.tolist())):
+        at = np.flatnonzero((trucks == key[0]) & (table["pass"] == key[1]) & (after == is_after))
         x, first = np.unique(table["x_m"][at], return_index=True)
         if len(at) and len(x) < LEAST_POINTS:
             found.add(file, lines[at[0]], "x_m", f"{len(x)} points of pass {key[1]:g}", f"{LEAST_POINTS} or more")
-        out[tuple(int(k) if np.isfinite(k) else 0 for k in key)] = (x, table["z_m"][at][first])
-    return out
+        (left if is_after else out)[tuple(int(k) if np.isfinite(k) else 0 for k in key)] = (x, table["z_m"][at][first])
+    return out, left
 
 
 def _optional_table(file, columns, found):
@@ -375,6 +386,12 @@ def write_measured(m, folder):
         for p in m.passes:
             mass = f",{p.truck_mass_t:.3f}" if weighed else ""
             f.write(f"{p.number},{p.t_start_s:.3f},{p.t_end_s:.3f}{mass},{p.truck}\n")
+    if m.profiles:
+        with open(folder / "profile.csv", "w") as f:
+            f.write("pass,x_m,z_m,after,truck\n")
+            for after, faces in enumerate((m.profiles, m.left)):
+                for (truck, number), (xs, zs) in faces.items():
+                    f.writelines(f"{number},{x:.3f},{z:.3f},{after},{truck}\n" for x, z in zip(xs, zs))
     if m.signals:
         with open(folder / "signals.csv", "w") as f:
             f.write(",".join(["time_s"] + list(m.signals)) + "\n")

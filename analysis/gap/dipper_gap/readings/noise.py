@@ -4,7 +4,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .features import FeatureMap
-from .measured import MASS
+from .measured import FACE, MASS
 
 REPLICAS = 64
 
@@ -29,14 +29,16 @@ def noisy_features(measured, channels, pass_numbers, seed=0, replicas=REPLICAS):
     clean = {n: measured.signals[n] for n in fmap.responses}
     masses = fmap.masses()
     copies = {n: v + channels[n].sigma * rng.standard_normal((replicas, len(v))) for n, v in clean.items()}
-    rows = fmap(copies, np.tile(masses, (replicas, 1)))
+    faces = {at: (x, z + channels[FACE].sigma * rng.standard_normal((replicas, len(z))))
+             for at, (x, z) in fmap.faces.items()}
+    rows = fmap(copies, np.tile(masses, (replicas, 1)), faces)
     mean = rows.mean(axis=0)
     return NoisyFeatures(fmap.cells, mean, rows - mean, fmap.durations)
 
 
 def common_errors(folders, channels, pass_numbers):
-    """(channels, n): how one common_sigma of each response, then of the scale, shifts the features, on the mean over
-    noise-free `folders` of the same case.
+    """(channels, n): how one common_sigma of each response, then of the scale, then of a survey's heights, shifts the
+    features, on the mean over noise-free `folders` of the same case.
     """
     shifts = []
     for measured in folders:
@@ -46,6 +48,9 @@ def common_errors(folders, channels, pass_numbers):
         moved = [({**clean, n: v + channels[n].common_sigma}, masses) for n, v in clean.items()]
         if MASS in measured.channels:
             moved.append((clean, masses + channels[MASS].common_sigma))
+        if FACE in measured.channels:
+            moved.append((clean, masses, {at: (x, z + channels[FACE].common_sigma)
+                                          for at, (x, z) in fmap.faces.items()}))
         zero = fmap(clean, masses)[0]
         shifts.append([fmap(*m)[0] - zero for m in moved])
     return np.mean(shifts, axis=0)

@@ -20,6 +20,13 @@ def find_phases(time_s, crowd_m, swing_rad, spans):
     return [dict(found) for found in _asked(*signals, tuple((float(a), float(b)) for a, b in spans))]
 
 
+def find_terms(time_s, hoist_m, crowd_m, swing_rad, spans):
+    """(names, (T, K)) of the terms of the motion that a force may follow from, at each reading; what they are:
+    analysis/signals/drive_terms.hpp."""
+    signals = (np.ascontiguousarray(x, float).tobytes() for x in (time_s, crowd_m, swing_rad, hoist_m))
+    return _asked_terms(*signals, tuple((float(a), float(b)) for a, b in spans))
+
+
 def in_order(passes):
     """The phases of any of the `passes`, in the order of a whole pass; each pass names its own in order."""
     order = TopologicalSorter()
@@ -37,10 +44,19 @@ def planned_passes(time_s, door_rad):
     return tuple((p["t_start_s"], p["t_end_s"]) for p in told["passes"])
 
 
+def _told(spans, **signals):
+    readings = {name: np.frombuffer(x).tolist() for name, x in signals.items()}
+    return ask("phases", "-", given={**readings, "passes": [{"t_start_s": a, "t_end_s": b} for a, b in spans]})
+
+
+@functools.lru_cache(maxsize=64)
+def _asked_terms(time_s, crowd_m, swing_rad, hoist_m, spans):
+    told = _told(spans, time_s=time_s, crowd_m=crowd_m, swing_rad=swing_rad, hoist_m=hoist_m)
+    return tuple(told["terms"]), np.array(told["values"], float)
+
+
 @functools.lru_cache(maxsize=64)  # many runs of a case have the same motion
 def _asked(time_s, crowd_m, swing_rad, spans):
-    readings = {name: np.frombuffer(x).tolist()
-                for name, x in (("time_s", time_s), ("crowd_m", crowd_m), ("swing_rad", swing_rad))}
-    told = ask("phases", "-", given={**readings, "passes": [{"t_start_s": a, "t_end_s": b} for a, b in spans]})
+    told = _told(spans, time_s=time_s, crowd_m=crowd_m, swing_rad=swing_rad)
     return [tuple((phase["phase"], (phase["t_start_s"], phase["t_end_s"])) for phase in p["phases"])
             for p in told["passes"]]

@@ -1,4 +1,5 @@
 """Runs of a case, as the workflow asks for them: by `dipper run`, some at a time, each kept and found again."""
+import copy
 import shutil
 import subprocess
 import time
@@ -58,6 +59,10 @@ class Simulator:
         """One Measured, noise-free, for each request."""
         raise NotImplementedError
 
+    def with_effect(self, effect):
+        """The same that also knows an effect which is in no file."""
+        raise NotImplementedError
+
     def takes_a_run(self, request):
         """Whether a request needs a run of its own, besides the plain one of its seed."""
         return request.how == "run"
@@ -84,6 +89,13 @@ class DipperSimulator(Simulator):
         self.cache = Path(cache)
         self._told = ask("check", "--json", self.case, of=self.program)
         self._runs = KeptRuns(self.program, jobs)
+
+    def with_effect(self, effect):
+        if effect.affects != "instruments":
+            raise ValueError(f"effect {effect.name}: a run needs its file; only what is observed can do without")
+        other = copy.copy(self)
+        other.catalogue = {**self.catalogue, effect.name: effect}
+        return other
 
     def case_hash(self):
         return self._told["case_hash"]

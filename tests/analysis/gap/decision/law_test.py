@@ -7,9 +7,11 @@ import pytest
 
 import fake_mine
 import synthetic
-from dipper_gap.decision.law import find_law
+from dipper_gap.decision.law import find_laws
+from dipper_gap.decision.law_effect import effect_text, law_effect
 from dipper_gap.model import learn
 from dipper_gap.simulation.plan import make_plan
+from dipper_gap.simulation.effects import read_catalogue
 from other_mine import periods
 from trucks import in_a_row
 
@@ -23,27 +25,44 @@ def model():
     return learn(plan, folders, in_a_row([synthetic.run()] * TRUCKS))
 
 
-def law(effects, number):
+def laws(effects, number):
     now, before = periods([{}] * BEFORE, [effects] * TRUCKS, number)
     baseline = replace(model().baseline, reference=model().reference(now, before),
                        scatter=np.ones(len(model().baseline.mean)))
-    return find_law(model(), baseline, (2,), now, before)
+    return find_laws(model(), baseline, (2,), now, before)
 
 
+# What this mine's hoist shows to 112 %, and its crowd to 85 %: three outside effects of three kinds, each at two sizes,
+# and friction, which the catalogue has.
 @pytest.mark.parametrize("effects, channel, term, kN", [
-    # A brake that drags in the swing, which this mine's hoist shows to 112 %, and friction, its crowd to 85 %.
     ({"outside": 1}, "hoist_force_kN", "swing moves", 1.12 * 60),
     ({"outside": 3}, "hoist_force_kN", "swing moves", 1.12 * 180),
+    ({"bent_handle": 40}, "crowd_force_kN", "crowd drag", 0.85 * 40),
+    ({"bent_handle": 80}, "crowd_force_kN", "crowd drag", 0.85 * 80),
+    ({"cable": 60}, "crowd_force_kN", "swing angle", 0.85 * 60),
+    ({"cable": 120}, "crowd_force_kN", "swing angle", 0.85 * 120),
+    ({"zero": 60}, "hoist_force_kN", "constant", 1.12 * 60),
     ({"crowd_friction": 150}, "crowd_force_kN", "crowd direction", 0.85 * 150)])
 def test_the_form_and_the_size_are_right(effects, channel, term, kN):
-    found = law(effects, 7)
-    assert found.channel == channel and found.terms == ((term, pytest.approx(kN, rel=0.1)),)
-    assert found.explained > 0.75 and found.p <= 0.025
+    found = {law.channel: law for law in laws(effects, 7)}[channel]
+    assert found.terms == ((term, pytest.approx(kN, rel=0.15)),)
+    assert found.explained > 0.6 and found.p <= 0.0125
 
 
 def test_it_is_told_in_words():
-    assert "as the crowd moves out, and -1" in law({"crowd_friction": 150}, 7).words
+    assert "as the crowd moves out, and -1" in laws({"crowd_friction": 150}, 7)[0].words
 
 
 def test_nothing_has_no_law():
-    assert [k for k in range(30, 40) if law({}, k)] == []
+    assert [k for k in range(30, 40) if laws({}, k)] == []
+
+
+def test_it_is_an_effect_that_the_program_reads(tmp_path):
+    """Its file in a case's own folder: `dipper effects` tells it as it was found."""
+    found = laws({"outside": 3}, 7)
+    made = law_effect(found)
+    (tmp_path / "effects").mkdir()
+    (tmp_path / "effects" / f"{made.name}.yaml").write_text(effect_text(made))
+    read = read_catalogue(tmp_path)[made.name]
+    assert read.overlay == made.overlay and read.signature == made.signature and read.affects == "instruments"
+    assert {key.rsplit(".", 1)[1] for key, _, _ in read.overlay} == {"swing_kN"}

@@ -5,8 +5,10 @@ import numpy as np
 import pytest
 
 import synthetic
-from dipper_gap.readings.face import compare_faces, face_of, removed_area, truck_faces
+from dipper_gap.readings.face import before_and_after, binned, compare_faces, face_of, removed_area, truck_faces
+from dipper_gap.readings.features import FeatureMap
 from dipper_gap.readings.measured import read_measured, write_measured
+from dipper_gap.readings.noise import noisy_features
 from dipper_run.findings import BadInput
 from other_mine import periods
 
@@ -48,6 +50,49 @@ def test_a_folders_surveys_give_what_each_pass_removed_and_its_density(folder):
     assert found["removed"] == pytest.approx([8.0], rel=0.02)
     assert found["t_a_m2"] == pytest.approx([sum(p.truck_mass_t for p in m.passes) / 24], rel=0.02)
     assert compare_faces(m, m) == ()  # of one truck each nothing tells the scatter
+
+
+def test_what_a_pass_left_may_be_told_in_its_own_plane(folder):
+    """Three lanes beside one another: each pass has its own face before and after it."""
+    lanes = {p: (ramp(toe=10), ramp(toe=10 + 0.2 * p)) for p in (1, 2, 3)}
+    rows = ["pass,x_m,z_m,after"] + [f"{p},{x:.3f},{z:.3f},{k}" for p, both in lanes.items()
+                                     for k, (xs, zs) in enumerate(both) for x, z in zip(xs, zs)]
+    (folder / "profile.csv").write_text("\n".join(rows) + "\n")
+    m = read_measured(folder)
+    assert [removed_area(*before_and_after(m, 1, p)) for p in (1, 2, 3)] == pytest.approx([1.6, 3.2, 4.8], rel=0.03)
+    rows[5] = rows[5][:-1] + "2"
+    (folder / "profile.csv").write_text("\n".join(rows) + "\n")
+    with pytest.raises(BadInput, match="profile.csv:6: after: is 2; 0: the face before the pass, 1: after it"):
+        read_measured(folder)
+
+
+def test_a_declared_face_needs_surveys(folder):
+    with (folder / "channels.yaml").open("a") as f:
+        f.write("face_m: {unit: m, role: response, sigma: 0.06, common_sigma: 0.04}\n")
+    with pytest.raises(BadInput, match="face_m: declared in channels.yaml, but there are no faces"):
+        read_measured(folder)
+
+
+def test_faces_are_features_that_say_what_a_pass_removed():
+    m = synthetic.run({"pile_height": 1.0}, seed=1, faces=True)
+    fmap = FeatureMap(m, [1, 2, 3])
+    told = {(c.pass_number, c.feature): v for c, v in zip(fmap.cells, fmap(
+        {n: v[None] for n, v in m.signals.items()}, fmap.masses()[None])[0]) if c.channel == "face_m"}
+    assert set(told) == {(p, f) for p in (1, 2, 3) for f in ("removed", "slope", "toe", "crest")}
+    load = m.passes[0].truck_mass_t
+    assert told[1, "removed"] == pytest.approx(0.8 * load / (1.9 * 4), rel=0.08)
+    assert told[1, "slope"] == pytest.approx(37, abs=0.5)
+    blind = FeatureMap(m.seen_by({n: c for n, c in m.channels.items() if n != "face_m"}), [1, 2, 3])
+    assert not [c for c in blind.cells if c.channel == "face_m"]
+
+
+def test_a_noisy_survey_errs_as_its_sigma_says():
+    """Of a removed area: the sum of two heights' errors over steps of half a metre."""
+    m = synthetic.run(seed=1, faces=True)
+    seen = noisy_features(m, m.channels, [1, 2, 3], replicas=400)
+    at = [k for k, c in enumerate(seen.cells) if c.feature == "removed"]
+    steps = len(binned(m.profiles[1, 1])[0])
+    assert seen.own[:, at].std() == pytest.approx(0.06 * 0.5 * np.sqrt(2 * steps), rel=0.1)
 
 
 def test_faults_of_a_survey_have_their_lines(folder):

@@ -30,6 +30,7 @@ def test_every_effect_of_the_catalogue_is_read():
     ("payload_bias", -4, "observation.scale_offset_t", lambda x: x - 4),
     ("hoist_cell_drift", 0.1, "observation.hoist_cell_gain", lambda x: x + 0.1),
     ("crowd_cell_drift", -0.2, "observation.crowd_cell_gain", lambda x: x - 0.2),
+    ("leaking_door", 0.1, "observation.door_leak", lambda x: x + 0.1),
     ("grading", 0.1, "rock.coarse_graining", lambda x: 1.1 * x),
     ("grading", 0.1, "rock.coarse_graining_limit_m", lambda x: 1.1 * x)])
 def test_an_effect_sets_what_it_says(name, strength, key, change):

@@ -1,10 +1,11 @@
 // The answer for whoever runs the shovel: what, where, how much, how sure, since when, and what to measure next.
 import { percent } from '../../format.js';
 import { facts } from '../../parts/table.js';
-import { channelName, strengthText, title } from './words.js';
+import { channelName, lawText, strengthText, title } from './words.js';
 
 const PLACES = 3;
 const LEVELS = ['mean', 'mass', 'balance'];
+const FACE = { removed: 'rock that a pass removes from the face', slope: 'slope of the face', toe: 'distance of the toe', crest: 'distance of the crest' };
 
 export function foreman(data) {
   const { answer } = data;
@@ -23,6 +24,7 @@ function what(data) {
   const changed = answer.reference ? 'has changed since the reference' : 'is missing in the model';
   if (answer.verdict === 'named') return `${title(data, answer.effect)} ${changed}.`;
   if (answer.verdict === 'class') return `One of these ${changed}: ${answer.class.map((effect) => title(data, effect)).join('; ')}.`;
+  if (answer.law) return `A force that follows from the motion ${changed}; it has no name in the catalogue.`;
   if (answer.verdict === 'unknown') return `Something ${changed}; these data do not tell what.`;
   return answer.reference ? 'Nothing that these data can show has changed.' : 'Nothing that these data can show is missing.';
 }
@@ -33,8 +35,8 @@ function where(answer) {
   const places = new Map();
   for (const { channel, phase, feature, z } of answer.disagreement) {
     const name = channelName(channel)[0];
-    const place = feature === 'balance' ? 'truck mass against the load on the rope' : `${name}${feature === 'mass' ? '' : ` in ${phase}`}`;
-    const level = LEVELS.includes(feature) ? (z > 0 ? 'higher' : 'lower') : null;
+    const place = channel === 'face_m' ? FACE[feature] : feature === 'balance' ? 'truck mass against the load on the rope' : `${name}${feature === 'mass' ? '' : ` in ${phase}`}`;
+    const level = LEVELS.includes(feature) || channel === 'face_m' ? (z > 0 ? 'higher' : 'lower') : null;
     places.set(place, places.get(place) ?? level);
   }
   return [...places].slice(0, PLACES).map(([place, level]) => `${place}: ${level ?? 'of another shape'}`).join('; ');
@@ -43,6 +45,7 @@ function where(answer) {
 function howMuch(data) {
   const { answer } = data;
   if (answer.verdict === 'named') return `${answer.parameter.name} ${strengthText(answer.parameter)}`;
+  if (answer.law) return lawText(answer.law);
   if (answer.verdict !== 'class') return null;
   return answer.class.filter((name) => answer.intervals[name]).map((name) => {
     const [low, high] = answer.intervals[name];
@@ -68,6 +71,10 @@ function howSure(answer) {
     return `${probability}; with it the model closes ${percent(Math.min(answer.gap.holdout_closure, 1))} of the gap on passes that it had not seen.`;
   }
   if (answer.verdict === 'named') return `${probability}; the passes held out do not show it.`;
+  if (answer.law?.effect && answer.gap.holdout_closure !== null) {
+    return `That something is there: noise alone gives such a gap in ${percent(answer.omnibus_p, 1)} of cases. `
+      + `With this force the model closes ${percent(Math.min(answer.gap.holdout_closure, 1))} of the gap on passes that it had not seen; what causes it is open.`;
+  }
   const which = answer.verdict === 'class' ? `one of these, ${probability.toLowerCase()}` : 'open';
   return `That something is there: noise alone gives such a gap in ${percent(answer.omnibus_p, 1)} of cases. What it is: ${which}.`;
 }

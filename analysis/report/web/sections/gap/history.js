@@ -18,13 +18,13 @@ export function history(data) {
     began && { label: began.shape === 'ramp' ? 'a ramp' : 'a step', values: shape(h), colour: 'blue', width: 2, stepped: began.shape !== 'ramp' },
   ].filter(Boolean);
   return section('history', 'Since when',
-    `How strong it is in each truck, in the order in which they were loaded: ${reference.trucks} of the reference, then the measured ones.`
+    'How strong it is in each truck, in the order in which they were loaded' + (reference ? `: ${reference.trucks} of the reference, then the measured ones.` : '.')
     + (h.effect ? '' : ' It has no name: 1 is the gap of the measured trucks’ mean.'),
     curve(order, lines, { title: name, unit: unitText(h.unit), height: 230, xLabel: 'truck',
       xRange: [0.5, order.length + 0.5],
-      bands: [{ name: 'reference', from: 0.5, to: reference.trucks + 0.5 }, { name: 'measured', from: reference.trucks + 0.5, to: order.length + 0.5 }] }),
+      bands: reference ? [{ name: 'reference', from: 0.5, to: reference.trucks + 0.5 }, { name: 'measured', from: reference.trucks + 0.5, to: order.length + 0.5 }] : [] }),
     began && facts([['It began', since(data.answer)], ['Since then', `${number(began.size, 3)} ± ${number(2 * began.size_sd, 2)} ${unitText(h.unit)} (2 sd)`],
-      ['Reference against the model', `mean square of z ${fixed(reference.model_gap, 1)}: what the two differ by at all times is taken out`]]));
+      reference && ['Reference against the model', `mean square of z ${fixed(reference.model_gap, 1)}: what the two differ by at all times is taken out`]].filter(Boolean)));
 }
 
 /// The step or ramp, about the mean of the trucks before it.

@@ -3,7 +3,7 @@ import { h } from '../../dom.js';
 import { pValue, percent } from '../../format.js';
 import { masthead } from '../../page.js';
 import { foreman } from './foreman.js';
-import { channelName, strengthText, title } from './words.js';
+import { channelName, lawText, strengthText, title } from './words.js';
 
 const WORDS = {
   named: 'The model misses this effect. Fresh runs with the effect added were compared with the passes held out.',
@@ -48,10 +48,14 @@ function clearest(data, count = 3) {
 }
 
 /// What the residual follows from, where no effect of the catalogue explains it.
-function law({ answer: { law: found } }) {
-  if (!found) return null;
-  return h('p', 'The difference follows from the motion. ', h('b', `${channelName(found.channel)[0]}: ${found.words}`),
-    `. That explains ${percent(found.holdout_explained)} of it on the passes held out.`);
+function law({ answer }) {
+  if (!answer.law) return null;
+  const closed = answer.gap.holdout_closure ?? null;
+  return h('p', 'The difference follows from the motion. ', h('b', lawText(answer.law)),
+    `. That explains ${percent(answer.law.holdout_explained)} of it on the passes held out`
+    + (answer.law.effect
+      ? `. The case with it (effects.${answer.law.effect}: 1) ${closed === null ? 'was run' : `closes ${percent(Math.min(closed, 1))} of the gap there`}.`
+      : '.'));
 }
 
 function second(data) {

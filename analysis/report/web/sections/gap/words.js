@@ -23,5 +23,8 @@ export function strengthText(parameter) {
   return `${number(parameter.estimate, 3)}${unit && ` ${unit}`} (${number(low, 2)} to ${number(high, 2)}, 90 %)`;
 }
 
+/// "crowd force: +90 kN as the crowd moves out, and -90 kN as it moves in; hoist force: ..."
+export const lawText = (law) => [law, ...(law.also ?? [])].map((one) => `${channelName(one.channel)[0]}: ${one.words}`).join('; ');
+
 /// "pass 2 (held out)"
 export const passName = (pass, heldOut) => `pass ${pass}${heldOut ? ' (held out)' : ''}`;

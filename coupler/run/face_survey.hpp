@@ -1,0 +1,44 @@
+// The face as a survey would have it: seen from above before the first pass and at every dump.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "coupler/case/case.hpp"
+#include "coupler/run/observer.hpp"
+
+namespace dipper::run {
+
+/// Looks at the rock, both sides at rest, when a new run starts and whenever the door opens: what a
+/// pass has left is what the next finds. Writes faces/face_K.json, K from 0, in the run's folder: a
+/// map of heights (common/height_map.hpp) with `t_s` and the swing axis `axis_m` (x, y in W).
+/// Changes nothing in the run.
+class FaceSurvey final : public Observer {
+ public:
+  struct Sides {
+    core::Rock& rock;
+    core::ServerInfo machine_info;
+  };
+
+  /// \param from  of a run that goes on: the machine there and the time; faces seen later are
+  ///              removed. Null: a new run.
+  FaceSurvey(const cases::Case& c, const Sides& sides, std::filesystem::path folder,
+             const core::CouplingState* from, const core::MachineState& machine);
+
+  bool needs_rest(const core::Window& w) const override;
+  void window(const core::Window& w) override;
+
+ private:
+  bool is_open(const core::MachineState& machine) const;
+  void look(std::int64_t t_ns);
+
+  Sides sides_;
+  std::filesystem::path folder_;
+  HeightGrid grid_;
+  double axis_x_m_, axis_y_m_;
+  std::size_t door_;
+  bool was_open_ = false;
+  int faces_ = 0;
+};
+
+}  // namespace dipper::run
