@@ -20,13 +20,22 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr int kFew = 3;  // faults of one kind that are reported one by one
 
-// The minus signs and blanks of word processors and spreadsheets, in UTF-8.
-constexpr std::array<std::pair<std::string_view, char>, 6> kLookAlikes{{{"\u2212", '-'},
-                                                                        {"\u2012", '-'},
-                                                                        {"\u2013", '-'},
-                                                                        {"\u00A0", ' '},
-                                                                        {"\u2009", ' '},
-                                                                        {"\u202F", ' '}}};
+// The minus signs, blanks and line ends of word processors and spreadsheets, in UTF-8. dipper
+// import knows the same (dipper_run/csv_text.py); tests/common/tables.jsonl holds both to it.
+constexpr std::array<std::pair<std::string_view, char>, 14> kLookAlikes{{{"\u2212", '-'},
+                                                                         {"\u2010", '-'},
+                                                                         {"\u2011", '-'},
+                                                                         {"\u2012", '-'},
+                                                                         {"\u2013", '-'},
+                                                                         {"\u2014", '-'},
+                                                                         {"\uFE63", '-'},
+                                                                         {"\uFF0D", '-'},
+                                                                         {"\u00A0", ' '},
+                                                                         {"\u2009", ' '},
+                                                                         {"\u202F", ' '},
+                                                                         {"\xC2\x85", '\n'},
+                                                                         {"\u2028", '\n'},
+                                                                         {"\u2029", '\n'}}};
 
 /// The text with line ends of Windows and of old Macs as \n, and plain minus signs and blanks.
 std::string plain(std::string_view text) {
@@ -104,6 +113,7 @@ bool names_separator(std::string_view line) {
 struct Layout {
   char delimiter = 0;  ///< 0: no header yet
   std::vector<std::size_t> place;
+  std::string_view header;  ///< the line, which may stand again among the rows
 };
 
 /// The layout by a header; without a delimiter when the header does not name the columns.
@@ -111,7 +121,7 @@ Layout find_layout(std::string_view line, const std::vector<std::string>& column
   for (const char delimiter : {',', ';', '\t', '|'}) {
     std::vector<Field> fields = split(line, delimiter);
     drop_empty_tail(fields, columns.size());
-    Layout layout{delimiter, {}};
+    Layout layout{delimiter, {}, line};
     for (const std::string& name : columns) {
       const auto at = std::find_if(fields.begin(), fields.end(),
                                    [&](const Field& f) { return f.text == name; });
@@ -133,6 +143,22 @@ std::string_view without_unit(std::string_view text, const std::string& column) 
         text.substr(text.size() - word.size()) == word)
       return trim(text.substr(0, text.size() - word.size()));
   return text;
+}
+
+/// "-0.5" of "- 0.5", as accountants write it.
+std::string without_blanks_after_sign(std::string_view text) {
+  std::string out(text);
+  if (out.empty() || (out[0] != '-' && out[0] != '+')) return out;
+  return out.substr(0, 1) + std::string(trim(text.substr(1)));
+}
+
+/// (200.0) or 200.0-, which accountants mean as -200.0.
+bool has_minus_elsewhere(std::string_view s) {
+  if (s.size() < 2) return false;
+  const bool boxed = s.front() == '(' && s.back() == ')';
+  if (boxed) s.remove_prefix(1);
+  return (boxed || s.back() == '-') &&
+         s.substr(0, s.size() - 1).find_first_not_of("0123456789., ") == std::string_view::npos;
 }
 
 bool looks_like_date(std::string_view s) {
@@ -174,6 +200,7 @@ class NumberReader {
 
   std::string right(std::string_view text) const {
     if (looks_like_date(text)) return "a finite number; dipper import reads time stamps";
+    if (has_minus_elsewhere(text)) return "a finite number, with its minus in front";
     if (decimal_ == ',') return "a finite number, with a decimal comma as elsewhere in the file";
     return "a finite number";
   }
@@ -253,7 +280,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
       continue;
     }
     std::vector<Field> fields = split(line, layout.delimiter);
-    if (is_empty(fields)) continue;
+    if (is_empty(fields) || line == layout.header) continue;
     drop_empty_tail(fields, columns.size());
     if (fields.size() != columns.size()) {
       const bool commas = layout.delimiter == ',' && fields.size() > columns.size();
@@ -272,7 +299,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
         row.name = field.text;
         continue;
       }
-      const std::string_view bare = without_unit(field.text, columns[i]);
+      const std::string bare = without_blanks_after_sign(without_unit(field.text, columns[i]));
       if (!grouped && is_grouped(bare))
         grouped = {
             file, line_number, "",

@@ -16,6 +16,7 @@
 #include "dem/clear_start.hpp"
 #include "dem/collapse.hpp"
 #include "dem/contact_pause.hpp"
+#include "dem/error_screen.hpp"
 #include "dem/fast/rock_loop.hpp"
 #include "dem/holding.hpp"
 #include "dem/moist/crust.hpp"
@@ -41,9 +42,7 @@ LiggghtsRock::LiggghtsRock(const setup::RockSetup& setup, MPI_Comm comm) : setup
   register_moist();
   lmp_ = std::make_unique<LAMMPS_NS::LAMMPS>(static_cast<int>(args.size()), args.data(), comm);
   if (setup.fast_loop) speed_up(*lmp_);
-  // LIGGGHTS opens the screen on rank 0 alone, but every rank prints faults of its part of a mesh
-  // to it, and would crash. Not stderr: Error::all closes any screen but stdout.
-  if (lmp_->comm->me != 0) lmp_->screen = stdout;
+  show_errors_of_all_ranks(*lmp_);
   lmp_->input->file(setup.deck.c_str());
   for (const auto& body : setup_.bodies) walls_.push_back(WallMotion::attach(lmp_.get(), body));
   X_WB_.resize(walls_.size());

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "dem/error_screen.hpp"
 #include "dem/moist/register_moist.hpp"
 #include "dem/place_rocks.hpp"
 
@@ -28,6 +29,7 @@ namespace {
 void run(const std::vector<std::string>& words, std::vector<char*> liggghts_words) {
   LAMMPS_NS::LAMMPS lammps(static_cast<int>(liggghts_words.size()), liggghts_words.data(),
                            MPI_COMM_WORLD);
+  show_errors_of_all_ranks(lammps);
   lammps.input->file();
   try {
     if (words[0] == "get") {

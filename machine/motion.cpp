@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "common/angles.hpp"
 #include "common/csv_table.hpp"
@@ -17,7 +18,16 @@ namespace dipper::machine {
 namespace {
 
 const std::vector<std::string> kColumns = {"time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg"};
-constexpr double kLongest_s = 1e6;  // 1/9000 of the range of int64 nanoseconds
+constexpr double kLongest_s = 1e4;    // a motion in ms of 10 s or more is longer
+constexpr double kUsualRow_s = 60;  // rows further apart, as a rule: a motion in ms
+
+double median_interval_s(const std::vector<std::int64_t>& t_ns) {
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < t_ns.size(); ++i) steps.push_back(t_ns[i] - t_ns[i - 1]);
+  const auto middle = steps.begin() + static_cast<long>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return seconds(*middle);
+}
 
 Drives drives(const std::array<double, 4>& v) { return {v[0], v[1], v[2], v[3]}; }
 
@@ -41,10 +51,13 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
     faults.push_back({file, line, "", message, 1});
   };
   std::size_t not_later = 0, first_not_later = 0;  // a clock that was set back counts as one fault
+  bool too_late = false;                           // so do all rows beyond the longest time
   for (const CsvRow& row : rows) {
     const auto& v = row.values;
     if (std::abs(v[0]) > kLongest_s) {
-      fault(row.line, fmt::format("time_s is {}; it must be within {} s", v[0], kLongest_s));
+      if (!std::exchange(too_late, true))
+        fault(row.line, fmt::format("time_s is {}; it must be within {:g} s: in ms, perhaps?", v[0],
+                                    kLongest_s));
       continue;
     }
     const std::int64_t t_ns = std::llround(v[0] * 1e9);
@@ -65,6 +78,10 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
   if (faults.empty() && t_ns_.size() < 2)
     faults.push_back(
         {file, 0, "", fmt::format("{} row(s); a motion needs at least 2", t_ns_.size())});
+  if (faults.empty())
+    if (const double row_s = median_interval_s(t_ns_); row_s > kUsualRow_s)
+      fault(rows[1].line, fmt::format("time_s has a row each {:g} s; up to {:g} s: in ms, perhaps?",
+                                      row_s, kUsualRow_s));
   if (!faults.empty()) {
     sort_by_line(faults);
     throw InputError(std::move(faults));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/signals/time_mean.hpp"
 #include "common/gravity.hpp"
 
 namespace dipper::analysis::metrics {
@@ -16,12 +17,10 @@ constexpr double kLatched_rad = 1e-5;  // beyond, the door opens and carries no 
 
 Effort effort(const run::RunSignals& s, double t_start_s, double t_end_s) {
   const auto& t = s.pass.time_s;
-  const auto row = [&](double at) {
-    return static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), at - 1e-9) - t.begin());
-  };
-  const std::size_t a = row(t_start_s), b = std::min(row(t_end_s), t.size() - 1);
+  const auto rows = signals::rows_within(t, t_start_s, t_end_s);
   Effort e;
-  if (b <= a) return e;
+  if (!rows) return e;
+  const std::size_t a = rows->first, b = rows->last;
   const auto force = [&](std::size_t i) {
     return std::hypot(s.pass.crowd_force_N[i], s.pass.hoist_force_N[i]);
   };
@@ -33,8 +32,8 @@ Effort effort(const run::RunSignals& s, double t_start_s, double t_end_s) {
   e.dig_force_mean_N = integral(force) / (t[b] - t[a]);
   for (std::size_t i = a; i <= b; ++i) e.dig_force_peak_N = std::max(e.dig_force_peak_N, force(i));
   e.drives = signals::drives_work(s.drive, t_start_s, t_end_s);
-  e.rock_work_J = s.rock_work_J[b] - s.rock_work_J[a];
-  e.mass_gain_kg = s.pass.dipper_mass_kg[b] - s.pass.dipper_mass_kg[a];
+  e.rock_work_J = rows->share * (s.rock_work_J[b] - s.rock_work_J[a]);
+  e.mass_gain_kg = rows->share * (s.pass.dipper_mass_kg[b] - s.pass.dipper_mass_kg[a]);
   return e;
 }
 

@@ -17,8 +17,8 @@ struct Effort {
   double mass_gain_kg = 0;  ///< of the dipper
 };
 
-/// Between two times, by the trapezoidal rule over the rows there; zero where there are fewer than
-/// two.
+/// Between two times, by the trapezoidal rule over the rows there (signals::rows_within): forces of
+/// a time between two rows are those of the rows, work and mass its share of theirs.
 Effort effort(const run::RunSignals& s, double t_start_s, double t_end_s);
 
 /// The load from the rock's weight on dipper and door while they hang level: the end of the swing

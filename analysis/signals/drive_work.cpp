@@ -3,28 +3,26 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "analysis/signals/time_mean.hpp"
+
 namespace dipper::analysis::signals {
 namespace {
-
-constexpr double kRoundOff_s = 1e-9;
 
 DriveWork work_between(const std::vector<double>& time_s, const std::vector<double>& power_W,
                        double t_start_s, double t_end_s) {
   if (power_W.size() != time_s.size())
     throw std::invalid_argument("a drive's powers are not as many as the times");
-  const auto row = [&](double at) {
-    return static_cast<std::size_t>(
-        std::lower_bound(time_s.begin(), time_s.end(), at - kRoundOff_s) - time_s.begin());
-  };
-  const std::size_t a = row(t_start_s), b = std::min(row(t_end_s), time_s.size() - 1);
+  const auto rows = rows_within(time_s, t_start_s, t_end_s);
   DriveWork w;
-  if (time_s.empty() || b <= a) return w;
+  if (!rows) return w;
+  const auto [a, b, share] = *rows;
   w.power_peak_W = power_W[a];
   for (std::size_t i = a; i < b; ++i) {
     w.work_J += 0.5 * (power_W[i] + power_W[i + 1]) * (time_s[i + 1] - time_s[i]);
     w.power_peak_W = std::max(w.power_peak_W, power_W[i + 1]);
   }
   w.power_mean_W = w.work_J / (time_s[b] - time_s[a]);
+  w.work_J *= share;
   return w;
 }
 

@@ -1,11 +1,37 @@
-// The mean of a signal over a part of its time.
+// The rows of a part of a time, and the mean of a signal over it.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace dipper::analysis::signals {
+
+/// Rows of a time, for the trapezoidal rule; row `last` is the last of them.
+struct RowSpan {
+  std::size_t first = 0, last = 0;
+  double share = 1;  ///< of the time between them that is meant
+};
+
+/// The rows from the first at t_start_s or later to the first at t_end_s or later. Where these are
+/// one row, as of a phase that begins between the last two rows of a run: the two rows about the
+/// time, and its share of the time between them. None without two rows.
+inline std::optional<RowSpan> rows_within(const std::vector<double>& time_s, double t_start_s,
+                                          double t_end_s) {
+  constexpr double kRoundOff_s = 1e-9;
+  if (time_s.size() < 2) return std::nullopt;
+  const auto row = [&](double at_s) {
+    const auto at = std::lower_bound(time_s.begin(), time_s.end(), at_s - kRoundOff_s);
+    return std::min(static_cast<std::size_t>(at - time_s.begin()), time_s.size() - 1);
+  };
+  RowSpan rows{row(t_start_s), row(t_end_s), 1};
+  if (rows.first < rows.last) return rows;
+  rows.last = std::max<std::size_t>(rows.first, 1);
+  rows.first = rows.last - 1;
+  rows.share = (t_end_s - t_start_s) / (time_s[rows.last] - time_s[rows.first]);
+  return rows;
+}
 
 /// Time-weighted mean of value(i), i an entry of time_s; an entry holds until the next, and counts
 /// with the part of that which is within the time. None: no entry is.

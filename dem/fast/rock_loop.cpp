@@ -81,6 +81,7 @@ void RockLoop::run(int n) {
     if (step == output->next) output->write(step);
     if (SignalHandler::request_quit && !SignalHandler::request_write_restart) break;
   }
+  motion_.finish();
 }
 
 void RockLoop::renew_lists() {

@@ -140,6 +140,7 @@ bool RockMotion::held(int b) const {
 
 double RockMotion::initial_integrate() {
   const double fastest = std::sqrt(std::max(move_spheres(), move_bodies()));
+  kick_due_ = false;
   if (own_border_) {
     border_.return_moved_spheres();
   } else if (lmp_.comm->nprocs > 1) {  // spheres of this rank's bodies that are on another rank
@@ -158,6 +159,7 @@ double RockMotion::move_spheres() {
   const double dt = lmp_.update->dt;
   double fastest = 0;
   for (const Sphere& s : free_) {
+    if (kick_due_) kick_sphere(s);
     double *x = atom.x[s.index], *v = atom.v[s.index], *w = atom.omega[s.index];
     const double *f = atom.f[s.index], *torque = atom.torque[s.index];
     for (int k = 0; k < 3; ++k) {
@@ -176,6 +178,7 @@ double RockMotion::move_bodies() {
   double fastest = 0;
   for (int b = 0; b < bodies_.n; ++b) {
     if (held(b)) continue;
+    if (kick_due_) kick_body(b, false);
     double *xcm = bodies_.x[b], *vcm = bodies_.v[b], *w = bodies_.omega[b];
     double *ex = bodies_.ex[b], *ey = bodies_.ey[b], *ez = bodies_.ez[b];
     const double dtf_m = dtf / bodies_.mass[b];
@@ -210,9 +213,10 @@ void RockMotion::final_integrate(bool seen) {
     fix_bodies_->*OpenMultisphere::forward = LAMMPS_NS::MS_COMM_FW_F_TORQUE;
     fix_bodies_->forward_comm();
   }
-  kick_spheres(seen);
-  kick_bodies(seen);
-  if (!ranks || !seen) return;
+  kick_due_ = !seen;
+  if (!seen) return;
+  kick(true);
+  if (!ranks) return;
   if (own_border_) return border_.return_velocities();  // ghosts get theirs with the next step
   fix_bodies_->*OpenMultisphere::reverse = LAMMPS_NS::MS_COMM_REV_V_OMEGA;
   fix_bodies_->reverse_comm();
@@ -220,72 +224,81 @@ void RockMotion::final_integrate(bool seen) {
   fix_bodies_->forward_comm();
 }
 
-void RockMotion::kick_spheres(bool seen) {
+void RockMotion::weigh(int i) {
   const LAMMPS_NS::Atom& atom = *lmp_.atom;
-  const auto weigh = [&](int i) {
-    if ((atom.mask[i] & fix_gravity_->groupbit) == 0) return;
-    for (int k = 0; k < 3; ++k) atom.f[i][k] += atom.rmass[i] * g_[k];
-  };
-  for (const Sphere& s : free_) {
-    weigh(s.index);
-    double *v = atom.v[s.index], *w = atom.omega[s.index];
-    const double *f = atom.f[s.index], *torque = atom.torque[s.index];
-    for (int k = 0; k < 3; ++k) {
-      v[k] += s.dtf_m * f[k];
-      w[k] += s.dtf_I * torque[k];
-    }
-  }
-  if (!seen) return;
-  for (const int i : held_) weigh(i);
+  if ((atom.mask[i] & fix_gravity_->groupbit) == 0) return;
+  for (int k = 0; k < 3; ++k) atom.f[i][k] += atom.rmass[i] * g_[k];
 }
 
-void RockMotion::kick_bodies(bool seen) {
+void RockMotion::kick(bool seen) {
+  for (const Sphere& s : free_) kick_sphere(s);
+  if (seen)
+    for (const int i : held_) weigh(i);
+  for (int b = 0; b < bodies_.n; ++b) kick_body(b, seen);
+}
+
+void RockMotion::kick_sphere(const Sphere& s) {
+  const LAMMPS_NS::Atom& atom = *lmp_.atom;
+  weigh(s.index);
+  double *v = atom.v[s.index], *w = atom.omega[s.index];
+  const double *f = atom.f[s.index], *torque = atom.torque[s.index];
+  for (int k = 0; k < 3; ++k) {
+    v[k] += s.dtf_m * f[k];
+    w[k] += s.dtf_I * torque[k];
+  }
+}
+
+void RockMotion::kick_body(int b, bool seen) {
   const LAMMPS_NS::Atom& atom = *lmp_.atom;
   const double dtf = 0.5 * lmp_.update->dt * lmp_.force->ftm2v;
-  for (int b = 0; b < bodies_.n; ++b) {
-    const bool rests = held(b);
-    if (rests && !seen) continue;
-    const double* xcm = bodies_.x[b];
-    double F[3], T[3];
-    std::copy_n(bodies_.force[b], 3, F);
-    std::copy_n(bodies_.torque[b], 3, T);
-    for (int k = first_[b]; k < first_[b + 1]; ++k) {
-      const int i = of_body_[k];
-      const double *x = atom.x[i], *f = atom.f[i], *torque = atom.torque[i];
-      const double d[3] = {x[0] - xcm[0], x[1] - xcm[1], x[2] - xcm[2]};
-      for (int n = 0; n < 3; ++n) F[n] += f[n];
-      T[0] += d[1] * f[2] - d[2] * f[1] + torque[0];
-      T[1] += d[2] * f[0] - d[0] * f[2] + torque[1];
-      T[2] += d[0] * f[1] - d[1] * f[0] + torque[2];
-    }
-    for (int n = 0; n < 3; ++n) F[n] += bodies_.mass[b] * g_[n];
-    std::copy_n(F, 3, bodies_.force[b]);
-    std::copy_n(T, 3, bodies_.torque[b]);
-    if (rests) continue;
-
-    double *vcm = bodies_.v[b], *w = bodies_.omega[b];
-    const double dtf_m = dtf / bodies_.mass[b];
-    for (int n = 0; n < 3; ++n) {
-      if (bodies_.moves[b][n]) vcm[n] += dtf_m * F[n];
-      if (bodies_.turns[b][n]) bodies_.angmom[b][n] += dtf * T[n];
-    }
-    MathExtra::angmom_to_omega(bodies_.angmom[b], bodies_.ex[b], bodies_.ey[b], bodies_.ez[b],
-                               bodies_.inertia[b], w);
-    if (!seen) continue;
-    for (int k = first_[b]; k < first_[b + 1]; ++k) {
-      const int i = of_body_[k];
-      double d[3], *v = atom.v[i];
-      MathExtra::matvec(bodies_.ex[b], bodies_.ey[b], bodies_.ez[b],
-                        &place_[3 * static_cast<std::size_t>(k)], d);
-      v[0] = w[1] * d[2] - w[2] * d[1] + vcm[0];
-      v[1] = w[2] * d[0] - w[0] * d[2] + vcm[1];
-      v[2] = w[0] * d[1] - w[1] * d[0] + vcm[2];
-      std::copy_n(w, 3, atom.omega[i]);
-    }
+  const bool rests = held(b);
+  if (rests && !seen) return;
+  const double* xcm = bodies_.x[b];
+  double F[3], T[3];
+  std::copy_n(bodies_.force[b], 3, F);
+  std::copy_n(bodies_.torque[b], 3, T);
+  for (int k = first_[b]; k < first_[b + 1]; ++k) {
+    const int i = of_body_[k];
+    const double *x = atom.x[i], *f = atom.f[i], *torque = atom.torque[i];
+    const double d[3] = {x[0] - xcm[0], x[1] - xcm[1], x[2] - xcm[2]};
+    for (int n = 0; n < 3; ++n) F[n] += f[n];
+    T[0] += d[1] * f[2] - d[2] * f[1] + torque[0];
+    T[1] += d[2] * f[0] - d[0] * f[2] + torque[1];
+    T[2] += d[0] * f[1] - d[1] * f[0] + torque[2];
   }
+  for (int n = 0; n < 3; ++n) F[n] += bodies_.mass[b] * g_[n];
+  std::copy_n(F, 3, bodies_.force[b]);
+  std::copy_n(T, 3, bodies_.torque[b]);
+  if (rests) return;
+
+  double *vcm = bodies_.v[b], *w = bodies_.omega[b];
+  const double dtf_m = dtf / bodies_.mass[b];
+  for (int n = 0; n < 3; ++n) {
+    if (bodies_.moves[b][n]) vcm[n] += dtf_m * F[n];
+    if (bodies_.turns[b][n]) bodies_.angmom[b][n] += dtf * T[n];
+  }
+  MathExtra::angmom_to_omega(bodies_.angmom[b], bodies_.ex[b], bodies_.ey[b], bodies_.ez[b],
+                             bodies_.inertia[b], w);
+  if (!seen) return;
+  for (int k = first_[b]; k < first_[b + 1]; ++k) {
+    const int i = of_body_[k];
+    double d[3], *v = atom.v[i];
+    MathExtra::matvec(bodies_.ex[b], bodies_.ey[b], bodies_.ez[b],
+                      &place_[3 * static_cast<std::size_t>(k)], d);
+    v[0] = w[1] * d[2] - w[2] * d[1] + vcm[0];
+    v[1] = w[2] * d[0] - w[0] * d[2] + vcm[1];
+    v[2] = w[0] * d[1] - w[1] * d[0] + vcm[2];
+    std::copy_n(w, 3, atom.omega[i]);
+  }
+}
+
+void RockMotion::finish() {
+  if (kick_due_) kick(false);
+  kick_due_ = false;
 }
 
 void RockMotion::library_initial_integrate(int vflag) {
+  finish();
   fix_spheres_->initial_integrate(vflag);
   fix_bodies_->initial_integrate(vflag);
 }

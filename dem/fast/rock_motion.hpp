@@ -39,9 +39,13 @@ class RockMotion {
   /// Sends the new positions of spheres near other ranks to those.
   void forward();
 
-  /// The second half, from forces without gravity. Unless the step is `seen`, spheres of bodies do
-  /// not get their velocities, nor rock at rest its forces.
+  /// The second half, from forces without gravity. Unless the step is `seen`, velocities change
+  /// with the next step's first half, spheres of bodies do not get theirs, nor rock at rest its
+  /// forces.
   void final_integrate(bool seen);
+
+  /// Call when no further step follows.
+  void finish();
 
   /// The same by LIGGGHTS itself, for a step that needs its virial.
   void library_initial_integrate(int vflag);
@@ -64,8 +68,10 @@ class RockMotion {
   bool held(int body) const;
   double move_spheres();
   double move_bodies();
-  void kick_spheres(bool seen);
-  void kick_bodies(bool seen);
+  void kick(bool seen);
+  void kick_sphere(const Sphere& s);
+  void kick_body(int b, bool seen);
+  void weigh(int sphere);
 
   LAMMPS_NS::LAMMPS& lmp_;
   BorderExchange border_;
@@ -74,6 +80,7 @@ class RockMotion {
   LAMMPS_NS::Fix* fix_spheres_ = nullptr;
   LAMMPS_NS::FixGravity* fix_gravity_ = nullptr;
   double g_[3] = {0, 0, 0};
+  bool kick_due_ = false;  ///< the second half of the step before: with the next, both read once
   std::vector<Sphere> free_;
   std::vector<int> held_;  ///< single spheres that are not integrated but have weight
   Bodies bodies_;

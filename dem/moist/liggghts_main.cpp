@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "dem/error_screen.hpp"
 #include "dem/fast/rock_loop.hpp"
 #include "dem/moist/register_moist.hpp"
 #include "dem/rank_count.hpp"
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
   dipper::dem::register_moist();
   {
     LAMMPS_NS::LAMMPS lammps(argc, argv, MPI_COMM_WORLD);
+    dipper::dem::show_errors_of_all_ranks(lammps);
     if (fast) dipper::dem::speed_up(lammps);
     lammps.input->file();
   }

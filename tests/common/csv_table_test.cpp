@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/places.hpp"
@@ -102,6 +103,32 @@ TEST(CsvTable, MarksOfNumbersAreReadAsImportReadsThem) {
       EXPECT_EQ(r.rows[k - 1].values[0], std::stod(words[k].substr(words[k].find('=') + 1)));
   }
   EXPECT_GT(tried, 15);
+}
+
+/// tests/analysis/logs/log_file_test.py reads the same tables.
+TEST(CsvTable, TablesOfTheFieldAreReadAsImportReadsThem) {
+  std::ifstream in(test::source() / "tests/common/tables.jsonl");
+  int read_tables = 0, refused = 0;
+  for (std::string line; std::getline(in, line);) {
+    const nlohmann::json table = nlohmann::json::parse(line);
+    SCOPED_TRACE(table["kind"]);
+    std::vector<Finding> findings;
+    const std::vector<CsvRow> rows = parse_csv(table["text"].get<std::string>(), "t.csv",
+                                               {"t_s", "h_m", "c_m", "s_deg", "d_deg"}, findings);
+    if (!table.contains("rows")) {
+      ASSERT_FALSE(findings.empty());
+      EXPECT_THAT(to_string(findings[0]), testing::HasSubstr(table["says"].get<std::string>()));
+      ++refused;
+      continue;
+    }
+    EXPECT_THAT(findings, ElementsAre());
+    std::vector<std::vector<double>> values;
+    for (const CsvRow& row : rows) values.push_back(row.values);
+    EXPECT_EQ(values, table["rows"].get<std::vector<std::vector<double>>>());
+    ++read_tables;
+  }
+  EXPECT_GT(read_tables, 30);
+  EXPECT_GT(refused, 10);
 }
 
 TEST(CsvTable, CommasThatMayPartThousandsAreRefusedWithTheirPlace) {

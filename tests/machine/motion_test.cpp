@@ -132,5 +132,23 @@ TEST(MotionErrors, SayWhenTheFileIsNotThere) {
   EXPECT_THROW(Motion::load("/nowhere/motion.csv"), InputError);
 }
 
+TEST(Motion, TimesInMillisecondsAreToldOnce) {
+  const auto faults_of = [](int rows, int step) {
+    std::string text = "time_s,hoist_m,crowd_m,swing_deg,door_deg\n";
+    for (int k = 0; k < rows; ++k) text += std::to_string(step * k) + ",0,0,0,0\n";
+    try {
+      Motion::parse(text, "m.csv");
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(faults_of(113, 250),
+            "m.csv:43:1: time_s is 10250; it must be within 10000 s: in ms, perhaps?");
+  EXPECT_EQ(faults_of(40, 100),
+            "m.csv:3:1: time_s has a row each 100 s; up to 60 s: in ms, perhaps?");
+  EXPECT_EQ(faults_of(40, 20), "");
+}
+
 }  // namespace
 }  // namespace dipper::machine

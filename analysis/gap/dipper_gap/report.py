@@ -2,7 +2,7 @@
 from dataclasses import asdict
 
 from dipper_run.page_data import plain
-from dipper_run.program import tell
+from dipper_run.program import output_of
 
 from .readings.features import FEATURES
 from .readings.measured import KNOWN
@@ -15,7 +15,7 @@ CELL_P = 0.05     # adjusted p up to which a cell of the heat map is framed
 
 def write_report(out, answer, catalogue, file, case_name):
     """The page, written by `dipper page`; raises ProgramFailed with what it says when it cannot."""
-    tell("page", file, given=page(out, answer, catalogue, case_name))
+    output_of("page", file, given=page(out, answer, catalogue, case_name))
 
 
 def page(out, answer, catalogue, case_name):

@@ -3,16 +3,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dipper_gap.readings.measured import DRIVEN, MASS, MOTION, RESPONSE, Channel, Measured, Pass
+from dipper_gap.readings.measured import (DRIVEN, KNOWN, LEAST_SAMPLES, MASS, MOTION, RESPONSE, Channel, Measured,
+                                          Pass)
 from dipper_gap.readings.phases import find_phases, planned_passes
 
-from .doubts import doubt
+from .doubts import doubt, doubt_masses
 from .fit import fit_drive
 from .phrases import some_rows
 from .readings import held_readings, row_gaps, sound_readings
 from .units import CHANNELS, DRIVES, FORCES, TRUCK_MASS
 
 WEIGHED_S = 1.0  # readings of the truck's scale that are averaged
+TARE = 0.05      # of a load: more in a dipper that comes back empty is none
 SIGMAS = 3       # of the scale: as far below zero the mass of a pass that loads nothing may be
 WAYS_TO_READ = ("reads: total is a scale that goes up with each pass, reads: pass shows what the last pass brought, "
                 "reads: dipper what hangs in the dipper, until it is dumped")
@@ -79,9 +81,12 @@ def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
                   "a door that opens, or no forces and masses in the map")
         return None
     signals = {CHANNELS[n].measured: rows.values[n][whole] * CHANNELS[n].factor for n in names}
+    _check_sizes(signals, rows.lines[whole], what, path, found)
+    _check_readings(rows.time_s[whole], rows.lines[whole], spans, path, found)
     masses = [np.nan] * len(spans)
     if TRUCK_MASS in what.channels:
         masses = _masses(rows, fits, grid, spans, what.channels[TRUCK_MASS], path, found, notes)
+        doubt_masses(masses, what, notes)
     channels = {}
     for n in (*names, *([TRUCK_MASS] if TRUCK_MASS in what.channels else [])):
         kind, channel = CHANNELS[n], what.channels[n]
@@ -94,6 +99,28 @@ def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
     return Measured(channels, passes, rows.time_s[whole], signals)
 
 
+def _check_sizes(signals, lines, what, path, found):
+    """Findings about readings that no measured folder may have (dipper_gap)."""
+    for name, column in ((what.channels[n].column, n) for n in what.channels):
+        kind = KNOWN.get(CHANNELS[column].measured)
+        values = signals.get(CHANNELS[column].measured, np.zeros(0))
+        found.add_rows(path, [(int(lines[k]), name, f"{column} is {values[k]:g} {kind.unit}",
+                               f"{kind.largest:g} {kind.unit} at most: another unit, or a text of file.missing")
+                              for k in np.flatnonzero(np.abs(values) > kind.largest)] if kind else [])
+
+
+def _check_readings(time_s, lines, spans, path, found):
+    """Finding about the first pass with too few readings to be cut into phases."""
+    for number, (start, end) in enumerate(spans, 1):
+        inside = np.flatnonzero((time_s >= start) & (time_s <= end))
+        if len(inside) < LEAST_SAMPLES:
+            found.add(path, int(lines[inside[0]] if len(inside) else lines[0]), "time",
+                      f"{len(inside)} rows with a reading of every channel within pass {number} ({start:.4g} to "
+                      f"{end:.4g} s)", f"{LEAST_SAMPLES} or more: rows more often, or held: true for channels that are "
+                      "written only as they change")
+            return
+
+
 def _masses(rows, fits, grid, spans, channel, path, found, notes):
     """What each pass brought to the truck, t, by its scale; 0 where it reads less, within the scale's error."""
     mass, there = rows.values[TRUCK_MASS], np.isfinite(rows.values[TRUCK_MASS])
@@ -104,6 +131,7 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
         empty = max(start, dump - WEIGHED_S)
         if channel.reads == "dipper":
             after, before = _scale(rows.time_s, mass, there, empty, dump), 0.0
+            _doubt_tare(number, _scale(rows.time_s, mass, there, start, start + WEIGHED_S), after, channel, notes)
         else:
             after = _scale(rows.time_s, mass, there, end - WEIGHED_S, end)
             before = 0.0 if channel.reads == "pass" else _scale(rows.time_s, mass, there, empty, dump)
@@ -125,6 +153,13 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
                   f"go up to {mass[there].max():.4g} t",
                   WAYS_TO_READ)
     return out
+
+
+def _doubt_tare(number, empty, full, channel, notes):
+    """Warns of a payload monitor that shows a load as its pass begins."""
+    if None not in (empty, full) and empty > max(SIGMAS * channel.sigma, TARE * full):
+        notes.append(f"warning: truck_mass: as pass {number} begins, {empty:.4g} t are in the dipper: its own weight "
+                     "(offset), or what the last pass brought (reads: pass)?")
 
 
 def _scale(time, mass, there, start, end):

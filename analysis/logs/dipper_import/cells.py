@@ -3,15 +3,19 @@ import re
 
 import numpy as np
 
-from dipper_run.csv_text import THOUSANDS, decimal_number, find_decimal, parted_by
+from dipper_run.csv_text import THOUSANDS, decimal_number, find_decimal, parted_by, with_minus_first
 
-from .units import DRIVES
+from .units import DRIVES, SWITCH
 from .phrases import LONGEST_SHOWN, some_names, some_rows
 
-WITH_UNIT = re.compile(r"(.*\d[.,]?)\s*([^\d\s.,+-].*)", re.DOTALL)
+WITH_UNIT = re.compile(r"(.*\d[.,]?)\s*([^\d\s.,+'()#-]\D*)", re.DOTALL)
 OTHER_NAMES = {"°": "deg", "º": "deg", "degrees": "deg", "tonnes": "t"}
+# What loggers write for "no reading": 9s, the ends of 16 and 32 bit numbers and these with a decimal point put in.
 SENTINELS = {s * float(n) for n in ("999", "9999", "99999", "999999") for s in (1, -1)} | \
-    {-999.25, -32768.0, 32767.0, 65535.0, -2147483648.0, 2147483647.0}
+    {-999.25, -2147483648.0, 2147483647.0} | {n / d for n in (-32768, 32767, 65535) for d in (1, 10, 100, 1000)}
+NOT_A_NUMBER = re.compile(r"[+-]?1\.#\w+")  # 1.#QNAN, -1.#IND: NaN as programs on Windows print it
+SWITCH_WORDS = {**dict.fromkeys(("on", "open", "opened", "true", "yes"), "1"),
+                **dict.fromkeys(("off", "closed", "shut", "false", "no"), "0")}
 OTHER_MARK = {",": ".", ".": ","}
 SPIKE = 0.2  # of the range of all other readings: so far off its neighbours, a 9999 is no reading
 
@@ -40,8 +44,10 @@ class CellReader:
         channel, file = self._what.channels[name], self._what.file
         raw = np.full(len(group.lines), np.nan)
         for k, text in enumerate(group.cells[name]):
-            if text.lower() in file.missing:
+            if text.lower() in file.missing or NOT_A_NUMBER.fullmatch(text):
                 continue
+            if channel.switch:
+                text = SWITCH_WORDS.get(text.lower(), text)
             value = decimal_number(_bare(text, {channel.unit}), self._decimal, file.thousands)
             if value is None:
                 faults.append((group.lines[k], channel.column, f"is '{text[:LONGEST_SHOWN]}'",
@@ -54,7 +60,11 @@ class CellReader:
         return channel.slope * raw + channel.intercept
 
     def _right(self, text, channel):
-        mark = parted_by(text, self._decimal)
+        if right := with_minus_first(_bare(text, {channel.unit})):
+            return f"{right}, if that is meant: a minus before the number"
+        if channel.unit == SWITCH:
+            return "0 or 1, or words such as open and closed, on and off, true and false"
+        mark = parted_by(_bare(text, {channel.unit}), self._decimal)
         if mark:
             return f"file.thousands: \"{mark}\", if that parts its thousands"
         unit = WITH_UNIT.fullmatch(text)
@@ -68,7 +78,8 @@ class CellReader:
         bad = np.array([not self._good(t) for t in texts], bool) & np.isfinite(raw)
         if bad.any() and bad.sum() == np.isfinite(raw).sum():
             faults.append((group.lines[0], self._what.channels[name].quality, f"no reading of {name} is good: they are "
-                           + some_names(sorted(set(texts)), 4), "list what says that one is under file.good"))
+                           + some_names(sorted({t or "empty" for t in texts}), 4), "list what says that one is under file.good"
+                           + (" ('' for empty)" if "" in texts else "")))
         elif bad.any():
             told = some_names(sorted({t or "empty" for t, b in zip(texts, bad) if b}), 4)
             lines = np.array(group.lines)[bad]

@@ -58,13 +58,13 @@ def order_rows(log, what, path, found, notes):
 def _tell_interval(interval, log, what, path, found):
     """Finding about rows too far apart to see a dig, or closer than any logger's: the unit of the time, mostly."""
     found.add(path, int(log.lines[0]), "time", f"is one row each {interval:.3g} s",
-              f"{SHORTEST_S:g} to {what.longest_gap_s:g} s (longest_gap_s)" + _other_unit(interval, what))
+              f"{SHORTEST_S:g} to {what.longest_gap_s:g} s (longest_gap_s)" + _other_unit(interval, what, log.unit))
 
 
-def _other_unit(interval, what):
-    now = NUMBER_FORMATS.get(what.time.format or "s")
-    if now is None:
+def _other_unit(interval, what, unit):
+    if unit is None:
         return ""
+    now = NUMBER_FORMATS[unit]
     better = [f"{u}: {interval / now * size:.3g} s" for u, size in NUMBER_FORMATS.items()
               if SHORTEST_S <= interval / now * size <= what.longest_gap_s]
     return f"; another unit of numbers in time.format, perhaps? {', '.join(better)}" if better else ""

@@ -8,16 +8,38 @@ from .units import CHANNELS, FORCES, TRUCK_MASS
 LARGEST = {"hoist_force": 8000.0, "crowd_force": 8000.0, TRUCK_MASS: 700.0}  # kN, kN, t
 BEYOND_STALL = 1.5         # times what a drive can pull: strokes of the rope, errors of the instrument
 PASS_S = (5.0, 300.0)      # of one pass; 20 to 60 s are usual
+LEAST_LOAD_T = 2.0         # the fullest of all passes: less than a boulder
+BEYOND_RATED = 1.3         # times the dipper's rated load: more than a heaped dipper's
+MOSTLY_EMPTY = 0.5         # of the rows without a reading
 
 
 def doubt(rows, spans, what, notes):
     for name in (*FORCES, TRUCK_MASS):
         if name in what.channels:
             _doubt_size(name, rows, what, notes)
+            _doubt_empty(name, rows, notes)
     lengths = [b - a for a, b in spans]
     if lengths and not (PASS_S[0] <= np.median(lengths) <= PASS_S[1]):
         notes.append(f"warning: a pass takes {np.median(lengths):.4g} s, where 20 to 60 s are usual: is "
                      "time.format right?")
+
+
+def doubt_masses(masses, what, notes):
+    """Of what the passes bring, t."""
+    most = max(masses, default=0.0)
+    if 0 < most < LEAST_LOAD_T:
+        notes.append(f"warning: truck_mass: the fullest pass brings {most:.3g} t: wrong unit or scale?")
+    if what.rated_load_t and most > BEYOND_RATED * what.rated_load_t:
+        notes.append(f"warning: truck_mass: pass {masses.index(most) + 1} brings {most:.4g} t, more than "
+                     f"{BEYOND_RATED:g} times the {what.rated_load_t:.4g} t that the machine's dipper is rated for: "
+                     "wrong unit or scale?")
+
+
+def _doubt_empty(name, rows, notes):
+    empty = ~np.isfinite(rows.values[name])
+    if name in FORCES and empty.mean() > MOSTLY_EMPTY:
+        notes.append(f"warning: {name}: {int(empty.sum())} of {len(empty)} rows have no reading: "
+                     f"channels.{name}.held: true, if it is written only as it changes")
 
 
 def _doubt_size(name, rows, what, notes):

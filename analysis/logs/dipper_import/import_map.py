@@ -14,7 +14,8 @@ from dipper_run.text_file import number, read_yaml
 from .units import CHANNELS, DRIVES, FORCES, PERCENT, SWITCH, TRUCK_MASS, UNITS
 
 DELIMITERS = {",": ",", ";": ";", "|": "|", "tab": "\t", "\\t": "\t", "\t": "\t"}
-NUMBER_FORMATS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "min": 60.0, "h": 3600.0, "days": 86400.0}
+NUMBER_FORMATS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "ticks": 1e-7, "min": 60.0, "h": 3600.0,
+                  "days": 86400.0}  # ticks of 100 ns: Windows and .NET
 MISSING = ("", "-", "--", "---", "nan", "null", "none", "n/a", "na", "#n/a")
 READS = ("total", "pass", "dipper")  # in the truck; what the last pass brought; what hangs in the dipper
 LONGEST_GAP_S = 2.0
@@ -82,6 +83,7 @@ class ImportMap:
     channels: dict
     limits: dict = field(default_factory=dict)   # {drive: Limits}
     stall_kN: dict = field(default_factory=dict)  # {force: what the machine's drive can pull}, as far as it says so
+    rated_load_t: float = None                    # of the machine's dipper, as far as it says so
     longest_gap_s: float = LONGEST_GAP_S
     sample_s: float = SAMPLE_S
 
@@ -100,8 +102,8 @@ def read_map(path):
     root = read_yaml(path, found, "a map with time, channels, ...")
     found.raise_if_any()
     top = Section(root, path, found)
-    limits, stall_kN = _limits(top, path)
-    made = ImportMap(path, _file(top), _time(top), _channels(top), limits, stall_kN,
+    limits, stall_kN, rated_load_t = _limits(top, path)
+    made = ImportMap(path, _file(top), _time(top), _channels(top), limits, stall_kN, rated_load_t,
                      top.number("longest_gap_s", LONGEST_GAP_S, "seconds, above 0", allowed=lambda x: x > 0),
                      top.number("sample_s", SAMPLE_S, "seconds, above 0", allowed=lambda x: x > 0))
     top.end()
@@ -207,7 +209,7 @@ def _channel(channels, name):
 def _limits(top, path):
     s = top.section("limits")
     machine = s.text("machine", right="a machine's file, such as ../../mbs/bucyrus495.yaml")
-    known, stall_kN = _machine_limits(s, path.parent / machine) if machine else ({}, {})
+    known, stall_kN, rated_load_t = _machine_limits(s, path.parent / machine) if machine else ({}, {}, None)
     out = {}
     for name in DRIVES:
         own = s.section(name)
@@ -223,18 +225,19 @@ def _limits(top, path):
         if out[name].min >= out[name].max:
             own.wrong("min", f"is {out[name].min:g}", f"below max, {out[name].max:g}")
     s.end()
-    return out, stall_kN
+    return out, stall_kN, rated_load_t
 
 
 def _machine_limits(section, file):
-    """{drive: {min, max, speed}} and {force: kN} of a machine's file, as far as it says so."""
+    """{drive: {min, max, speed}}, {force: kN} and the dipper's rated load in t of a machine's file, as far as it says
+    so."""
     try:
         data = yaml.safe_load(file.read_text())
         limits = data["limits"]
     except (OSError, UnicodeDecodeError, yaml.YAMLError, KeyError, TypeError):
         section.wrong("machine", f"{file} cannot be read, or has no limits",
                       "a machine's file, seen from the map's folder")
-        return {}, {}
+        return {}, {}, None
     out = {}
     for name in DRIVES:
         for key in ("min", "max", "speed"):
@@ -248,17 +251,26 @@ def _machine_limits(section, file):
                               f"{{value, unit}} with a unit of {CHANNELS[name].quantity}")
                 continue
             out.setdefault(name, {})[key] = value * UNITS[unit][1]
-    return out, _stall_forces(data.get("drives"))
+    return out, _stall_forces(data.get("drives")), _in_own_unit(_entry(data.get("dipper"), "rated_load"))
 
 
 def _stall_forces(drives):
     out = {}
     for name in FORCES:
-        entry = drives.get(name.replace("force", "stall")) if isinstance(drives, dict) else None
-        value = number(str(entry.get("value"))) if isinstance(entry, dict) else None
-        if value is not None and entry.get("unit") in UNITS:
-            out[name] = value * UNITS[entry["unit"]][1]
+        value = _in_own_unit(_entry(drives, name.replace("force", "stall")))
+        if value is not None:
+            out[name] = value
     return out
+
+
+def _entry(section, key):
+    return section.get(key) if isinstance(section, dict) else None
+
+
+def _in_own_unit(entry):
+    """The value of {value, unit} in m, deg, kN or t; None where there is none."""
+    value = number(str(entry.get("value"))) if isinstance(entry, dict) else None
+    return None if value is None or entry.get("unit") not in UNITS else value * UNITS[entry["unit"]][1]
 
 
 def _check_switches(made, found):

@@ -19,7 +19,8 @@ def join(logs, what, notes):
     notes.append(f"{told}: logged at times of their own, taken at those of "
                  + next(n for n in base.values if n in DRIVES))
     order = [n for n in what.channels if n in values]
-    return type(base)(base.lines, base.stamp_s, base.stamps, {n: values[n] for n in order}, base.has_date)
+    return type(base)(base.lines, base.stamp_s, base.stamps, {n: values[n] for n in order}, base.has_date,
+                      base.unit)
 
 
 def _at(times, stamp_s, value, held, longest_gap_s):

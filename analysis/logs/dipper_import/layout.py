@@ -7,8 +7,9 @@ from dipper_run.text_file import nearest
 
 from .phrases import some_names
 
-QUALITY = re.compile(r"quality|status|valid|\bqual\b|_q$", re.IGNORECASE)
-UNSOUND = re.compile(r"bad|uncertain|questionable|invalid|fail|error|stale|comm|false", re.IGNORECASE)
+QUALITY = re.compile(r"qualit|calidad|status|valid|good|confiden|flag|\bqual\b|\bqc\b|_qc?$", re.IGNORECASE)
+UNSOUND = re.compile(r"\bbad|uncertain|questionable|invalid|fail|error|stale|comm\b|time.?out|false", re.IGNORECASE)
+FEW_WORDS = 8  # different cells: a column beside a reading with more says something else than how good it is
 ROWS_LOOKED_AT = 5000  # of a log with a row a reading: where tags and numbers are looked for
 
 
@@ -35,9 +36,11 @@ def find_layout(what, path, header_line, names, rows, found, notes):
         tags = _column_of_tags(what, names, rows)
         if tags is not None:
             return _long(header, rows, tags, notes)
+        like = _like_tags(what, names, rows)
         found.add(what.path, what.time.line, "channels",
                   f"none of their columns is in the header of {path.name}, line {header_line}",
-                  f"file.header_line, if that is not the header; it has {some_names(names)}")
+                  f"" + (like or f"file.header_line, if that is not the header; it has {some_names(names)}")
+                  + ("" if len(names) > 1 else "; columns are parted by , ; | or a tab (file.delimiter), not by blanks"))
         return None
     return _wide(header, rows, notes)
 
@@ -49,10 +52,13 @@ class _Header:
         self.what, self.path, self.line, self.names, self.found = what, path, line, names, found
 
     def place(self, column, key, line, right_of=None):
-        """Index of a column; None after a finding. Of columns of one name the next to the left of `right_of`."""
+        """Index of a column; None after a finding. Of columns of one name the next to the left of `right_of`, or to
+        the right where the first reading has none to its left."""
         places = [k for k, n in enumerate(self.names) if n == column]
         if right_of is not None and len(places) > 1:
-            places = [k for k in places if k < right_of][-1:]
+            first = min(k for k, n in enumerate(self.names) if n in {c.column for c in self.what.channels.values()})
+            places = [k for k in places if k < right_of][-1:] if places[0] < first else \
+                [k for k in places if k > right_of][:1]
         if len(places) == 1:
             return places[0]
         if places:
@@ -112,6 +118,17 @@ def _column_of_tags(what, names, rows):
                 seen[k].add(cell)
     best = max(range(len(names)), key=lambda k: len(seen[k]))
     return best if seen[best] else None
+
+
+def _like_tags(what, names, rows):
+    """Where a column of a log with a row a reading has the channels' names in other letters or with more before them,
+    words that say so; None elsewhere."""
+    wanted = {c.column.lower() for c in what.channels.values()}
+    for k, name in enumerate(names):
+        like = sorted({cells[k] for _, cells in rows[:ROWS_LOOKED_AT] if any(cells[k].lower().endswith(w) for w in wanted)})
+        if like:
+            return f"the tags as '{name}' has them, a row a reading: {some_names(like)}"
+    return None
 
 
 def _long(header, rows, tags, notes):
@@ -177,16 +194,19 @@ def unnamed_qualities(what, names, rows, notes):
     """Warns of columns that say what readings are worth, and that the map does not name."""
     used = {*what.time.columns, *(c.column for c in what.channels.values()),
             *(c.quality for c in what.channels.values()), *(c.time for c in what.channels.values())}
+    channels = tuple(c.column for c in what.channels.values())
     doubtful = {}
     for k, name in enumerate(names):
-        if name in used or not QUALITY.search(name):
-            continue
         cells = [cells[k] for _, cells in rows]
-        bad = sorted({c for c in cells if UNSOUND.search(c)} or (set(cells) if len(set(cells)) > 1 else set()))
+        words = set(cells)
+        beside = name.startswith(channels) or (names[k - 1] in channels and not any(map(_is_number, words)))
+        if name in used or not (QUALITY.search(name) or beside and len(words) <= FEW_WORDS < len(cells)):
+            continue
+        bad = sorted({c for c in words if UNSOUND.search(c)} or (words if len(words) > 1 else ()))
         if bad:
             doubtful[name] = (bad, sum(c in bad for c in cells))
     if doubtful:
         texts = sorted({t for bad, _ in doubtful.values() for t in bad})
         notes.append(f"warning: {some_names(doubtful)} in {sum(n for _, n in doubtful.values())} cells "
-                     f"{'say' if len(doubtful) > 1 else 'says'} {some_names(texts, 4)}, and these readings are taken "
+                     f"{'say' if len(doubtful) > 1 else 'says'} {some_names([t or 'nothing' for t in texts], 4)}, and these readings are taken "
                      "all the same; channels.NAME.quality names the column that says whether a reading is good")

@@ -20,6 +20,7 @@ DATE = re.compile(r"%[dDjxcUWyYmbBGs]")  # what in a pattern says the day
 HEADER_WITHIN = 1000  # lines: where a header without the time's column is guessed at
 READINGS_WITHIN = 20  # lines after the header: where the first readings are looked for, for a hint
 SINCE_1970_S = (3e8, 1e10)  # 1979 to 2286: a number beyond it is no count of seconds
+TICKS = ((1.2e17, 1.5e17), (6.2e17, 6.8e17))  # of 100 ns since 1601 and since the year 1: 1981 and later
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,7 @@ class Log:
     stamps: list         # as written
     values: dict         # {channel: array}
     has_date: bool       # else the clock begins anew at midnight
+    unit: str = None     # of numbers, a key of NUMBER_FORMATS; None: stamps
 
 
 def read_log(path, what, found, notes):
@@ -69,9 +71,29 @@ def read_log(path, what, found, notes):
             faults.append((cut.lines[k], "time", f"is '{cut.stamps[k][:LONGEST_SHOWN]}'",
                            f"as in the first row, '{group.stamps[0]}'"))
         values = {name: reader.values(name, cut, faults, notes) for name in cut.cells}
-        logs.append(Log(np.array(cut.lines, int), stamp_s, cut.stamps, values, _has_date(what.time.format)))
+        logs.append(Log(np.array(cut.lines, int), stamp_s, cut.stamps, values, _has_date(what.time.format),
+                        _unit_of_time(what.time.format, cut.stamps)))
     found.add_rows(path, faults)
-    return None if found.all else join(logs, what, notes)
+    if found.all:
+        return None
+    _doubt_row_numbers(what, groups[0].stamps, notes)
+    return join(logs, what, notes)
+
+
+def _unit_of_time(form, stamps):
+    """The unit of numbers; None of other stamps."""
+    if form is None and stamps and not read_stamp(stamps[0]):
+        return "s"
+    return form if form in NUMBER_FORMATS else None
+
+
+def _doubt_row_numbers(what, stamps, notes):
+    """Warns of times 0, 1, 2, ... that the map does not call seconds."""
+    first = stamps[0]
+    if what.time.format is None and len(stamps) > 2 and first in ("0", "1") and \
+            all(text == str(k) for k, text in enumerate(stamps, int(first))):
+        notes.append(f"warning: the time is {first}, {stamps[1]}, {stamps[2]}, ... in every row, taken as seconds: is it "
+                     "the row's number? time.format: s, if not")
 
 
 def _has_date(form):
@@ -94,20 +116,25 @@ def _text(path, encoding, found):
 
 
 def _find_header(lines, what):
-    """(line, names, delimiter) of the header: the line given, else the first with the time's column, else the first of
-    as many cells as most lines have; None without any."""
+    """(line, names, delimiter) of the header: the line given, else of those with the time's column the first with the most
+    of the channels, else the first of as many cells as most lines have; None without any."""
     delimiters = [what.file.delimiter] if what.file.delimiter else DELIMITERS
     if what.file.header_line:
         lines = [(i, line) for i, line in lines if i == what.file.header_line]
     wanted = {*what.time.columns, *(c.column for c in what.channels.values())}
     need = [word for column in what.time.columns for word in column.split()]
+    best, known = None, 0
     for i, line in lines:
         if not all(word in line for word in need):
             continue
         split = [(names_of(line, d), d) for d in delimiters]
         names, delimiter = max(split, key=lambda s: len(wanted & set(s[0])))
-        if set(what.time.columns) <= set(names):
-            return i, names, delimiter
+        if set(what.time.columns) <= set(names) and len(wanted & set(names)) > known:
+            best, known = (i, names, delimiter), len(wanted & set(names))
+        if known == len(wanted):
+            break
+    if best:
+        return best
     split = []
     for i, line in lines[:HEADER_WITHIN]:
         delimiter = what.file.delimiter or find_delimiter(line)
@@ -177,6 +204,8 @@ def _clock(path, what, group, found):
 
 def _unit_since_1970(value):
     units = [u for u, size in NUMBER_FORMATS.items() if SINCE_1970_S[0] <= value * size <= SINCE_1970_S[1]]
+    if any(a <= value <= b for a, b in TICKS):
+        units = ["ticks"]
     return "its unit in the map, " + (f"time.format: {units[0]}, perhaps" if units else
                                       f"time.format: one of {', '.join(NUMBER_FORMATS)}")
 

@@ -10,8 +10,10 @@ WITH_DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?", re.ASCII)
 GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}([.,])\d{3}(\1\d{3})*", re.ASCII)  # thousands, or three decimals
 BLANKS = "\u00a0\u2009\u202f"  # that part thousands, beside a blank
 THOUSANDS = {",": ",", ".": ".", "'": "'\u2019", "space": " " + BLANKS}
-MINUS = str.maketrans("\u2212\u2012\u2013\ufe63\uff0d", "-----")  # as word processors and web pages write it
-LINE_END = re.compile(r"\r*\n|\r")
+MINUS = str.maketrans(dict.fromkeys("\u2212\u2010\u2011\u2012\u2013\u2014\ufe63\uff0d", "-"))  # of word processors
+LINE_END = re.compile("\r*\n|\r|\x85|\u2028|\u2029")
+SIGN = re.compile(r"([+-])[ \u00a0]+(?=[\d.,])")  # before a number, with blanks as accountants write it
+MINUS_ELSEWHERE = re.compile(r"\((\d[\d.,' ]*)\)|(\d[\d.,' ]*)-", re.ASCII)  # (200.0), 200.0-
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d.*", re.ASCII)
 FIRST_STAMP_S = 10 * 365 * 86400  # seconds since 1970: a clock that began at 0 has not run for ten years
 SEPARATOR = re.compile(r"sep=.", re.IGNORECASE)  # a spreadsheet's first line, which is no header
@@ -68,7 +70,7 @@ def find_decimal(cells):
     943.981 or 943981; a number such as 0,5 or 1234,5 in any cell settles it."""
     sure, grouped = set(), {}
     for cell in cells:
-        cell = cell.translate(MINUS)
+        cell = plain_sign(cell)
         if m := GROUPED.fullmatch(cell):
             grouped.setdefault(m[1], cell)
         elif "," in cell:
@@ -82,7 +84,7 @@ def find_decimal(cells):
 def decimal_number(text, decimal, thousands=""):
     """The finite number of a text; None when it says none. With decimal commas a point is no part of a number.
     `thousands`, a key of THOUSANDS, may part whole groups of three digits before the decimals."""
-    text = text.translate(MINUS)
+    text = plain_sign(text)
     if thousands:
         text = _ungrouped(text, decimal, THOUSANDS[thousands])
     if decimal == ",":
@@ -90,9 +92,22 @@ def decimal_number(text, decimal, thousands=""):
     return number(text)
 
 
+def plain_sign(text):
+    """The text with its minus as - and without blanks after a sign."""
+    return SIGN.sub(r"\1", text.translate(MINUS).strip(), count=1)
+
+
+def with_minus_first(text):
+    """-200.0 for (200.0) and 200.0-, None for any other text."""
+    m = MINUS_ELSEWHERE.fullmatch(text.translate(MINUS))
+    return m and f"-{(m[1] or m[2]).strip()}"
+
+
 def _ungrouped(text, decimal, marks):
+    """Thousands by threes, or in India by twos before the last three: 9,43,981."""
     whole, point, rest = text.partition(decimal)
-    if not re.fullmatch(rf"[+-]?\d{{1,3}}([{re.escape(marks)}]\d{{3}})+", whole, re.ASCII):
+    mark = f"[{re.escape(marks)}]"
+    if not re.fullmatch(rf"[+-]?(\d{{1,3}}({mark}\d{{3}})+|\d{{1,2}}({mark}\d\d)+{mark}\d{{3}})", whole, re.ASCII):
         return text
     return re.sub(f"[{re.escape(marks)}]", "", whole) + point + rest
 

@@ -1,6 +1,6 @@
 """What is wrong with an input, all of it at once."""
 
-FEW = 3  # faults of one kind that are told one by one
+FEW = 3  # faults of one kind that are listed one by one
 
 
 class BadInput(ValueError):

@@ -62,12 +62,12 @@ class KeptRuns:
         """What was said of an entry when it was kept; None where it is not, is damaged (it is moved aside), or lacks
         something that is not in `drop`. Looked at once."""
         if folder not in self._sound:
-            told = run_cache.facts(folder)
-            if told is None:
+            facts = run_cache.facts(folder)
+            if facts is None:
                 return None
-            self._sound[folder] = told
-        told = self._sound[folder]
-        return told if set(told.get("dropped", HEAVY)) <= set(drop) else None
+            self._sound[folder] = facts
+        facts = self._sound[folder]
+        return facts if set(facts.get("dropped", HEAVY)) <= set(drop) else None
 
     def stopped(self):
         return self._stopped

@@ -1,4 +1,4 @@
-"""The program `dipper`, which is asked for what it knows rather than have it known twice."""
+"""Runs the program `dipper` and reads what it prints."""
 import json
 import os
 import shutil
@@ -19,12 +19,12 @@ def program():
 
 
 def ask(*words, given=None, of=None):
-    """The JSON that `dipper WORDS` writes, to whom `given` is written as JSON. `of`: another than `program()`."""
-    return json.loads(tell(*words, given=given, of=of))
+    """The JSON that `dipper WORDS` prints; `given` is its standard input, as JSON. `of`: another than `program()`."""
+    return json.loads(output_of(*words, given=given, of=of))
 
 
-def tell(*words, given=None, of=None):
-    """What `dipper WORDS` prints, to whom `given` is written as JSON."""
+def output_of(*words, given=None, of=None):
+    """What `dipper WORDS` prints; `given` is its standard input, as JSON."""
     of = of or program()
     try:
         made = subprocess.run([of, *map(str, words)], input=None if given is None else json.dumps(given),
@@ -37,7 +37,7 @@ def tell(*words, given=None, of=None):
 
 
 def check_json(case, *words, of=None):
-    """What `dipper check --json` tells of a case with these words: findings, and of a sound one hash, size, values."""
+    """What `dipper check --json` prints for a case: findings; without errors also hash, size, values."""
     of = of or program()
     try:
         made = subprocess.run([of, "check", "--json", str(case), *words], capture_output=True, text=True)

@@ -81,7 +81,7 @@ class Run:
             return min(len(record[name]) for name in self.channels)
 
     def __getitem__(self, channel):
-        """A channel of record.h5: one row a sync step, at time_s; in the unit and frame that `channels` tells."""
+        """A channel of record.h5: one row a sync step, at time_s; in the unit and frame that `channels` gives."""
         if channel not in self.channels:
             raise KeyError(f"{channel}; the record has {', '.join(sorted(self.channels))}")
         with self._record() as record:
@@ -113,7 +113,7 @@ class Run:
             raise NotARun(f"{self.folder / name}: {e}") from e
 
     def _record(self):
-        file = self._file("record.h5", "`dipper run` writes it; a study may have been told to keep summaries only")
+        file = self._file("record.h5", "`dipper run` writes it; a study may keep summaries only (`keep: summary`)")
         try:
             return h5py.File(file, "r", locking=False)  # the run may still be writing
         except OSError as e:
@@ -132,8 +132,8 @@ class Run:
         """Names in the manifest whose files are there and have other sums."""
         manifest = self.folder / MANIFEST
         rows = [line.split(None, 1) for line in manifest.read_text().splitlines()] if manifest.is_file() else []
-        return {name for told, name in rows
-                if (self.folder / name).is_file() and sha256_of(self.folder / name) != told}
+        return {name for listed, name in rows
+                if (self.folder / name).is_file() and sha256_of(self.folder / name) != listed}
 
 
 class Frame:

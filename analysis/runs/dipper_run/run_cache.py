@@ -27,13 +27,13 @@ def cache_folder(kind):
     return (Path(base) if base else Path.home() / ".cache") / "dipper" / kind
 
 
-def entry_of(cache, told, *what):
+def entry_of(cache, checked, *what):
     """The folder of an entry in `cache`, named by all that decides what is in it.
 
-    `told` is what `dipper check --json` tells of the case: hashes of the case with all its files and
+    `checked` is what `dipper check --json` prints for the case: hashes of the case with all its files and
     of the program's sources. `what` is the rest.
     """
-    text = "\n".join([told["case_hash"], told["source_hash"], *map(str, what)])
+    text = "\n".join([checked["case_hash"], checked["source_hash"], *map(str, what)])
     return cache / hashlib.sha256(text.encode()).hexdigest()[:24]
 
 
@@ -109,15 +109,15 @@ def facts(entry):
     except (OSError, UnicodeDecodeError):
         text = ""
     try:
-        told = json.loads(text)
-        sums = dict(told["sha256"])
+        kept = json.loads(text)
+        sums = dict(kept["sha256"])
     except (ValueError, KeyError, TypeError):
         return _move_aside(entry, MANIFEST)
     there = {str(file.relative_to(entry)) for file in _files(entry)}
     for name, expected in sums.items():
         if name not in there or sha256_of(entry / name) != expected:
             return _move_aside(entry, name)
-    return told
+    return kept
 
 
 def _move_aside(entry, name):

@@ -1,7 +1,7 @@
 """python3 -m dipper_run.worker JOBS.json NUMBER: makes one job of a list; a queue of a cluster starts it.
 
 The file holds {"program", "jobs": [{folder, words, label, drop, report, facts}]}. What it ends
-with is told in NUMBER.json beside it: {"error": null or the message}. Without that file the job was lost (a node, a
+with is written to NUMBER.json beside it: {"error": null or the message}. Without that file the job was lost (a node, a
 time limit), not failed.
 """
 import json
@@ -13,18 +13,18 @@ from pathlib import Path
 from .kept_runs import Job, KeptRuns
 
 
-def job_of(told):
-    return Job(Path(told["folder"]), tuple(told["words"]), told["label"], tuple(told["drop"]), told["report"],
-               told["facts"])
+def job_of(listed):
+    return Job(Path(listed["folder"]), tuple(listed["words"]), listed["label"], tuple(listed["drop"]), listed["report"],
+               listed["facts"])
 
 
 def main(file, number):
-    told = json.loads(Path(file).read_text())
+    batch = json.loads(Path(file).read_text())
     errors = []
     for kind in (signal.SIGINT, signal.SIGTERM):  # the queue's warning before a limit: leave a checkpoint
         signal.signal(kind, signal.default_int_handler)
     try:
-        KeptRuns(told["program"], 1).make([job_of(told["jobs"][number])], lambda _, error: errors.append(error))
+        KeptRuns(batch["program"], 1).make([job_of(batch["jobs"][number])], lambda _, error: errors.append(error))
     except KeyboardInterrupt:
         print("interrupted; it goes on from its checkpoint", flush=True)
         return 4

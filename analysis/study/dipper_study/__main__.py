@@ -1,6 +1,6 @@
 """dipper study STUDY.yaml [--out DIR]
 
-Exit status: 0 done; 2 bad input, nothing started; 3 a run failed (the others are made and told); 4 interrupted: the
+Exit status: 0 done; 2 bad input, nothing started; 3 a run failed (the others are made and reported); 4 interrupted: the
 same command goes on from the runs already made.
 """
 import argparse

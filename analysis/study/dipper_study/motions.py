@@ -25,7 +25,7 @@ class Motions:
 
     def __init__(self, case, program, folder):
         self.case, self.program, self.folder = Path(case).resolve(), program, Path(folder)
-        self._told = None  # of the case, by `dipper check`
+        self._checked = None  # of the case, by `dipper check`
 
     def resolved(self, study_file, settings):
         """The settings, with those of the plan replaced by the one of the motion they make. Raises BadInput."""
@@ -76,12 +76,12 @@ class Motions:
             raise BadInput([f"{where}: is {setting.text}; a number"]) from None
 
     def _motion(self, study_file, planned, text):
-        if self._told is None:
-            told = check_json(self.case, of=self.program)
-            if told["findings"]:
-                raise BadInput(f"{f['file']}:{f['line']}: {f['key']}: {f['message']}" for f in told["findings"])
-            self._told = told
-        folder = entry_of(self.folder, self._told, text)
+        if self._checked is None:
+            checked = check_json(self.case, of=self.program)
+            if checked["findings"]:
+                raise BadInput(f"{f['file']}:{f['line']}: {f['key']}: {f['message']}" for f in checked["findings"])
+            self._checked = checked
+        folder = entry_of(self.folder, self._checked, text)
         motion = folder / "motion.csv"
         if motion.exists():
             return motion
@@ -99,7 +99,7 @@ class Motions:
 
 
 def _reason(made):
-    """The first line that tells why `dipper motion` refuses: what `dipper check` finds is on its standard output."""
+    """The first line that says why `dipper motion` refuses: what `dipper check` finds is on its standard output."""
     lines = [*made.stderr.splitlines(), *made.stdout.splitlines()]
     return next((line for line in lines if line.strip() and not line.startswith("warning: ")),
                 f"exit status {made.returncode}")

@@ -122,12 +122,12 @@ def search(session, say):
 
 
 def _base(session):
-    """The case's own values of the parameters, as `dipper check` tells them."""
+    """The case's own values of the parameters, as `dipper check` prints them."""
     study = session.study
     point = Point((), study.fixed)
     session.planner.check([point])
     base = [session.planner.motions.own(r.key) if r.key.startswith(PREFIX) else
-            _value(session.planner.told(point), r.key) for r in study.optimise.ranges]
+            _value(session.planner.checked(point), r.key) for r in study.optimise.ranges]
     wrong = [f"{study.file}:{r.line}: {r.key}: the case has {value}; a range that holds it, since the answer is "
              "compared with the case as it is" for r, value in zip(study.optimise.ranges, base)
              if value is None or not r.low <= value <= r.high]
@@ -136,14 +136,14 @@ def _base(session):
     return np.array(base)
 
 
-def _value(told, key):
+def _value(checked, key):
     """A number of the case; an effect that it does not have is off; KEY.2 is the third of a list."""
     if key.startswith("effects."):
-        return told.get("effects", {}).get(key.split(".", 1)[1], 0.0)
-    value = told["values"].get(key)
+        return checked.get("effects", {}).get(key.split(".", 1)[1], 0.0)
+    value = checked["values"].get(key)
     if value is None and key.rpartition(".")[2].isdigit():
         several, _, index = key.rpartition(".")
-        value = told["values"].get(several, [])[int(index):int(index) + 1]
+        value = checked["values"].get(several, [])[int(index):int(index) + 1]
         value = value[0] if value else None
     return value if isinstance(value, (int, float)) else None
 

@@ -34,10 +34,10 @@ class PlannedRun:
     @property
     def name(self):
         """Of the link to it in the study's folder; ends with a hash where it does not say the values."""
-        told = "_".join(v.name for v in self.point.values)
-        values = re.sub(r"[^\w.+-]+", "-", told).encode()[:NAME_BYTES].decode(errors="ignore")
+        joined = "_".join(v.name for v in self.point.values)
+        values = re.sub(r"[^\w.+-]+", "-", joined).encode()[:NAME_BYTES].decode(errors="ignore")
         parted = len(self.point.values) < 2 or not any("_" in v.name for v in self.point.values)
-        if values != told or not parted:
+        if values != joined or not parted:
             values += f"-{hashlib.sha256(str(self.point).encode()).hexdigest()[:8]}"
         return f"{values or 'case'}_s{self.seed}"
 
@@ -51,7 +51,7 @@ class Planner:
     def __init__(self, study, program, cache):
         self.study, self.program, self.cache = study, program, cache
         self.motions = Motions(study.case, program, cache.with_name("motions"))
-        self._told = {}      # {point: what check told}
+        self._checked = {}   # {point: the JSON of `dipper check`}
         self._settings = {}  # {point: its settings as `--set` takes them}
 
     def check(self, points):
@@ -64,7 +64,7 @@ class Planner:
         """{point: what `dipper motion` and `dipper check` have against it}; the points left out are checked."""
         found, planned = {}, []
         for point in dict.fromkeys(points):
-            if point in self._told:
+            if point in self._checked:
                 continue
             try:
                 self._settings[point] = self.motions.resolved(self.study.file, point.settings)
@@ -72,28 +72,28 @@ class Planner:
             except BadInput as e:
                 found[point] = e.findings
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            for point, told in zip(planned, pool.map(self._ask, planned)):
-                if told["findings"]:
-                    found[point] = [self._line(point, finding) for finding in told["findings"]]
+            for point, checked in zip(planned, pool.map(self._ask, planned)):
+                if checked["findings"]:
+                    found[point] = [self._line(point, finding) for finding in checked["findings"]]
                 else:
-                    self._told[point] = told
+                    self._checked[point] = checked
         return found
 
     def runs(self, points, seeds):
         """The runs of checked points, seed by seed within a point."""
         return [self._run(point, seed) for point in points for seed in seeds]
 
-    def told(self, point):
-        """What `dipper check --json` told of a checked point."""
-        return self._told[point]
+    def checked(self, point):
+        """The JSON of `dipper check --json` for a point."""
+        return self._checked[point]
 
     def seconds(self, run):
         """What a run may take, its pile's settling with it."""
-        return self._told[run.point]["cost"]["wall_s"]
+        return self._checked[run.point]["cost"]["wall_s"]
 
     def disk(self, run):
         """(bytes that stay, bytes more while it goes on), about."""
-        cost, keep = self._told[run.point]["cost"], self.study.keep
+        cost, keep = self._checked[run.point]["cost"], self.study.keep
         most = cost["disk_B"] - (0 if keep == "all" else cost["dumps_B"])  # such a run leaves its dumps out (QUIET)
         stays = {"summary": 0, "record": cost["record_B"], "all": most}[keep]
         return stays + PAGE_BYTES, most - stays
@@ -115,8 +115,8 @@ class Planner:
         return f"{place}: {finding['key']}: {finding['message']}"
 
     def _run(self, point, seed):
-        told, study = self._told[point], self.study
-        folder = entry_of(self.cache, told, seed, "")
+        checked, study = self._checked[point], self.study
+        folder = entry_of(self.cache, checked, seed, "")
         # Through Slurm a run may end at any time: it goes on from the case's own checkpoints.
         quiet = () if study.keep == "all" else QUIET[:2] if study.executor == "slurm" else QUIET
         words = [str(study.case.resolve()), "--ranks", str(study.ranks), "--seed", str(seed), *quiet,

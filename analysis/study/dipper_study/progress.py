@@ -1,4 +1,4 @@
-"""One line that tells how far a study is."""
+"""The progress line of a study."""
 import sys
 import time
 

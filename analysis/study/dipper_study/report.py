@@ -2,7 +2,7 @@
 import numpy as np
 
 from dipper_run.page_data import plain
-from dipper_run.program import tell
+from dipper_run.program import output_of
 
 from .goal import COLUMNS
 from .statistics import compare, summary
@@ -10,7 +10,7 @@ from .statistics import compare, summary
 
 def write_page(study, rows, failures, answer, file, warnings=()):
     """The page, written by `dipper page`; raises ProgramFailed with what it says when it cannot."""
-    tell("page", file, given=page(study, rows, failures, answer, warnings))
+    output_of("page", file, given=page(study, rows, failures, answer, warnings))
 
 
 def page(study, rows, failures=(), answer=None, warnings=()):

@@ -20,7 +20,7 @@ from dipper_run.program import ProgramFailed
 LOOK_S = 1.0
 PATIENCE_S = 120.0   # with a controller that does not answer, and with jobs that are to end
 WARNING_S = 60       # before the time limit, for a checkpoint
-ARRAY = 1000         # tasks an array: what a controller takes unless told otherwise
+ARRAY = 1000         # tasks an array: what a controller takes unless configured otherwise
 PACKAGES = Path(dipper_run.__file__).resolve().parents[1]
 
 
@@ -124,8 +124,8 @@ class SlurmQueue:
         numbers = [int(f.name) for f in self._folder.glob("*") if f.name.isdigit()]
         folder = self._folder / str(max(numbers, default=0) + 1)
         folder.mkdir(parents=True)
-        told = [{**dataclasses.asdict(job), "folder": str(job.folder)} for job in jobs]
-        (folder / "jobs.json").write_text(json.dumps({"program": self._program, "jobs": told}))
+        listed = [{**dataclasses.asdict(job), "folder": str(job.folder)} for job in jobs]
+        (folder / "jobs.json").write_text(json.dumps({"program": self._program, "jobs": listed}))
         return folder
 
     def _alive(self):

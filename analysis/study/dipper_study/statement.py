@@ -1,4 +1,4 @@
-"""What a study will take, told before it starts."""
+"""What a study will take, printed before it starts."""
 from dipper_run.quantities import minutes, size_text
 
 from .plan import free_bytes

@@ -59,13 +59,21 @@ def test_a_number_that_means_no_reading_is_compared_as_a_number(read, written, l
     assert not found and not notes and np.isnan(log.values["hoist_force"][3])
 
 
-@pytest.mark.parametrize("value", [-9999, 999999, -999.25])
+@pytest.mark.parametrize("value", [-9999, 999999, -999.25, 6553.5, -327.68, 3276.7])
 def test_a_reading_that_looks_like_none_is_warned_of(read, value):
     body = rows()
     body[3][5] = body[4][5] = str(value)
     _, found, notes = read(text(body))
     assert not found and f"warning: hoist_force: 2 readings (lines 5, 6) of {value:g} N, far off" in notes[0]
     assert f"file: {{missing: [{value:g}]}}" in notes[0]
+
+
+@pytest.mark.parametrize("nan", ["1.#QNAN", "-1.#IND", "1.#INF"])
+def test_what_windows_prints_for_no_number_is_no_reading(read, nan):
+    body = rows()
+    body[3][5] = nan
+    log, found, notes = read(text(body))
+    assert not found and not notes and np.flatnonzero(np.isnan(log.values["hoist_force"])).tolist() == [3]
 
 
 def test_a_sound_reading_of_999_is_no_matter(read):
@@ -87,6 +95,20 @@ def test_readings_whose_quality_is_bad_are_left_out(read, good):
     log, found, notes = read(text(with_quality((2, 5), good=good), names=QUALITY_NAMES), map_text=WITH_QUALITY)
     assert not found and np.flatnonzero(np.isnan(log.values["hoist_force"])).tolist() == [2]
     assert notes == ["hoist_force: 1 reading (line 4) with the quality 'Bad', left out"]
+
+
+@pytest.mark.parametrize("name, good, bad", [
+    ("Pull isGood", "TRUE", "FALSE"), ("Pull QC", "", "S"), ("Pull Confidence", "100", "0"), ("Pull_flag", "0", "1"),
+    ("Pull state", "G", "B"), ("Remark", "", "comm fail"), ("Qualität", "gut", "schlecht")])
+def test_a_quality_of_any_name_beside_its_channel_is_warned_of(read, name, good, bad):
+    body = [[*row, bad if k in (3, 4) else good] for k, row in enumerate(rows())]
+    _, found, notes = read(text(body, names=[*NAMES, name]))
+    assert not found and len(notes) == 1 and notes[0].startswith(f"warning: '{name}' in ") and bad in notes[0]
+
+
+def test_another_signal_beside_a_channel_is_no_quality(read):
+    body = [[*row, f"{k}", "digging" if k < 6 else "swinging"] for k, row in enumerate(rows())]
+    assert not read(text(body, names=[*NAMES, "Pull of the other rope", "Mode"]))[2]
 
 
 def test_own_words_for_good(read):
@@ -112,6 +134,24 @@ def test_numbers_that_are_no_seconds_ask_for_their_unit(read, first, unit):
     _, found, _ = read(text(body))
     assert f"log.csv:2: time: is {first}, which is no count of seconds; its unit in the map, time.format: " \
         f"{unit}" in found[0]
+
+
+@pytest.mark.parametrize("first", [639090655200000000, 134179423200000000])
+def test_ticks_of_windows(read, first):
+    """100 ns since the year 1, or since 1601."""
+    body = [[f"{first + 2000000 * k}", *row[1:]] for k, row in enumerate(rows())]
+    _, found, _ = read(text(body))
+    assert "which is no count of seconds; its unit in the map, time.format: ticks" in found[0]
+    log, found, _ = read(text(body), map_text=MAP.replace("{column: Time}", "{column: Time, format: ticks}"))
+    assert not found and np.allclose(log.stamp_s - log.stamp_s[0], 0.2 * np.arange(N), atol=1e-4)
+
+
+@pytest.mark.parametrize("first", [0, 1])
+def test_the_number_of_a_row_is_warned_of(read, first):
+    body = [[f"{first + k}", *row[1:]] for k, row in enumerate(rows())]
+    _, found, notes = read(text(body))
+    assert not found and "warning: the time is " in notes[0] and "is it the row's number?" in notes[0]
+    assert not read(text(body), map_text=MAP.replace("{column: Time}", "{column: Time, format: s}"))[2]
 
 
 def german(body):
@@ -152,6 +192,41 @@ def test_parted_thousands_are_refused_with_the_key_and_read_with_it(read, mark, 
     assert len(found) == 1 and f'file.thousands: "{thousands}", if that parts its thousands' in found[0]
     log_read, found, _ = read(log, f'file: {{thousands: "{thousands}"}}\n')
     assert not found and is_whole(log_read)
+
+
+def test_thousands_as_india_parts_them(read):
+    log = text(with_pull([f"1,{k:02d},345" for k in range(N)]))
+    _, found, _ = read(log)
+    assert 'file.thousands: ","' in found[0]
+    log_read, found, _ = read(log, 'file: {thousands: ","}\n')
+    assert not found and np.allclose(log_read.values["hoist_force"], [(100345 + 1000 * k) / 1000 for k in range(N)])
+
+
+@pytest.mark.parametrize("written", ["(150000)", "150000-"])
+def test_a_minus_that_does_not_stand_before_its_number_is_not_called_missing(read, written):
+    _, found, _ = read(text(with_pull([written] * N)))
+    assert len(found) == 1 and "; -150000, if that is meant: a minus before the number" in found[0]
+
+
+@pytest.mark.parametrize("shut, open_", [("Closed", "Open"), ("FALSE", "TRUE"), ("off", "on"), ("0", "1")])
+def test_words_of_a_switch(read, shut, open_):
+    switch = MAP.replace("Door, unit: deg", "Door, unit: switch, range: [0, 75]").replace(
+        "door: {min: 0, max: 90}", "door: {min: 0, max: 90, speed: 100, acceleration: 300}")
+    body = [[*row[:4], open_ if k > 6 else shut, row[5]] for k, row in enumerate(rows())]
+    log, found, _ = read(text(body), map_text=switch)
+    assert not found and log.values["door"].tolist() == [75.0 if k > 6 else 0.0 for k in range(N)]
+    body[3][4] = "ajar"
+    assert "Door: is 'ajar'; 0 or 1, or words such as open and closed" in read(text(body), map_text=switch)[1][0]
+
+
+def test_a_preamble_that_has_the_name_of_the_time(read):
+    log, found, _ = read("Time,exported 12:00\nTime zone,UTC\n" + text(rows()))
+    assert not found and is_whole(log)
+
+
+def test_columns_parted_by_blanks_are_told(read):
+    _, found, _ = read(text(rows()).replace(" ", "T").replace(",", " "))
+    assert len(found) == 1 and "columns are parted by , ; | or a tab (file.delimiter), not by blanks" in found[0]
 
 
 def test_names_with_line_breaks_match_their_names_with_blanks(read):
@@ -257,6 +332,13 @@ def test_a_row_a_reading_says_what_it_lacks(read):
         "'Swing', 'Pull'" in found[0]
 
 
+@pytest.mark.parametrize("tag", ["\\\\PI01\\{}", "{} "])
+def test_tags_with_a_server_or_in_capitals_are_told(read, tag):
+    log = [[tag.format(r[0]).upper(), *r[1:]] for r in long(rows())]
+    _, found, _ = read(text(log, names=["Tag", "Time", "Value", "Quality"]))
+    assert len(found) == 1 and "the tags as 'Tag' has them, a row a reading: " in found[0] and "HOIST" in found[0]
+
+
 def paired(names_of_time):
     body = [[c for j in range(1, 6) for c in (stamp(k, 10 * (j - 1)), row[j])] for k, row in enumerate(rows())]
     return text(body, names=[c for t, n in zip(names_of_time, NAMES[1:]) for c in (t, n)])
@@ -271,3 +353,10 @@ def test_a_time_beside_each_reading(read):
         log, found, notes = read(log, map_text=map_text)
         assert not found and notes[0] == "5 columns of time, each for the readings beside it"
         assert np.allclose(log.values["crowd"][1:], 0.1 * np.arange(N)[1:] - 0.005)
+
+
+def test_a_time_to_the_right_of_each_reading(read):
+    body = [[c for j in range(1, 6) for c in (row[j], stamp(k, 10 * (j - 1)))] for k, row in enumerate(rows())]
+    log, found, notes = read(text(body, names=[c for n in NAMES[1:] for c in (n, "Time")]))
+    assert not found and notes[0] == "5 columns of time, each for the readings beside it"
+    assert np.allclose(log.values["crowd"][1:], 0.1 * np.arange(N)[1:] - 0.005)

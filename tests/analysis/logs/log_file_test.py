@@ -1,4 +1,5 @@
 """How loggers write files: lines before and between, delimiters, quotes, encodings, and what is refused."""
+import json
 from pathlib import Path
 
 import pytest
@@ -56,6 +57,34 @@ def test_marks_of_numbers_are_read_as_the_program_reads_them(words):
     else:
         assert (decimal, doubtful) == ({"comma": ",", "point": "."}[verdict], None)
         assert [decimal_number(c, decimal) for c in cells] == [float(w.split("=")[1]) for w in words[1:]]
+
+
+TABLES = [json.loads(line) for line in
+          (Path(__file__).resolve().parents[2] / "common/tables.jsonl").read_text().splitlines()]
+TABLE_MAP = """\
+time: {column: t_s}
+channels:
+  hoist: {column: h_m, unit: m}
+  crowd: {column: c_m, unit: m}
+  swing: {column: s_deg, unit: deg}
+  door: {column: d_deg, unit: deg}
+"""
+
+
+@pytest.mark.parametrize("table", TABLES, ids=lambda t: t["kind"])
+def test_tables_of_the_field_are_read_as_the_program_reads_them(tmp_path, table):
+    """tests/common/csv_table_test.cpp reads the same tables."""
+    (tmp_path / "map.yaml").write_text(TABLE_MAP)
+    (tmp_path / "log.csv").write_bytes(table["text"].encode())
+    found = Findings()
+    log = read_log(tmp_path / "log.csv", read_map(tmp_path / "map.yaml"), found, [])
+    if "rows" not in table:
+        assert found.all and table["says"].split(" is")[0] in "\n".join(found.all)
+        return
+    assert not found.all
+    time, *rest = zip(*table["rows"])
+    assert [s - log.stamp_s[0] for s in log.stamp_s] == [t - time[0] for t in time]
+    assert [log.values[n].tolist() for n in ("hoist", "crowd", "swing", "door")] == [list(c) for c in rest]
 
 
 @pytest.mark.parametrize("delimiter", [",", ";", "\t", "|"])

@@ -54,6 +54,27 @@ class Help(unittest.TestCase):
                 self.assertEqual(set(options.findall(own.split("options:")[1])),
                                  set(re.findall(r"^  (?:-h,)?(--[\w-]+)", listed_options, re.M)))
 
+    def test_completion_and_the_manual_page_have_every_option_of_every_command(self):
+        def said(*words):
+            return subprocess.run([DIPPER, "completion", *words], capture_output=True, text=True, check=True).stdout
+
+        commands = [(name,) for name in listed() if name not in ("help", "calibrate")]
+        commands += [("calibrate", what) for what in ("pile-angle", "bulk-density")]
+        manual = re.split(r"^\.SS (.*)$", said("--man").replace("\\-", "-"), flags=re.M)
+        sections = dict(zip(manual[1::2], manual[2::2]))
+        tried = 0
+        for words in commands:
+            options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", told(*words), re.M)) - {"--help"}
+            section = sections["dipper " + " ".join(words)]
+            typed = " ".join(("dipper", *words, "--"))
+            offered = subprocess.run(["bash"], input=f"{said()}\nCOMP_WORDS=({typed}); COMP_CWORD={len(words) + 1}\n"
+                                     "_dipper; echo ${COMPREPLY[@]}", capture_output=True, text=True, check=True).stdout
+            with self.subTest(words):
+                self.assertEqual(set(re.findall(r"^\.B (--[\w-]+)", section, re.M)) - {"--help"}, options)
+                self.assertEqual(set(offered.split()) - {"--help"}, options)
+            tried += len(options)
+        self.assertGreater(tried, 40)
+
     def test_set_up_without_rights_lists_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, text in (("dpkg-query", "exit 1"), ("id", "echo 1000"), ("sudo", "exit 1")):

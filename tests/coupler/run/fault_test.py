@@ -6,6 +6,7 @@ import pathlib
 import re
 import shutil
 import signal
+import tempfile
 import time
 import unittest
 import unittest.mock
@@ -90,6 +91,29 @@ class Faults(RunTest):
         self.assert_ended(process, out, 3, "the mbs side failed at t = ", "no answer for 2 s",
                           within=8)
 
+    def test_a_run_that_hangs_ends_on_a_scheduler_s_sigterm(self):
+        """Long before coupling.timeout_s, whichever side hangs."""
+        hung = []
+        for name in ("dipper-mbs", "dipper-dem"):
+            process, out = self.digging(name, "--ranks", "1", "--set", "coupling.timeout_s=200")
+            os.kill(self.pids(out, name)[0], signal.SIGSTOP)
+            process.send_signal(signal.SIGTERM)
+            hung.append((process, out, name.removeprefix("dipper-")))
+        for process, out, side in hung:
+            self.assert_ended(process, out, 3, f"the {side} side failed at t = ", "no answer for 1", "--resume",
+                              within=25)
+            self.assertEqual(self.summary(out)["status"], "failed")
+
+    def test_a_settling_that_hangs_ends_on_sigterm(self):
+        process, out = self.settling("hung", "--set", "pile.settle_s=60", "--set", "coupling.timeout_s=200",
+                                     "--ranks", "1")
+        deadline = time.time() + 60
+        while not self.pids(out, "dipper-liggghts") and time.time() < deadline:
+            time.sleep(0.05)
+        os.kill(self.pids(out, "dipper-liggghts")[0], signal.SIGSTOP)
+        process.send_signal(signal.SIGTERM)
+        self.assert_ended(process, out, 4, "interrupted", within=10)
+
     def test_killed_while_starting(self):
         out = self.folder / "early"
         process = self.start(out)
@@ -153,6 +177,36 @@ class Faults(RunTest):
         process = self.start(self.folder / "second", "--set", "end_s=0.03", "--ranks", "1")
         self.assert_ended(process, self.folder / "second", 3, "the dem side failed", "ERROR",
                           within=10)
+
+    def with_deck(self, name, before, more, change=("", "")):
+        """DIPPER_DATA whose dem_in/NAME has the lines `more` before its last line that begins with `before`, and other
+        words in that line."""
+        data = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        for entry in SOURCE.iterdir():
+            if entry.name not in ("dem_in", "build", ".git"):
+                (data / entry.name).symlink_to(entry)
+        shutil.copytree(SOURCE / "dem_in", data / "dem_in")
+        deck = data / "dem_in" / name
+        head, found, tail = deck.read_text().rpartition(f"\n{before}")
+        self.assertTrue(found, f"{name} has no {before}")
+        deck.write_text(f"{head}\n{more}{found}{tail.replace(*change)}")
+        changed = unittest.mock.patch.dict(os.environ, {"DIPPER_DATA": str(data)})
+        changed.start()
+        self.addCleanup(changed.stop)
+
+    def test_an_error_of_any_rank_reaches_the_user(self):
+        """LIGGGHTS's Error::one: rock in one rank's part alone, with more neighbours than fit in its list."""
+        for rank, sides in ((1, "0.5 9"), (0, "-9 -0.5")):
+            self.with_deck("settle.in", "region        pour", f"neigh_modify one 1 page 100\nregion half block -99 99 "
+                           f"{sides} -99 99 units box", ("2 prism inside", "3 prism inside half"))
+            out = self.folder / f"rank{rank}"
+            process = self.start(out, "--set", "end_s=0.03", "--ranks", "2")
+            self.assert_ended(process, out, 3, f"settling the pile failed: ERROR on proc {rank}: Neighbor list "
+                              "overflow", within=20)
+        self.with_deck("dig.in", "if \"", "neigh_modify one 1 page 100")
+        process = self.start(self.folder / "dig", "--set", "end_s=0.03", "--ranks", "2")
+        self.assert_ended(process, self.folder / "dig", 3, "the dem side failed at t = 0.0000 s (sync step 0): ERROR "
+                          "on proc ", "overflow, boost neigh_modify one", within=60)
 
     def test_a_damaged_pile_is_settled_again(self):
         cache = self.folder / "damaged-cache"

@@ -7,6 +7,7 @@ import json
 import re
 import shutil
 import subprocess
+import sys
 import unittest
 import xml.etree.ElementTree as xml
 
@@ -36,6 +37,22 @@ class Report(RunTest):
         self.check_python(run, metrics)
         shutil.rmtree(run / "report")
         self.check_bad_input(run)
+
+    def test_a_run_that_ends_one_row_into_its_last_phase(self):
+        """The crowd begins to move at 0.498 s: breakout is the last tenth of a millisecond, in one row."""
+        run = self.folder / "run"
+        self.run_case(run, "--ranks", "1", "--set", "end_s=0.501")
+        self.report(run)
+        sys.path.insert(0, str(SOURCE / "analysis/runs"))
+        from dipper_run import Run
+        read = Run(run)
+        phases = read.table("phases")
+        with h5py.File(run / "record.h5") as f:
+            force_N = np.hypot(f["machine/crowd_force"][-1], f["machine/hoist_force"][-1])
+        self.assertEqual(phases["phase"][-1], "breakout")
+        self.assertLess(phases["t_end_s"][-1] - phases["t_start_s"][-1], 3e-3)
+        np.testing.assert_allclose(phases["dig_force_mean_N"][-3:], force_N, rtol=0.01)
+        self.assertEqual(read.summary["passes"][0]["phases"][-1]["dig_force_mean_N"], phases["dig_force_mean_N"][-1])
 
     def check_masses(self, run, metrics):
         frames = metrics["frames"]

@@ -1,0 +1,54 @@
+"""What is legal in a log and hardly ever meant: a line that begins with "warning: "."""
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from dipper_import.build import _doubt_tare, _masses
+from dipper_import.doubts import _doubt_empty, doubt_masses
+from dipper_run.findings import Findings
+
+SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5)
+TIME = 0.2 * np.arange(300)
+
+
+@pytest.mark.parametrize("masses, warns", [
+    ([68.4, 71.0], None), ([0.0684, 0.071], "the fullest pass brings 0.071 t"), ([0.0, 0.0], None),
+    ([109.0, 130.0], None), ([95.0, 150.8], "pass 2 brings 150.8 t, more than 1.3 times the 109 t")])
+def test_masses_beyond_what_a_dipper_brings(masses, warns):
+    notes = []
+    doubt_masses(masses, SimpleNamespace(rated_load_t=109.0), notes)
+    assert (warns is None and not notes) or notes[0].startswith(f"warning: truck_mass: {warns}")
+    notes.clear()
+    doubt_masses([500.0], SimpleNamespace(rated_load_t=None), notes)
+    assert not notes
+
+
+@pytest.mark.parametrize("empty, warns", [(0.0, False), (1.4, False), (12.0, True), (71.2, True)])
+def test_a_payload_monitor_that_shows_a_load_as_a_pass_begins(empty, warns):
+    notes = []
+    _doubt_tare(2, empty, 71.2, SCALE, notes)
+    assert bool(notes) == warns
+    if warns:
+        assert notes[0].startswith(f"warning: truck_mass: as pass 2 begins, {empty:g} t are in the dipper")
+    _doubt_tare(1, None, 71.2, SCALE, notes)
+    assert len(notes) == warns
+
+
+def test_it_is_looked_at_in_every_pass(monkeypatch):
+    """Of a monitor that keeps the last pass's 60 t until the next is weighed at 20 s."""
+    monkeypatch.setattr("dipper_import.build.find_phases", lambda *_: [{"dump": (25.0, 28.0)}, {"dump": (55.0, 58.0)}])
+    mass = np.where(TIME < 20, 0.0, np.where(TIME < 50, 60.0, 70.0))
+    rows = SimpleNamespace(time_s=TIME, lines=2 + np.arange(300), values={"truck_mass": mass})
+    fits = {n: SimpleNamespace(value=TIME) for n in ("crowd", "swing")}
+    notes, found = [], Findings()
+    assert _masses(rows, fits, TIME, [(0, 30), (30, 59.8)], SCALE, "log.csv", found, notes) == [60.0, 70.0]
+    assert not found.all and len(notes) == 1 and "as pass 2 begins, 60 t are in the dipper" in notes[0]
+
+
+def test_a_force_that_most_rows_lack():
+    force = np.where(np.arange(300) % 7 == 0, 500.0, np.nan)
+    notes = []
+    _doubt_empty("hoist_force", SimpleNamespace(values={"hoist_force": force}), notes)
+    assert notes == ["warning: hoist_force: 257 of 300 rows have no reading: channels.hoist_force.held: true, if it is "
+                     "written only as it changes"]
