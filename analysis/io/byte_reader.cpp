@@ -10,11 +10,11 @@
 namespace dipper::analysis::io {
 
 namespace {
-constexpr std::size_t kBuffer = 1 << 18;
+constexpr std::size_t kFirst = 1 << 12, kBuffer = 1 << 18;  // a header alone is cheap
 }
 
 ByteReader::ByteReader(std::filesystem::path file, std::int64_t offset, long line)
-    : buffer_(kBuffer),
+    : buffer_(kFirst),
       line_(line),
       file_(std::move(file)),
       stream_(open_file(file_)),
@@ -28,7 +28,8 @@ bool ByteReader::refill() {
   base_ += static_cast<std::int64_t>(read_);
   filled_ -= read_;
   read_ = 0;
-  if (filled_ == buffer_.size()) buffer_.resize(2 * buffer_.size());
+  if (filled_ == buffer_.size()) buffer_.resize(2 * filled_);
+  if (base_ > 0 && buffer_.size() < kBuffer) buffer_.resize(kBuffer);
   const int got = gzread(stream_.get(), buffer_.data() + filled_,
                          static_cast<unsigned>(buffer_.size() - filled_));
   int fault = Z_OK;

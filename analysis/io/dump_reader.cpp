@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "analysis/io/kept_rows.hpp"
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/text_dump.hpp"
 #include "analysis/io/vtk_file.hpp"
@@ -135,12 +136,16 @@ std::optional<std::int64_t> step_in_name(const std::filesystem::path& file) {
 }
 
 DumpReader::DumpReader(const std::vector<std::filesystem::path>& files) {
+  const auto kept = std::make_shared<KeptRows>();
   for (const auto& file : files) {
     if (is_vtk(file)) {
       frames_.push_back(index_vtk_dump(file));
       continue;
     }
-    for (DumpFrame& frame : index_text_dump(file)) frames_.push_back(std::move(frame));
+    for (DumpFrame& frame : index_text_dump(file)) {
+      frame.kept = kept;
+      frames_.push_back(std::move(frame));
+    }
   }
   std::stable_sort(frames_.begin(), frames_.end(),
                    [](const DumpFrame& a, const DumpFrame& b) { return a.step < b.step; });

@@ -1,10 +1,12 @@
-// Particle dumps of LIGGGHTS and LAMMPS, read in chunks: memory does not grow with their size.
+// Particle dumps of LIGGGHTS and LAMMPS, read in chunks: memory has a bound whatever their size
+// (kept_rows.hpp).
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +14,8 @@
 #include "common/box.hpp"
 
 namespace dipper::analysis::io {
+
+class KeptRows;
 
 /// One frame of a dump, by its header.
 struct DumpFrame {
@@ -23,6 +27,7 @@ struct DumpFrame {
   std::size_t particles = 0;
   std::optional<Box> box;
   std::vector<std::string> columns;
+  std::shared_ptr<KeptRows> kept;  ///< of the reader's text frames (text)
 
   bool has(const std::string& column) const;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/io/kept_rows.hpp"
 #include "analysis/io/line_reader.hpp"
 
 namespace dipper::analysis::io {
@@ -111,16 +112,16 @@ std::vector<DumpFrame> index_text_dump(const std::filesystem::path& file) {
   return frames;
 }
 
-void read_text_dump(const DumpFrame& frame, const std::vector<std::string>& columns,
-                    const std::function<void(const ParticleChunk&)>& visit) {
-  constexpr std::size_t kUnused = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> target(frame.columns.size(), kUnused);
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    const auto at = std::find(frame.columns.begin(), frame.columns.end(), columns[k]);
-    target.at(static_cast<std::size_t>(at - frame.columns.begin())) = k;
-  }
-  ParticleChunk chunk;
-  chunk.columns.assign(columns.size(), std::vector<double>(kChunkRows));
+namespace {
+
+constexpr std::size_t kNotAsked = static_cast<std::size_t>(-1);
+
+/// Rows of a frame as they stand in its file. Column c of the file goes to column target[c] of the
+/// chunks; `bad` is told of a word there that is no number.
+void stream_rows(const DumpFrame& frame, const std::vector<std::size_t>& target,
+                 ParticleChunk& chunk,
+                 const std::function<void(std::size_t column, const BadWord&)>& bad,
+                 const std::function<void(const ParticleChunk&)>& visit) {
   LineReader in(frame.file, frame.offset, frame.line + 1);
   std::string_view text;
   for (std::size_t i = 0; i < frame.particles; ++i) {
@@ -130,10 +131,9 @@ void read_text_dump(const DumpFrame& frame, const std::vector<std::string>& colu
       if (word.empty())
         throw input_error(frame.file, in.line(),
                           fmt::format("{} values, but {} columns", c, target.size()));
-      if (target[c] == kUnused) continue;
+      if (target[c] == kNotAsked) continue;
       if (!parse_number(word, chunk.columns[target[c]][chunk.rows]))
-        throw input_error(frame.file, in.line(),
-                          fmt::format("{} '{}' is not a number", frame.columns[c], word));
+        bad(c, {in.line(), std::string(word)});
     }
     if (!take_word(text).empty())
       throw input_error(frame.file, in.line(),
@@ -144,6 +144,69 @@ void read_text_dump(const DumpFrame& frame, const std::vector<std::string>& colu
     }
   }
   if (chunk.rows > 0) visit(chunk);
+}
+
+[[noreturn]] void refuse(const DumpFrame& frame, std::size_t column, const BadWord& bad) {
+  throw input_error(frame.file, bad.line,
+                    fmt::format("{} '{}' is not a number", frame.columns[column], bad.word));
+}
+
+ParticleChunk empty_chunk(std::size_t columns) {
+  ParticleChunk chunk;
+  chunk.columns.assign(columns, std::vector<double>(kChunkRows));
+  return chunk;
+}
+
+FrameRows all_rows(const DumpFrame& frame) {
+  const std::size_t n = frame.columns.size();
+  FrameRows all;
+  all.columns.resize(n);
+  for (auto& column : all.columns) column.reserve(frame.particles);
+  all.bad.resize(n);
+  std::vector<std::size_t> target(n);
+  for (std::size_t c = 0; c < n; ++c) target[c] = c;
+  ParticleChunk chunk = empty_chunk(n);
+  stream_rows(
+      frame, target, chunk,
+      [&](std::size_t c, const BadWord& bad) {
+        if (all.bad[c].line == 0) all.bad[c] = bad;
+      },
+      [&](const ParticleChunk& rows) {
+        for (std::size_t c = 0; c < n; ++c)
+          all.columns[c].insert(all.columns[c].end(), rows.columns[c].begin(),
+                                rows.columns[c].begin() + static_cast<std::ptrdiff_t>(rows.rows));
+      });
+  return all;
+}
+
+}  // namespace
+
+void read_text_dump(const DumpFrame& frame, const std::vector<std::string>& columns,
+                    const std::function<void(const ParticleChunk&)>& visit) {
+  std::vector<std::size_t> of_file;  // of each requested column
+  for (const std::string& name : columns)
+    of_file.push_back(static_cast<std::size_t>(
+        std::find(frame.columns.begin(), frame.columns.end(), name) - frame.columns.begin()));
+  ParticleChunk chunk = empty_chunk(columns.size());
+  const FrameRows* kept =
+      frame.kept ? frame.kept->rows(frame, [&] { return all_rows(frame); }) : nullptr;
+  if (kept == nullptr) {
+    std::vector<std::size_t> target(frame.columns.size(), kNotAsked);
+    for (std::size_t k = 0; k < columns.size(); ++k) target.at(of_file[k]) = k;
+    stream_rows(
+        frame, target, chunk, [&](std::size_t c, const BadWord& bad) { refuse(frame, c, bad); },
+        visit);
+    return;
+  }
+  for (const std::size_t c : of_file)
+    if (kept->bad.at(c).line != 0) refuse(frame, c, kept->bad[c]);
+  for (std::size_t done = 0; done < frame.particles; done += chunk.rows) {
+    chunk.rows = std::min(kChunkRows, frame.particles - done);
+    for (std::size_t k = 0; k < of_file.size(); ++k)
+      std::copy_n(kept->columns[of_file[k]].begin() + static_cast<std::ptrdiff_t>(done), chunk.rows,
+                  chunk.columns[k].begin());
+    visit(chunk);
+  }
 }
 
 }  // namespace dipper::analysis::io

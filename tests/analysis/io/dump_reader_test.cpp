@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "analysis/io/kept_rows.hpp"
 #include "tests/analysis/dump_files.hpp"
 
 namespace dipper::analysis::io {
@@ -61,6 +62,41 @@ TEST(TextDump, LammpsHasTimesUnwrappedAndScaledPositions) {
   EXPECT_DOUBLE_EQ(*reader.frames()[0].time_s, 0.125);
   EXPECT_THAT(all(reader.frames()[0], {"x", "y", "z"}),
               ElementsAre(ElementsAre(99), ElementsAre(5), ElementsAre(0)));
+}
+
+TEST(TextDump, AFrameIsReadFromItsFileOnce) {
+  const Scratch scratch;
+  const fs::path file =
+      scratch.write("rocks_30.dump", text_frame(30, 2, "x element id", "1 Si 7\n2 Si 8\n"));
+  const DumpReader reader({file});
+  const DumpFrame& frame = reader.frames()[0];
+  EXPECT_THAT(all(frame, {"id"}), ElementsAre(ElementsAre(7, 8)));
+  fs::remove(file);
+  EXPECT_THAT(all(frame, {"id", "x"}), ElementsAre(ElementsAre(7, 8), ElementsAre(1, 2)));
+  EXPECT_THAT(test::message_of([&] { all(frame, {"element"}); }),
+              HasSubstr("rocks_30.dump:10: element 'Si' is not a number"));
+}
+
+TEST(TextDump, WhatMemoryHasNoRoomForIsReadAgain) {
+  const Scratch scratch;
+  const fs::path first = scratch.write("rocks_1.dump", text_frame(1, 1, "x", "1\n"));
+  const fs::path second = scratch.write("rocks_2.dump", text_frame(2, 1, "x", "2\n"));
+  std::vector<DumpFrame> frames = DumpReader({first, second}).frames();
+  const auto kept_by = [&](const KeptRows& rows) {
+    for (DumpFrame& frame : frames) frame.kept = std::make_shared<KeptRows>(rows);
+    frames[1].kept = frames[0].kept;
+    all(frames[0], {"x"});
+    all(frames[1], {"x"});
+  };
+  kept_by(KeptRows(0, 8));  // the last one alone
+  fs::remove(second);
+  EXPECT_THAT(all(frames[1], {"x"}), ElementsAre(ElementsAre(2)));
+  EXPECT_THAT(all(frames[0], {"x"}), ElementsAre(ElementsAre(1)));
+  EXPECT_THROW(all(frames[1], {"x"}), InputError);
+  scratch.write("rocks_2.dump", text_frame(2, 1, "x", "2\n"));
+  kept_by(KeptRows(8, 8));  // the first for good
+  fs::remove(first);
+  EXPECT_THAT(all(frames[0], {"x"}), ElementsAre(ElementsAre(1)));
 }
 
 TEST(TextDump, WhatIsWrongIsToldWithFileAndLine) {
