@@ -19,8 +19,8 @@ constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger roc
 constexpr double kShift_m = 0.5;
 constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
 constexpr double kWhole_percent = 95;
-constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
-constexpr double kWindow_s = 0.01;   ///< the empty dipper on its ropes swings with some 0.2 s
+constexpr double kHole_s = 3;       ///< between two rows of a motion in which drives go far
+constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
 
 void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Vector3d wanted = parts.machine.dipper.inside;  // without plates and teeth
