@@ -210,5 +210,6 @@ def unnamed_qualities(what, names, rows, notes):
     if doubtful:
         texts = sorted({t for bad, _ in doubtful.values() for t in bad})
         notes.append(f"warning: {some_names(doubtful)} in {sum(n for _, n in doubtful.values())} cells "
-                     f"{'say' if len(doubtful) > 1 else 'says'} {some_names([t or 'nothing' for t in texts], 4)}, and "
+                     f"{'say' if len(doubtful) > 1 else 'says'} "
+                     f"{some_names([t or 'nothing' for t in texts], 4)}, and "
                      "these readings are taken all the same; channels.NAME.quality names the column that says whether a reading is good")
