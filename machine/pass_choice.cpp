@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "common/angles.hpp"
-#include "common/gravity.hpp"
+#include "machine/approach.hpp"
 #include "machine/cut_ahead.hpp"
+#include "machine/handle_statics.hpp"
 #include "machine/motion_row.hpp"
 
 namespace dipper::machine {
@@ -17,70 +17,9 @@ namespace {
 
 constexpr double kWay_m = 0.15;    // of the teeth, between two places that are looked at
 constexpr double kMean_m = 1;      // of the way, over which a force counts
-constexpr double kNudge = 1e-4;    // of a joint, m and rad: for the lever of a weight
 constexpr double kBeside_m = 0.1;  // between dipper and side wall
 constexpr double kSide_m = 1;      // looked at beyond what is dug
 constexpr double kOver_m = 0.5;    // between the dipper and the rock that it turns over
-
-/// A force at a point of what hangs on the handle.
-struct Push {
-  enum Where { tip, load, dipper, door, handle } where;
-  Vector3d force_W;
-};
-
-/// Hoist and crowd that hold the machine in a place, and the weights and forces on it.
-class Statics {
- public:
-  Statics(const MachineData& machine, const ShovelKinematics& shovel, const Vector3d& base_m,
-          const Vector3d& load_B)
-      : m_(machine), shovel_(shovel), base_m_(base_m), load_B_(load_B) {}
-
-  Vector3d tip_B() const {
-    return {m_.dipper.inside.x() + m_.dipper.tooth_reach, 0, -m_.dipper.inside.z() / 2};
-  }
-
-  struct Forces {
-    double hoist_N = 0, crowd_N = 0;
-  };
-  /// By virtual work along saddle angle and crowd: the rope's pull does T times its shortening.
-  Forces at(const Drives& d, double saddle, const std::vector<Push>& pushes) const {
-    Drives out = d;
-    out.crowd += kNudge;
-    const double turned = work(d, saddle, d, saddle + kNudge, pushes) / kNudge;
-    const double pushed = work(d, saddle, out, saddle, pushes) / kNudge;
-    const double rope = shovel_.rope_path(saddle, d.crowd);
-    const double by_turn = (shovel_.rope_path(saddle + kNudge, d.crowd) - rope) / kNudge;
-    const double by_crowd = (shovel_.rope_path(saddle, out.crowd) - rope) / kNudge;
-    const double hoist = std::max(0.0, turned / by_turn);  // a rope does not push
-    return {hoist, hoist * by_crowd - pushed};
-  }
-
- private:
-  /// What the forces do from one place to another, J.
-  double work(const Drives& a, double saddle_a, const Drives& b, double saddle_b,
-              const std::vector<Push>& pushes) const {
-    const auto from = points(a, saddle_a), to = points(b, saddle_b);
-    double sum = 0;
-    for (const Push& p : pushes)
-      sum += p.force_W.dot(to[static_cast<std::size_t>(p.where)] -
-                           from[static_cast<std::size_t>(p.where)]);
-    return sum;
-  }
-
-  std::array<Vector3d, 5> points(const Drives& d, double saddle) const {
-    const ShovelPose X = shovel_.pose(d, saddle);
-    const Vector3d end = X.X_WB * m_.dipper.handle_end;
-    const Quaterniond swing(Eigen::AngleAxisd(d.swing, Vector3d::UnitZ()));
-    const Vector3d pivot = base_m_ + swing * m_.saddle.position;
-    const Vector3d handle = end + m_.handle.mass_center * (end - pivot).normalized();
-    return {X.X_WB * tip_B(), X.X_WB * load_B_, X.X_WB * m_.dipper.mass_center,
-            X.X_WD * m_.door.mass_center, handle};
-  }
-
-  const MachineData& m_;
-  const ShovelKinematics& shovel_;
-  Vector3d base_m_, load_B_;
-};
 
 /// The largest mean over a stretch of the way.
 class StretchPeak {
@@ -103,15 +42,16 @@ class Judge {
  public:
   Judge(const HeightMap& face, const DigChoice& choice, const MotionPlan& cycle,
         const DigFacts& facts, const MachineData& machine, const ShovelKinematics& shovel,
-        const Vector3d& base_m)
+        const HandleStatics& statics, const Vector3d& base_m, const DigExperience& before)
       : face_(face),
+        before_(before),
         choice_(choice),
         cycle_(cycle),
         facts_(facts),
         m_(machine),
         shovel_(shovel),
         base_m_(base_m),
-        statics_(machine, shovel, base_m, facts.load_B),
+        statics_(statics),
         rock_over_m_(rock_over_m(face)) {}
 
   void judge(DigCandidate& c) const {
@@ -123,6 +63,7 @@ class Judge {
       if (profile.size() < 3) throw std::invalid_argument("there is no face at this heading");
       Cut cut;
       cut.start = choice_.start;
+      cut.begin = begin(X_WBoom);
       cut.depth_m = c.depth_m;
       cut.floor_rise = c.floor_rise;
       cut.exit_z_m = c.exit_z_m;
@@ -139,6 +80,14 @@ class Judge {
   }
 
  private:
+  /// As far down as the rock lets him come.
+  Vector2d begin(const Pose& X_WBoom) const {
+    if (cycle_.lower.empty()) return choice_.start;
+    TeethPath down = cycle_.lower;
+    down.push_back(choice_.start);
+    return approach_end(spline(down), face_, X_WBoom, m_.dipper.inside.y() / 2, shovel_);
+  }
+
   void walk(DigCandidate& c) const {
     TeethPath polygon = c.dig;
     polygon.insert(polygon.end(), cycle_.lift.begin(), cycle_.lift.end());
@@ -148,11 +97,11 @@ class Judge {
     const double ds = whole / n;
     HeightMap left = face_;
     const Vector3d half = m_.dipper.inside / 2;
-    const Vector3d tip_B = statics_.tip_B();
+    const Vector3d tip_B = Vector3d(m_.dipper.inside.x() + m_.dipper.tooth_reach, 0, -half.z());
     const Vector3d lip_left_B = tip_B + Vector3d(0, half.y(), 0),
                    lip_right_B = tip_B - Vector3d(0, half.y(), 0);
     StretchPeak crowd_peak, hoist_peak;
-    double force_sum = 0, force_s = 0, lift_s = 0;
+    double force_sum = 0, force_s = 0, lift_s = 0, crowd_sum = 0, rock_m = 0;
     Pose before;
     Drives at_before;
     for (int k = 0; k <= n; ++k) {
@@ -165,24 +114,31 @@ class Judge {
       if (k > 0) {
         c.swept_m3 += left.cut(before * lip_left_B, before * lip_right_B, X.X_WB * lip_left_B,
                                X.X_WB * lip_right_B);
-        const double load_kg = std::min(facts_.capacity_kg, facts_.bulk_density_kg_m3 * c.swept_m3);
+        const double load_kg = payload_kg(c.swept_m3);
         const Vector3d moved = (X.X_WB * tip_B - before * tip_B) / ds;  // at 1 m/s
         const CutAhead ahead = cut_ahead(left, X.X_WB, tip_B, moved);
-        const double resistance =
-            ahead.meets ? facts_.specific_resistance_Pa * ahead.depth_m * 2 * half.y() : 0;
-        const Statics::Forces f = statics_.at(d, X.saddle, pushes(X, resistance, load_kg));
+        const double resistance = ahead.meets ? before_.resistance * facts_.specific_resistance_Pa *
+                                                    ahead.depth_m * 2 * half.y()
+                                              : 0;
+        const HandlePlace place = statics_.at(d);
+        const Holding f = place.holding(place.empty() + load_kg * place.of_a_kg() +
+                                        resistance * place.of_a_newton());
         const double lifted = (at_before.hoist - d.hoist) / ds,
                      crowded = (d.crowd - at_before.crowd) / ds;  // m of drive by m of way
         const double speed = teeth_speed(f, lifted, crowded);
         const bool in_rock = ahead.depth_m > 0;
         if (in_rock) {
-          crowd_peak.add(f.crowd_N);
-          hoist_peak.add(f.hoist_N);
-          force_sum += std::hypot(f.crowd_N, f.hoist_N) * ds / speed;
+          crowd_peak.add(f.crowd);
+          hoist_peak.add(f.hoist);
+          force_sum += std::hypot(f.crowd, f.hoist) * ds / speed;
           force_s += ds / speed;
+          crowd_sum += f.crowd * ds;
+          if (rock_m == 0) c.rock_from_m = (k - 1) * ds;
+          c.rock_to_m = k * ds;
+          rock_m += ds;
         }
         lift_s += ds / speed;
-        c.energy_J += ds * (std::max(0.0, f.hoist_N * lifted) + std::max(0.0, f.crowd_N * crowded));
+        c.energy_J += ds * (std::max(0.0, f.hoist * lifted) + std::max(0.0, f.crowd * crowded));
       }
       before = X.X_WB;
       at_before = d;
@@ -191,7 +147,9 @@ class Judge {
     c.hoist_peak_N = hoist_peak.peak();
     c.dig_s = force_s;
     c.dig_force_mean_N = force_s > 0 ? force_sum / force_s : 0;
-    c.payload_kg = std::min(facts_.capacity_kg, facts_.bulk_density_kg_m3 * c.swept_m3);
+    c.crowd_mean_N = rock_m > 0 ? crowd_sum / rock_m : 0;
+    c.swept_kg = facts_.bulk_density_kg_m3 * c.swept_m3;
+    c.payload_kg = payload_kg(c.swept_m3);
     PassStart from;
     from.at_dump = cycle_.returns;
     from.tip = c.dig.front();
@@ -209,24 +167,19 @@ class Judge {
                               drives.hoist.stall * 1e-6);
   }
 
-  std::vector<Push> pushes(const ShovelPose& X, double resistance_N, double load_kg) const {
-    const auto weight = [](double kg) { return Vector3d(0, 0, -kg * kGravity_m_s2); };
-    return {{Push::tip, -resistance_N * (X.X_WB.R * Vector3d::UnitX())},
-            {Push::load, weight(load_kg)},
-            {Push::dipper, weight(m_.dipper.mass)},
-            {Push::door, weight(m_.door.mass)},
-            {Push::handle, weight(m_.handle.mass)}};
+  double payload_kg(double swept_m3) const {
+    return std::min(facts_.capacity_kg, before_.loaded * facts_.bulk_density_kg_m3 * swept_m3);
   }
 
   /// That the drives' speeds and powers allow, up to the planned one.
-  double teeth_speed(const Statics::Forces& f, double lifted, double crowded) const {
+  double teeth_speed(const Holding& f, double lifted, double crowded) const {
     double v = choice_.teeth_m_s;
     const auto within = [&](double by_way, double most_m_s, double force, double power) {
       if (std::abs(by_way) > 1e-6) v = std::min(v, most_m_s / std::abs(by_way));
       if (force * by_way > 1) v = std::min(v, power / (force * by_way));
     };
-    within(lifted, m_.limits.hoist_speed, f.hoist_N, m_.drives.hoist.power);
-    within(crowded, m_.limits.crowd_speed, f.crowd_N, m_.drives.crowd.power);
+    within(lifted, m_.limits.hoist_speed, f.hoist, m_.drives.hoist.power);
+    within(crowded, m_.limits.crowd_speed, f.crowd, m_.drives.crowd.power);
     return v;
   }
 
@@ -247,13 +200,14 @@ class Judge {
   }
 
   const HeightMap& face_;
+  DigExperience before_;
   const DigChoice& choice_;
   const MotionPlan& cycle_;
   const DigFacts& facts_;
   const MachineData& m_;
   const ShovelKinematics& shovel_;
   Vector3d base_m_;
-  Statics statics_;
+  const HandleStatics& statics_;
   double rock_over_m_;
 };
 
@@ -296,6 +250,7 @@ DigPlanner::DigPlanner(const DigChoice& choice, const MotionPlan& cycle, const D
       machine_(machine),
       base_m_(base_m),
       shovel_(machine, {Quaterniond::Identity(), base_m}, rake),
+      statics_(machine, rake, facts.load_B),
       goal_(goal) {}
 
 PassStart DigPlanner::start() const {
@@ -307,13 +262,14 @@ PassStart DigPlanner::start() const {
 HeightGrid DigPlanner::grid() const {
   const double reach = machine_.saddle.position.x() + shovel_.teeth_reach(choice_.crowd_max_m);
   const double half = facts_.half_width_m + kSide_m;
-  const double from = std::min(facts_.walls_from_x_m, base_m_.x() + choice_.start.x()) - kSide_m;
+  const double heel = base_m_.x() + shovel_.heel(choice_.start).x();
+  const double from = std::min(facts_.walls_from_x_m, heel) - kSide_m;
   return face_grid(from, base_m_.x() + reach + kSide_m, -half, half);
 }
 
 DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, double least_kg,
-                               double most_kg) const {
-  const Judge judge(face, choice_, cycle_, facts_, machine_, shovel_, base_m_);
+                               double most_kg, const DigExperience& before) const {
+  const Judge judge(face, choice_, cycle_, facts_, machine_, shovel_, statics_, base_m_, before);
   DigDecision decision;
   for (const double heading : choice_.heading_rad)
     for (const double depth : choice_.depth_m)
@@ -353,6 +309,9 @@ DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, dou
     decision.chosen = static_cast<int>(best - decision.candidates.begin());
     decision.rows = rows;
     decision.times = pass_times(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
+    const double set_off_s = decision.times.dig_s + cycle_.dig.ramp_s / 2;
+    decision.rock_from_s = set_off_s + best->rock_from_m / choice_.teeth_m_s;
+    decision.rock_to_s = set_off_s + best->rock_to_m / choice_.teeth_m_s;
     break;
   }
   decision.reason = reason(decision, goal_, least_kg);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/height_map.hpp"
+#include "machine/handle_statics.hpp"
 #include "machine/kinematics.hpp"
 #include "machine/motion_plan.hpp"
 #include "machine/pass_motion.hpp"
@@ -29,20 +30,29 @@ struct DigFacts {
   double walls_from_x_m = 0;           ///< which begin there, in W
 };
 
+/// What the pass before has shown, over what was expected of it.
+struct DigExperience {
+  double resistance = 1;  ///< of the rock
+  double loaded = 1;      ///< of what the teeth sweep, what then is in the truck
+};
+
 /// One dig, by an estimate.
 struct DigCandidate {
   double heading_rad = 0, depth_m = 0, floor_rise = 0, exit_z_m = 0;
   std::string refused;      ///< why it cannot be dug; empty: it can
   TeethPath dig;            ///< control polygon of the teeth's way
   double swept_m3 = 0;      ///< taken out of the face
+  double swept_kg = 0;      ///< of rock as it lies in a dipper
   double payload_kg = 0;    ///< of that, what the dipper holds
   double crowd_peak_N = 0;  ///< means over a metre of the teeth's way
   double hoist_peak_N = 0;
-  double dig_force_mean_N = 0;  ///< sqrt(crowd^2 + hoist^2), while the teeth are in rock
-  double dig_s = 0;             ///< with the teeth in rock
-  double cycle_s = 0;           ///< from dump to dump
-  double energy_J = 0;          ///< that hoist and crowd put in from the dig to the dump
-  double score = 0;             ///< kg/s or kg/J
+  double crowd_mean_N = 0;                ///< over the teeth's way in rock
+  double rock_from_m = 0, rock_to_m = 0;  ///< of the teeth's way: where they are in rock
+  double dig_force_mean_N = 0;            ///< sqrt(crowd^2 + hoist^2), while the teeth are in rock
+  double dig_s = 0;                       ///< with the teeth in rock
+  double cycle_s = 0;                     ///< from dump to dump
+  double energy_J = 0;                    ///< that hoist and crowd put in from the dig to the dump
+  double score = 0;                       ///< kg/s or kg/J
 };
 
 /// Candidates, and which is the best: the largest score of those that can be dug. None: there is
@@ -53,6 +63,7 @@ struct DigDecision {
   std::string reason;  ///< of the choice, a sentence
   std::string rows;    ///< of motion.csv, from the pass's start until the dipper is empty
   PassTimes times;
+  double rock_from_s = 0, rock_to_s = 0;  ///< of the motion: while the teeth are in rock
 };
 
 /// What a dipper that turns away from a face has to be over, m.
@@ -69,8 +80,8 @@ class DigPlanner {
 
   /// \param least_kg  a pass with less does not pay
   /// \param most_kg  that the truck still takes: more payload counts for nothing
-  DigDecision decide(const HeightMap& face, const PassStart& from, double least_kg,
-                     double most_kg) const;
+  DigDecision decide(const HeightMap& face, const PassStart& from, double least_kg, double most_kg,
+                     const DigExperience& before = {}) const;
 
   const DigFacts& facts() const { return facts_; }
   /// In front of the face, where he stands before the first pass.
@@ -86,6 +97,7 @@ class DigPlanner {
   MachineData machine_;
   Vector3d base_m_;
   ShovelKinematics shovel_;
+  HandleStatics statics_;
   DigGoal goal_;
 };
 

@@ -34,7 +34,8 @@ Layout lay_out(const MotionPlan& p, const PlannedPass& pass, double teeth_m_s, d
   if (from.at_dump) {
     const double first = std::min({p.back.start_s, p.swing_back.start_s, p.door_close.start_s});
     TeethPath back(1, p.lift.back());
-    back.insert(back.end(), p.lower.begin(), p.lower.end());
+    for (const Vector2d& q : p.lower)  // down to where the dig begins
+      if (q.y() > pass.dig.front().y()) back.push_back(q);
     back.push_back(pass.dig.front());
     l.back = spline(back);
     l.back_move = later(p.back, -first);
@@ -75,7 +76,8 @@ Layout lay_out(const MotionPlan& p, const PlannedPass& pass, double teeth_m_s, d
   const double leave = p.returns
                            ? std::min({p.back.start_s, p.swing_back.start_s, p.door_close.start_s})
                            : p.cycle_s;
-  l.end_s = l.door_open.end_s + std::max(0.0, leave - p.door_open.end_s);
+  const double empty_s = l.door_open.end_s + std::max(0.0, leave - p.door_open.end_s);
+  l.end_s = p.sample_s * std::ceil(empty_s / p.sample_s - 1e-9);  // the last row's
   return l;
 }
 
@@ -92,7 +94,7 @@ std::string pass_rows(const MotionPlan& cycle, const PlannedPass& pass, double t
   const Layout l = lay_out(cycle, pass, teeth_m_s, over_m, from, shovel);
   const double heading0 = from.at_dump ? cycle.dump_rad : from.heading_rad;
   std::string rows;
-  const int n = static_cast<int>(std::ceil(l.end_s / cycle.sample_s - 1e-9));
+  const int n = static_cast<int>(std::lround(l.end_s / cycle.sample_s));
   for (int i = 0; i <= n; ++i) {
     const double t = i * cycle.sample_s;
     const Vector2d tip = t < l.dig.start_s ? at_fraction(l.back, l.back_move.share(t))

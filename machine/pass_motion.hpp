@@ -19,7 +19,7 @@ struct PassStart {
 struct PassTimes {
   double dig_s = 0;   ///< the teeth set off into the face
   double dump_s = 0;  ///< the door begins to open
-  double end_s = 0;   ///< the dipper is empty
+  double end_s = 0;   ///< the dipper is empty: the last row
 };
 
 /// When the parts of a pass are done: a cycle of the plan, with the dig at a speed of the teeth,

@@ -59,25 +59,33 @@ std::vector<SweptPass> swept_passes(const Motion& motion, const ShovelKinematics
   std::vector<std::pair<double, Surface>> lanes;
   std::vector<SweptPass> passes;
   for (const std::int64_t start : starts) {
-    std::int64_t still = start;  // the boom may still be moving to the dig
-    while (still < motion.end_ns() && std::abs(motion.rate(still).swing) > kStill_rad_s)
-      still += kTick_ns;
-    const double heading = motion.value(still).swing;
-    auto lane = std::find_if(lanes.begin(), lanes.end(), [&](const auto& known) {
-      return std::abs(known.first - heading) < kSameLane_rad;
-    });
     SweptPass pass;
-    pass.first = lane == lanes.end();
-    if (pass.first) lane = lanes.insert(lanes.end(), {heading, Surface(face(heading))});
     pass.t_start_s = seconds(start);
-    Vector2d last = shovel.teeth(motion.value(still));
-    for (std::int64_t t = still + kTick_ns; t < motion.end_ns(); t += kTick_ns) {
-      const Drives d = motion.value(t);
-      const bool opens = door_is_open(d.door) && motion.rate(t).door > 0;
-      if (std::abs(d.swing - heading) > kTurned_rad || opens) break;
-      const Vector2d tip = shovel.teeth(d);
-      lane->second.cut(last, tip, pass);
-      last = tip;
+    // The boom may still be moving to the dig, or only begin to: a stand without a cut is no dig.
+    std::int64_t t = start;
+    bool opens = false;
+    while (pass.area_m2 == 0 && t < motion.end_ns() && !opens) {
+      while (t < motion.end_ns() && std::abs(motion.rate(t).swing) > kStill_rad_s) t += kTick_ns;
+      const double heading = motion.value(t).swing;
+      const auto known = std::find_if(lanes.begin(), lanes.end(), [&](const auto& lane) {
+        return std::abs(lane.first - heading) < kSameLane_rad;
+      });
+      Surface surface = known == lanes.end() ? Surface(face(heading)) : known->second;
+      Vector2d last = shovel.teeth(motion.value(t));
+      for (t += kTick_ns; t < motion.end_ns(); t += kTick_ns) {
+        const Drives d = motion.value(t);
+        opens = door_is_open(d.door) && motion.rate(t).door > 0;
+        if (std::abs(d.swing - heading) > kTurned_rad || opens) break;
+        const Vector2d tip = shovel.teeth(d);
+        surface.cut(last, tip, pass);
+        last = tip;
+      }
+      if (pass.area_m2 == 0) continue;
+      pass.first = known == lanes.end();
+      if (pass.first)
+        lanes.emplace_back(heading, std::move(surface));
+      else
+        known->second = std::move(surface);
     }
     passes.push_back(pass);
   }

@@ -130,8 +130,8 @@ TeethPath cut_path(const TeethPath& face, const Cut& cut, const Vector2d& saddle
   const auto floor = [&](double x) {
     return cut.start.y() + cut.floor_rise * std::max(0.0, x - cut.start.x());
   };
-  TeethPath path(1, cut.start);
-  double z = cut.start.y();
+  TeethPath path(1, cut.begin.value_or(cut.start));
+  double z = path.front().y();
   while (true) {
     const double x = path.back().x() + kPathStep_m;
     z = std::max({z, floor(x), height(bottom, x)});

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace dipper::machine {
@@ -28,7 +29,8 @@ Vector2d at_fraction(const TeethPath& path, double share);
 
 /// One dig: the path of the teeth through a face.
 struct Cut {
-  Vector2d start = Vector2d::Zero();  ///< in front of the toe, m
+  Vector2d start = Vector2d::Zero();  ///< in front of the toe, m: the floor's begin
+  std::optional<Vector2d> begin;      ///< of the teeth's way, over the floor; none: `start`
   double depth_m = 0;                 ///< below the face's surface, square to it
   double floor_rise = 0;  ///< dz/dx of the floor that teeth and heel keep to, from the start
   double exit_z_m = 0;    ///< height at which they leave the face, at the latest

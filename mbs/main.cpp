@@ -12,6 +12,7 @@
 #include "coupler/transport/serve.hpp"
 #include "machine/machine_condition.hpp"
 #include "machine/motion.hpp"
+#include "mbs/feeling_operator.hpp"
 #include "mbs/led_bodies.hpp"
 #include "mbs/path_follower.hpp"
 #include "mbs/shovel.hpp"
@@ -30,6 +31,8 @@ std::unique_ptr<core::Machine> make(const setup::ShovelSetup& s) {
   std::unique_ptr<Operator> from;
   if (s.told)
     from = std::make_unique<ToldOperator>(motion->value(0));
+  else if (s.drives == machine::DriveMode::limited && s.planned)
+    from = std::make_unique<FeelingOperator>(motion, data, radians(s.rake_angle_deg), s.full_kg);
   else if (s.drives == machine::DriveMode::limited)
     from = std::make_unique<PathFollower>(motion, data.limits.crowd_min);
   return std::make_unique<Shovel>(data, motion, X_W0, radians(s.rake_angle_deg), std::move(from),

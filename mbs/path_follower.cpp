@@ -5,14 +5,12 @@
 namespace dipper::mbs {
 namespace {
 
-constexpr double kReaction_s = 0.2;     // of a hand on a lever
 constexpr double kFull = 1.5;           // overload of the slowest rate
 constexpr double kStalledCrowd = 0.25;  // rate along the motion with a stalled crowd
 constexpr double kComesAlong = 1.4;     // overload from which the crowd retracts
 constexpr double kAlong_m_s = 0.5;      // at kFull - kComesAlong more; about the crowd's speed
 constexpr double kNearlyStopped = 0.2;
 constexpr double kLetBack_m_s = 0.1;  // a tenth of the crowd's speed: a short stall changes little
-constexpr double kGiveOut_s = 2.0;
 
 double eased(double overload) { return std::clamp((overload - 1) / (kFull - 1), 0.0, 1.0); }
 
@@ -36,18 +34,25 @@ void PathFollower::reset(double t_s, const std::vector<double>& state) {
   go_on(t_s, {state.at(0), state.at(1), state.at(2), state.at(3)});
 }
 
-void PathFollower::ease(double t_s, const std::function<Overload()>& overload) {
+void PathFollower::ease(double t_s, const std::function<Overload()>& overload,
+                        const std::function<PathWish()>& wished) {
   go_on(t_s, at(t_s));
   const Overload r = overload();
+  const PathWish wish = wished();
   const double crowd = eased(r.crowd);
-  const double wanted = std::min(1 - eased(r.others), 1 - (1 - kStalledCrowd) * crowd);
+  const double wanted = std::min({wish.rate, 1 - eased(r.others), 1 - (1 - kStalledCrowd) * crowd});
   rate_slope_ = (wanted - then_.rate) / kReaction_s;
   const double along = std::clamp((r.crowd - kComesAlong) / (kFull - kComesAlong), 0.0, 1.0);
   const double back = std::max(0.0, 1 - then_.rate / kNearlyStopped);
   const double let_back = std::max(kAlong_m_s * along, kLetBack_m_s * back);
   const bool at_stop = motion_->at(then_.time).position.crowd - then_.relief <= crowd_min_;
   double relief_rate = at_stop ? 0.0 : let_back;
-  if (let_back == 0) relief_rate = -(1 - crowd) * then_.relief / kGiveOut_s;
+  if (let_back == 0 && !wish.crowd_back)
+    relief_rate = -(1 - crowd) * then_.relief / kGiveOut_s;
+  else if (wish.crowd_back && *wish.crowd_back > let_back)
+    relief_rate = at_stop ? 0.0 : *wish.crowd_back;
+  else if (wish.crowd_back && let_back == 0)
+    relief_rate = *wish.crowd_back;
   relief_slope_ = (relief_rate - then_.relief_rate) / kReaction_s;
 }
 

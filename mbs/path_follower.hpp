@@ -15,6 +15,13 @@ struct PathState {
   double relief_rate = 0;  ///< m/s
 };
 
+/// What is asked of a follower besides.
+struct PathWish {
+  double rate = 1;                   ///< at most
+  std::optional<double> crowd_back;  ///< rate of the relief where the crowd does not stall, m/s; a
+                                     ///< larger one that a stall asks for counts
+};
+
 /// Slows down along the motion while a drive cannot follow, so that the dipper takes the planned
 /// way, later. Updates once a sub-step; in between, rates change linearly, so that the setpoints
 /// have no jump of speed.
@@ -32,6 +39,9 @@ struct PathState {
 /// backwards, and the crowd does not retract beyond its stop.
 class PathFollower final : public Operator {
  public:
+  static constexpr double kReaction_s = 0.2;  ///< of a hand on a lever
+  static constexpr double kGiveOut_s = 2.0;   ///< in which he gives back what he has bent
+
   /// \param crowd_min  m, the crowd's stop
   PathFollower(std::shared_ptr<const machine::Motion> motion, double crowd_min);
 
@@ -47,7 +57,10 @@ class PathFollower final : public Operator {
   std::vector<double> values(double t_s, const DriveEfforts& motors) const override;
 
   /// Sets new rates at a time. \param overload  of the drives at that time, after the update
-  void ease(double t_s, const std::function<Overload()>& overload);
+  /// \param wish  asked for after that
+  void ease(
+      double t_s, const std::function<Overload()>& overload,
+      const std::function<PathWish()>& wish = [] { return PathWish{}; });
 
   /// Where he is at a time after the last update, at most a sub-step later.
   PathState at(double t_s) const;

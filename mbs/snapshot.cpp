@@ -19,9 +19,12 @@ constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
 constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
 // Drives that are told where to go, by more numbers.
 constexpr char kTold[] = "DIPMBST1", kToldSegmented[] = "DIPMBSC1";
-constexpr std::size_t kFollower = 4;
+// Drives that an operator leads who feels the dig.
+constexpr char kFeeling[] = "DIPMBSF1", kFeelingSegmented[] = "DIPMBSG1";
+constexpr std::size_t kFollower = 4, kFeels = 7;
 
 const char* magic_of(const Snapshot& s) {
+  if (s.sender.size() == kFeels) return s.numbers.rope.size() > 0 ? kFeelingSegmented : kFeeling;
   if (s.sender.size() > kFollower) return s.numbers.rope.size() > 0 ? kToldSegmented : kTold;
   if (s.numbers.rope.size() > 0) return s.sender.empty() ? kSegmented : kLimitedSegmented;
   return s.sender.empty() ? kPrescribed : kLimited;

@@ -4,27 +4,16 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "common/gravity.hpp"
-#include "machine/kinematics.hpp"
-#include "machine/sheave_path.hpp"
+#include "machine/handle_statics.hpp"
 
 namespace dipper::analysis::signals {
 namespace {
-
-using machine::Vector2d;
 
 constexpr double kStands_m_s = 0.1;
 constexpr double kShortest_s = 0.5;      // below, the drives never stood
 constexpr double kHalf_s = 0.25;         // of the time over which speeds are taken
 constexpr double kLatched_rad = 1e-5;    // beyond, the door gives way
 constexpr double kFewest_share = 1e-12;  // of g^2: a load that neither balance shows
-
-Vector2d in_plane(const Vector3d& p) { return {p.x(), p.z()}; }
-
-/// x out, z up: positive lifts the handle.
-double moment(const Vector2d& arm, const Vector2d& force) {
-  return arm.x() * force.y() - arm.y() * force.x();
-}
 
 /// How fast a signal changes about a reading.
 double speed_at(const std::vector<double>& time_s, const std::vector<double>& x, std::size_t i) {
@@ -34,38 +23,6 @@ double speed_at(const std::vector<double>& time_s, const std::vector<double>& x,
   };
   const std::size_t a = at(time_s[i] - kHalf_s), b = at(time_s[i] + kHalf_s);
   return b > a ? (x[b] - x[a]) / (time_s[b] - time_s[a]) : 0;
-}
-
-/// What two balances lack, in force of hoist and of crowd [N], and what a kilogram of load makes
-/// up.
-struct Balances {
-  Vector2d lack, of_a_kg;
-};
-
-Balances balances(const machine::MachineData& m, const machine::ShovelKinematics& shovel,
-                  const machine::Drives& at, double hoist_N, double crowd_N, double swing_rad_s) {
-  const machine::ShovelPose X = shovel.pose(at);
-  const Vector2d saddle = in_plane(m.saddle.position);
-  const Vector2d out(std::cos(X.saddle), std::sin(X.saddle));
-  const auto pull = [&](const Vector2d& p) {  // on a kilogram there
-    return Vector2d(swing_rad_s * swing_rad_s * p.x(), -kGravity_m_s2);
-  };
-  const Vector2d bail = in_plane(X.X_WB * m.dipper.bail), point = in_plane(m.boom.point);
-  const Vector2d rope =
-      machine::sheave_path(in_plane(m.rope.drum) - point, bail - point, m.boom.sheave_radius)
-          .toward_b;
-  const double arm = moment(bail - saddle, rope);
-  const auto carried = [&](const Vector2d& p) {
-    return Vector2d(moment(p - saddle, pull(p)) / arm, pull(p).dot(out));
-  };
-  Balances b;
-  b.lack = {hoist_N, crowd_N + hoist_N * rope.dot(out)};
-  const Vector2d end = in_plane(X.X_WB * m.dipper.handle_end);
-  b.lack += m.handle.mass * carried(end + m.handle.mass_center * out);
-  b.lack += m.dipper.mass * carried(in_plane(X.X_WB * m.dipper.mass_center));
-  b.lack += m.door.mass * carried(in_plane(X.X_WD * m.door.mass_center));
-  b.of_a_kg = -carried(in_plane(X.X_WB * Vector3d(m.dipper.inside.x() / 2, 0, 0)));
-  return b;
 }
 
 }  // namespace
@@ -89,15 +46,19 @@ std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
   }
   MonitorReading reading;
   reading.at_rest = still_s >= kShortest_s;
-  const machine::ShovelKinematics shovel(machine_, Pose{}, rake_);
+  const machine::HandleStatics statics(machine_, rake_);
   double sum = 0, weight = 0;
   for (const std::size_t i : reading.at_rest ? still : all) {
     try {
-      const Balances b =
-          balances(machine_, shovel, {s.hoist_m[i], s.crowd_m[i], 0, 0}, s.hoist_force_N[i],
-                   s.crowd_force_N[i], speed_at(t, s.swing_rad, i));
-      sum += b.of_a_kg.dot(b.lack);
-      weight += b.of_a_kg.squaredNorm();
+      // What the drives hold beyond the empty dipper, and a kilogram of load, as forces.
+      const machine::HandlePlace p = statics.at({s.hoist_m[i], s.crowd_m[i], 0, 0});
+      const double turns = speed_at(t, s.swing_rad, i);
+      const machine::Burden load =
+                                p.held({s.hoist_force_N[i], s.crowd_force_N[i]}) - p.empty(turns),
+                            kg = p.of_a_kg(turns);
+      const double arm2 = p.arm() * p.arm();
+      sum += kg.moment * load.moment / arm2 + kg.along * load.along;
+      weight += kg.moment * kg.moment / arm2 + kg.along * kg.along;
       reading.rows.push_back(i);
     } catch (const std::domain_error&) {  // the ropes hang slack where no taut ones would reach
     }

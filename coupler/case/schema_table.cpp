@@ -286,8 +286,9 @@ std::vector<KeySpec> make_schema() {
        "origin of the truck mesh, in W", SLOT(c.truck.position_m)},
       {"truck.heading_deg", "deg", turn, {}, optional, dig,
        "rotation of the truck about z; default 0", SLOT(c.truck.heading_deg)},
-      {"truck.rated_t", "t", between(0, 1000), {}, optional, output,
-       "rated payload of the truck: passes to fill it, under- and overload; default 0: not given",
+      {"truck.rated_t", "t", between(0, 1000), {}, optional, dig,
+       "rated payload of the truck: passes to fill it, under- and overload, and where an operator "
+       "who plans stops; default 0: not given",
        SLOT(c.truck.rated_t)},
 
       {"site.origin_m", "m", mine, {}, optional, output,

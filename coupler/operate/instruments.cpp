@@ -19,7 +19,7 @@ std::string rate_key(const DriveWords& drive) { return position_key(drive) + "_s
 
 Instruments::Instruments(const core::ServerInfo& info, const machine::MachineData& machine,
                          double rake)
-    : info_(info), estimate_(machine, rake) {
+    : info_(info), statics_(machine, rake) {
   core::channel_index(info_, "sent_hoist");
 }
 
@@ -40,7 +40,7 @@ machine::Drives Instruments::sent(const core::MachineState& state) const {
 
 double Instruments::load_kg(const core::MachineState& state) const {
   try {
-    return estimate_.load_kg(drives(state, ""), channel(state, "hoist_force"));
+    return statics_.load_kg(drives(state, ""), channel(state, "hoist_force"));
   } catch (const std::domain_error&) {
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "coupler/core/server.hpp"
+#include "machine/handle_statics.hpp"
 #include "machine/machine_data.hpp"
 #include "machine/motion.hpp"
-#include "machine/payload_estimate.hpp"
 
 namespace dipper::operate {
 
@@ -30,7 +30,7 @@ std::string position_key(const DriveWords& drive);
 std::string rate_key(const DriveWords& drive);
 
 /// Watches the machine from window to window. The load is the machine's own estimate
-/// (machine/payload_estimate.hpp), the mean of a window's ends since the last look; the pass is
+/// (machine/handle_statics.hpp), the mean of a window's ends since the last look; the pass is
 /// counted by the door, which ends one as it shuts.
 class Instruments {
  public:
@@ -60,7 +60,7 @@ class Instruments {
   double load_kg(const core::MachineState& state) const;
 
   core::ServerInfo info_;
-  machine::PayloadEstimate estimate_;
+  machine::HandleStatics statics_;
   int pass_ = 1;
   bool door_open_ = false;
   double load_sum_kg_ = 0;

@@ -45,7 +45,6 @@ json operator_summary(const cases::Case& c, const RunFolder& folder) {
   const double truck_s = done_s - begun_s.front() + (passes > 1 ? back_s / (passes - 1) : 0);
   const double kg = truck.back();
   out["truck_kg"] = kg;
-  out["truck_fill"] = c.truck.rated_t > 0 ? json(kg / (1e3 * c.truck.rated_t)) : json();
   out["truck_s"] = truck_s;
   out["tonnes_per_hour"] = truck_s > 0 ? json(kg * 1e-3 / truck_s * 3600) : json();
   out["energy_J_per_kg"] = kg > 0 ? json(work.back() / kg) : json();

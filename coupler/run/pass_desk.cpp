@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,6 +20,23 @@ using nlohmann::json;
 
 constexpr double kStand_s = 0.1;  // the machine stands where it is until a pass begins
 constexpr double kTick_s = 0.01;  // of a pass's beginning
+// What one pass can teach: more would be a pass that went wrong.
+constexpr double kLeastResistance = 0.5, kMostResistance = 2;
+constexpr double kLeastLoaded = 0.6, kMostLoaded = 1.2;
+
+/// Calls f with name and value of every number that a checkpoint keeps of them.
+template <typename Pass, typename Experience, typename F>
+void each_number(Pass& p, Experience& e, F f) {
+  f("rock_from_s", p.rock_from_s);
+  f("rock_to_s", p.rock_to_s);
+  f("crowd_N", p.crowd_N);
+  f("swept_kg", p.swept_kg);
+  f("along_s", p.along_s);
+  f("crowd_sum", p.crowd_sum);
+  f("sum_s", p.sum_s);
+  f("resistance", e.resistance);
+  f("loaded", e.loaded);
+}
 
 double rounded(double value, double step) { return std::round(value / step) * step + 0.0; }
 
@@ -36,6 +54,7 @@ json json_of(const machine::DigCandidate& c) {
             {"swept_m3", rounded(c.swept_m3, 1e-2)},
             {"payload_kg", rounded(c.payload_kg, 1)},
             {"crowd_peak_N", rounded(c.crowd_peak_N, 1)},
+            {"crowd_mean_N", rounded(c.crowd_mean_N, 1)},
             {"hoist_peak_N", rounded(c.hoist_peak_N, 1)},
             {"dig_force_mean_N", rounded(c.dig_force_mean_N, 1)},
             {"dig_s", rounded(c.dig_s, 1e-2)},
@@ -55,6 +74,7 @@ PassDesk::PassDesk(const cases::Case& c, const Sides& sides, std::filesystem::pa
       folder_(std::move(folder)),
       reporter_(reporter),
       planner_(sides::dig_planner(c, c.machine.plan)),
+      crowd_force_(core::channel_index(sides.machine_info, "crowd_force")),
       truck_(core::channel_index(sides.rock_info, "mass_in_truck")) {
   const machine::MachineData data = machine::load_machine(c.machine.model);
   const machine::ShovelKinematics shovel(data, {Quaterniond::Identity(), c.machine.base_position_m},
@@ -71,14 +91,25 @@ PassDesk::PassDesk(const cases::Case& c, const Sides& sides, std::filesystem::pa
   truck_kg_ = state.at("truck_kg");
   loaded_kg_ = state.at("loaded_kg");
   finished_ = state.at("finished");
+  each_number(pass_, before_, [&](const char* name, double& x) { x = state.at(name); });
+  forget_later();
+}
+
+void PassDesk::forget_later() const {
+  namespace fs = std::filesystem;
+  for (int pass = passes_ + 1; fs::remove(folder_ / fmt::format("pass_{}.json", pass)); ++pass) {
+  }
+  if (!finished_) fs::remove(folder_ / "end.json");
 }
 
 json PassDesk::state() const {
-  return {{"passes", passes_},
-          {"end_s", end_s_},
-          {"truck_kg", truck_kg_},
-          {"loaded_kg", loaded_kg_},
-          {"finished", finished_}};
+  json all = {{"passes", passes_},
+              {"end_s", end_s_},
+              {"truck_kg", truck_kg_},
+              {"loaded_kg", loaded_kg_},
+              {"finished", finished_}};
+  each_number(pass_, before_, [&](const char* name, double x) { all[name] = x; });
+  return all;
 }
 
 bool is_finished(const json& desk_state) {
@@ -94,7 +125,25 @@ bool PassDesk::needs_rest(const core::Window& w) const {
 }
 
 void PassDesk::window(const core::Window& w) {
+  feel(w);
   if (needs_rest(w)) plan(w);
+}
+
+void PassDesk::feel(const core::Window& w) {
+  const double now_s = along_s(w), since_s = now_s - pass_.along_s;
+  pass_.along_s = now_s;
+  if (now_s <= pass_.rock_from_s || now_s > pass_.rock_to_s || since_s <= 0) return;
+  pass_.crowd_sum += since_s * w.machine.channels[crowd_force_];
+  pass_.sum_s += since_s;
+}
+
+void PassDesk::learn(double loaded_kg) {
+  if (pass_.sum_s > 0 && pass_.crowd_N > 0)
+    before_.resistance =
+        std::clamp(before_.resistance * pass_.crowd_sum / pass_.sum_s / pass_.crowd_N,
+                   kLeastResistance, kMostResistance);
+  if (pass_.swept_kg > 0)
+    before_.loaded = std::clamp(loaded_kg / pass_.swept_kg, kLeastLoaded, kMostLoaded);
 }
 
 std::string PassDesk::reason_to_stop(double truck_kg) const {
@@ -123,7 +172,10 @@ void PassDesk::stop(const core::Window& w, const std::string& why, double truck_
 
 void PassDesk::plan(const core::Window& w) {
   const double truck_kg = w.rock.channels[truck_];
-  if (passes_ > 0) loaded_kg_ += truck_kg - truck_kg_;
+  if (passes_ > 0) {
+    learn(truck_kg - truck_kg_);
+    loaded_kg_ += truck_kg - truck_kg_;
+  }
   truck_kg_ = truck_kg;
   if (const std::string why = reason_to_stop(truck_kg); !why.empty()) return stop(w, why, truck_kg);
 
@@ -138,8 +190,8 @@ void PassDesk::plan(const core::Window& w) {
   from.heading_rad = start_heading_rad_;
   const double room_kg = case_.truck.rated_t > 0 ? case_.truck.rated_t * 1e3 - truck_kg
                                                  : std::numeric_limits<double>::infinity();
-  const machine::DigDecision decision =
-      planner_.decide(seen, from, case_.op.least_fill * planner_.facts().capacity_kg, room_kg);
+  const machine::DigDecision decision = planner_.decide(
+      seen, from, case_.op.least_fill * planner_.facts().capacity_kg, room_kg, before_);
   ++passes_;
   write(w, seen, decision, from.t_s, truck_kg);
   if (decision.chosen < 0) {
@@ -148,6 +200,9 @@ void PassDesk::plan(const core::Window& w) {
   }
   sides_.machine.follow(decision.rows);
   end_s_ = decision.times.end_s;
+  const auto& best = decision.candidates[static_cast<std::size_t>(decision.chosen)];
+  pass_ = {
+      decision.rock_from_s, decision.rock_to_s, best.crowd_mean_N, best.swept_kg, along_s(w), 0, 0};
   reporter_.line(fmt::format("operator, {:.1f} s, pass {}: {}",
                              static_cast<double>(w.rock.t_ns) * 1e-9, passes_, decision.reason));
 }
@@ -158,6 +213,8 @@ void PassDesk::write(const core::Window& w, const HeightMap& seen,
             {"t_s", static_cast<double>(w.rock.t_ns) * 1e-9},
             {"truck_kg", truck_kg},
             {"reason", decision.reason},
+            {"resistance", rounded(before_.resistance, 1e-3)},
+            {"loaded", rounded(before_.loaded, 1e-3)},
             {"face", json::parse(to_json_text(seen))},
             {"chosen", nullptr},
             {"candidates", json::array()}};

@@ -28,7 +28,8 @@ class PassDesk final : public Observer {
   };
 
   /// \param folder  of the decisions
-  /// \param state  as `state` gave it, of the checkpoint that a run goes on from; null: a new run
+  /// \param state  as `state` gave it, of the checkpoint that a run goes on from; null: a new
+  /// run. Decisions in the folder that were made after the checkpoint are removed.
   PassDesk(const cases::Case& c, const Sides& sides, std::filesystem::path folder,
            const nlohmann::json& state, Reporter& reporter);
 
@@ -42,9 +43,12 @@ class PassDesk final : public Observer {
   nlohmann::json state() const;
 
  private:
+  void forget_later() const;
   double along_s(const core::Window& w) const;
   std::string reason_to_stop(double truck_kg) const;
   void plan(const core::Window& w);
+  void feel(const core::Window& w);
+  void learn(double loaded_kg);
   void write(const core::Window& w, const HeightMap& seen, const machine::DigDecision& decision,
              double begins_s, double truck_kg) const;
   void stop(const core::Window& w, const std::string& why, double truck_kg);
@@ -58,6 +62,7 @@ class PassDesk final : public Observer {
   machine::Vector2d start_tip_ = machine::Vector2d::Zero();
   double start_heading_rad_ = 0;
   std::optional<std::size_t> path_time_;
+  std::size_t crowd_force_;
   std::size_t truck_;
   // What a checkpoint keeps.
   int passes_ = 0;        ///< planned
@@ -65,6 +70,14 @@ class PassDesk final : public Observer {
   double truck_kg_ = 0;   ///< when the last pass was planned
   double loaded_kg_ = 0;  ///< by the passes before
   bool finished_ = false;
+  /// Of the pass that is on: what was expected, and what has shown.
+  struct Pass {
+    double rock_from_s = 0, rock_to_s = 0;  ///< of the motion: while the teeth are in rock
+    double crowd_N = 0, swept_kg = 0;       ///< expected: mean crowd force in rock, what is swept
+    double along_s = 0;                     ///< of the motion, the last window's end
+    double crowd_sum = 0, sum_s = 0;        ///< of force by the motion's time in rock
+  } pass_;
+  machine::DigExperience before_;
 };
 
 /// Whether a desk was finished, by what a checkpoint keeps of it.

@@ -16,6 +16,7 @@ json json_of_setup(const ShovelSetup& s) {
           {"model", s.model.string()},
           {"motion", s.motion.string()},
           {"planned", s.planned},
+          {"full_kg", s.full_kg},
           {"limited_drives", s.drives == DriveMode::limited},
           {"told", s.told},
           {"contact_on_return", s.contact_on_return},
@@ -37,6 +38,7 @@ ShovelSetup shovel_from(const json& j) {
   ShovelSetup s;
   s.model = j.at("model").get<std::string>();
   s.motion = j.at("motion").get<std::string>();
+  s.full_kg = j.value("full_kg", 0.0);
   s.planned = j.value("planned", false);  // recordings made before have no such entry
   s.drives = j.at("limited_drives").get<bool>() ? DriveMode::limited : DriveMode::prescribed;
   s.told = j.at("told");

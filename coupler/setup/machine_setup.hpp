@@ -18,6 +18,7 @@ struct ShovelSetup {
   std::filesystem::path model;   ///< dimensions and masses, YAML
   std::filesystem::path motion;  ///< CSV
   bool planned = false;          ///< it stands where the motion begins until it is told more
+  double full_kg = 0;            ///< what its operator takes for a full dipper, who feels; planned
   machine::DriveMode drives = machine::DriveMode::prescribed;
   bool told = false;  ///< limited drives go where each window's order says, from the motion's start
   bool contact_on_return = true;

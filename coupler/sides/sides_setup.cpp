@@ -10,6 +10,7 @@
 #include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/collapse.hpp"
 #include "coupler/deck/pile_shape.hpp"
+#include "coupler/sides/dig_planner.hpp"
 
 namespace dipper::sides {
 namespace fs = std::filesystem;
@@ -108,6 +109,7 @@ setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& laye
   setup.model = c.machine.model;
   setup.motion = c.machine.motion;
   setup.planned = c.machine.operated_by == cases::OperatorKind::plan;
+  if (setup.planned) setup.full_kg = dig_facts(c).capacity_kg;
   setup.drives = c.machine.drives;
   setup.told = told;
   setup.contact_on_return = c.machine.contact_on_return;

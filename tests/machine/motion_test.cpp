@@ -89,6 +89,28 @@ TEST(Motion, FollowsASmoothCurveBetweenSamples) {
   }
 }
 
+TEST(Motion, GoesOnAsOneThatWasReadWhole) {
+  const std::string begun = "0,0,0,0,0\n1,-1,0.2,10,0\n", more = "1.5,-2,0.3,20,0\n3,-2,0.3,20,5\n";
+  Motion motion = rows(begun);
+  motion.extend(rows(more));
+  const Motion whole = rows(begun + more);
+  EXPECT_EQ(motion.end_ns(), whole.end_ns());
+  for (double t = 0; t < 3.1; t += 0.01) {
+    const DriveState a = motion.at(t), b = whole.at(t);
+    EXPECT_EQ(a.position.hoist, b.position.hoist) << t;
+    EXPECT_EQ(a.rate.swing, b.rate.swing) << t;
+    EXPECT_EQ(a.acceleration.crowd, b.acceleration.crowd) << t;
+  }
+  EXPECT_NE(motion.at(1).rate.hoist, 0) << "it does not stop where it ended before";
+  EXPECT_EQ(motion.standing().at(2).position.hoist, 0);
+}
+
+TEST(Motion, DoesNotGoOnWithWhatIsPast) {
+  Motion motion = rows("0,0,0,0,0\n1,-1,0,0,0\n");
+  EXPECT_THROW(motion.extend(rows("1,-1,0,0,0\n2,0,0,0,0\n")), std::invalid_argument);
+  EXPECT_EQ(motion.end_ns(), kSecond) << "a refused one changes nothing";
+}
+
 TEST(Motion, TakesCommentsBlankLinesAndCarriageReturns) {
   const Motion m = Motion::parse(
       "# a note\r\n\r\ntime_s,hoist_m,crowd_m,swing_deg,door_deg\r\n0,0,0,0,0\r\n# more\n 1 , "

@@ -29,7 +29,7 @@ MotionPlan cycle() {
   p.door_close = {34.5, 37.5, 1};
   p.lift = {{24.2, 11.4}, {22.6, 14.3}, {21.3, 15.2}};
   for (const auto& [deg, m] :
-       {std::pair{8.0, 12.1}, {-12.0, 11.5}, {-30.0, 11.35}, {-48.0, 11.35}, {-60.0, 11.3}})
+       {std::pair{8.0, 12.1}, {-12.0, 11.5}, {-30.0, 11.15}, {-48.0, 11.1}, {-60.0, 11.1}})
     p.lower.emplace_back(9.2 + m * std::cos(radians(deg)), 10.8 + m * std::sin(radians(deg)));
   p.dump_rad = radians(80);
   p.door_rad = radians(75);
@@ -141,6 +141,35 @@ TEST_F(PassChoice, DoesNotDigWhatDoesNotPayNorWhatTheTruckDoesNotTake) {
   ASSERT_GE(all.chosen, 0);
   EXPECT_EQ(all.chosen, 1) << "more payload for time";
   EXPECT_EQ(rest.chosen, 0) << "5 t are as soon dug with little";
+}
+
+TEST_F(PassChoice, ReckonsWithWhatThePassBeforeHasShown) {
+  const DigPlanner p = planner();
+  const auto with = [&](const DigExperience& before) {
+    return p.decide(bench(), p.start(), 0, kNoEnd, before).candidates[0];
+  };
+  const DigCandidate plain = with({}), hard = with({1.5, 1}), poor = with({1, 0.6});
+  // Crowd is linear in the rock's resistance: what half as much more adds, as much more adds twice.
+  const DigCandidate harder = with({2, 1});
+  EXPECT_NEAR(harder.crowd_mean_N - plain.crowd_mean_N,
+              2 * (hard.crowd_mean_N - plain.crowd_mean_N), 1e-6 * plain.crowd_mean_N);
+  EXPECT_GT(hard.crowd_mean_N, 1.2 * plain.crowd_mean_N);
+  EXPECT_DOUBLE_EQ(poor.swept_kg, plain.swept_kg);
+  EXPECT_DOUBLE_EQ(poor.payload_kg, 0.6 * poor.swept_kg);
+  EXPECT_LT(plain.rock_from_m, plain.rock_to_m);
+}
+
+TEST_F(PassChoice, ComesDownAsFarAsTheRockAtTheToeLets) {
+  HeightMap heap = bench();
+  const DigDecision free = decide(heap);
+  EXPECT_LT((free.candidates[0].dig.front() - choice.start).norm(), 1e-6);
+  for (int i = 0; i < heap.grid().nx; ++i)
+    for (int j = 0; j < heap.grid().ny; ++j)
+      if (heap.x_of(i) > 12 && heap.x_of(i) < 15) heap.at(i, j) = std::max(heap.at(i, j), 1.0);
+  const DigCandidate over = decide(heap).candidates[0];
+  ASSERT_TRUE(over.refused.empty()) << over.refused;
+  EXPECT_GT(over.dig.front().y(), 1.1);
+  EXPECT_LT(over.dig.front().y(), 2.8);
 }
 
 TEST_F(PassChoice, TheRowsAreAMotionTheMachineCanFollow) {

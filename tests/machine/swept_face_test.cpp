@@ -56,6 +56,23 @@ TEST(SweptFace, IsWholeAgainInAnotherLane) {
   EXPECT_NEAR(passes[1].area_m2, passes[0].area_m2, 0.05);
 }
 
+TEST(SweptFace, OfADigThatIsTurnedToFirst) {
+  const Level level;
+  const Motion straight = level.motion(0);
+  std::string rows = "0,-0.5,-1,20,0\n1,-0.5,-1,20,0\n";  // stands aside, high enough
+  for (double t = 0; t <= 30; t += 0.25) {
+    const Drives d = straight.at(t).position;
+    rows += std::to_string(t + 6) + "," + std::to_string(d.hoist) + "," + std::to_string(d.crowd) +
+            "," + std::to_string(degrees(d.swing)) + "," + std::to_string(degrees(d.door)) + "\n";
+  }
+  const auto passes =
+      swept_passes(Motion::parse("time_s,hoist_m,crowd_m,swing_deg,door_deg\n" + rows, "t"),
+                   level.shovel, [](double heading) { return Level::bench(heading); });
+  ASSERT_FALSE(passes.empty());
+  EXPECT_NEAR(passes[0].area_m2, 3.5 * 2, 0.35);
+  EXPECT_TRUE(passes[0].first);
+}
+
 TEST(SweptFace, TeethAndTheirInverseAgree) {
   const Level level;
   const Vector2d tip(19, 4);

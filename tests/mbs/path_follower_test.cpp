@@ -95,6 +95,21 @@ TEST_F(PathFollowerTest, LiftsOnWithACrowdThatStalls) {
 }
 
 // Where he sends the drives has the speed that it says, also while he slows.
+TEST_F(PathFollowerTest, IsAskedForMoreBackOrSlowerButAStallCounts) {
+  const auto asked = [&](const Overload& overload, const PathWish& wish) {
+    PathFollower one{motion, -1.7};
+    for (double t_s = 0; t_s < 1 - h / 2; t_s += h)
+      one.ease(
+          t_s, [&] { return overload; }, [&] { return wish; });
+    return one.at(1);
+  };
+  EXPECT_NEAR(asked({0.5, 0.5}, {0.4, std::nullopt}).rate, 0.4, 0.01);
+  EXPECT_NEAR(asked({0.5, 0.5}, {1, 0.3}).relief_rate, 0.3, 0.01);
+  EXPECT_NEAR(asked({0.5, 0.5}, {1, -0.2}).relief, -0.2 * 0.8, 2e-3);
+  EXPECT_NEAR(asked({1.6, 0.5}, {1, -0.2}).relief_rate, 0.5, 0.01);
+  EXPECT_NEAR(asked({1.42, 0.5}, {1, 0.3}).relief_rate, 0.3, 0.01);
+}
+
 TEST_F(PathFollowerTest, WhatHeSendsIsOneCurve) {
   double t = 0;
   go(t, 4, {1.2, 0.5});

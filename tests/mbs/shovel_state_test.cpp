@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "common/input_error.hpp"
+#include "mbs/feeling_operator.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 
 namespace dipper::mbs {
@@ -103,6 +105,42 @@ TEST_P(ShovelState, SaveAndLoadContinueBitIdentically) {
   }
 }
 
+TEST_P(ShovelState, KeepsTheRowsItsMotionHasGoneOnWith) {
+  const std::string more = "1.3,-4.1,0.5,0,0\n1.5,-4.1,0.5,0,0\n",
+                    last = "1.9,-4,0.5,0,0\n2.3,-4,0.5,1,0\n";
+  const auto planned = [&] {
+    return Shovel(machine, still(), Pose{}, rake, kLongestSubstep_ns, GetParam());
+  };
+  Shovel one = planned();
+  one.follow(more);
+  for (int i = 1; i <= 800; ++i) one.step({window(i), no_rock});
+  one.save(file("rows.bin"));
+  Shovel other = planned();
+  other.load(file("rows.bin"));
+  for (int i = 801; i <= 900; ++i)
+    ASSERT_TRUE(same(one.step({window(i), no_rock}), other.step({window(i), no_rock}))) << i;
+  EXPECT_NEAR(named(one, one.state(0)).at("hoist"), -4.1, 0.05);
+  for (Shovel* each : {&one, &other}) each->follow(last);  // what is loaded goes on like it
+  for (int i = 901; i <= 1400; ++i)
+    ASSERT_TRUE(same(one.step({window(i), no_rock}), other.step({window(i), no_rock}))) << i;
+  EXPECT_NEAR(named(one, one.state(0)).at("hoist"), -4, 0.05);
+  EXPECT_THROW(one.follow(more), InputError) << "its time is past";
+
+  // And without rows what was loaded before is forgotten.
+  planned().save(file("none.bin"));
+  other.load(file("none.bin"));
+  for (int i = 1; i <= 800; ++i) other.step({window(i), no_rock});
+  EXPECT_NEAR(named(other, other.state(0)).at("hoist"), -4, 0.01) << "it stands";
+
+  const auto size = std::filesystem::file_size(file("rows.bin"));
+  std::filesystem::resize_file(file("rows.bin"), size - 8);
+  EXPECT_THAT([&] { other.load(file("rows.bin")); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("ends too early")));
+  std::filesystem::resize_file(file("rows.bin"), size + 1);
+  EXPECT_THAT([&] { other.load(file("rows.bin")); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("longer than a saved shovel")));
+}
+
 // The door both rides on the dipper and is driven: its twist is checked against its poses.
 TEST_P(ShovelState, TwistIsTheRateOfThePose) {
   for (int i = 1; i <= 2000; ++i) shovel.step({2 * i * kMillisecond, load(0)});
@@ -155,6 +193,31 @@ TEST_P(ShovelState, RefusesAForeignOrBrokenFile) {
   std::filesystem::resize_file(file("short.bin"), size + 8);
   EXPECT_THROW(shovel.load(file("short.bin")), std::runtime_error);
   EXPECT_EQ(shovel.state(0).t_ns, 0);
+}
+
+// An operator who feels the dig: weak hoist, so that he is caught, weighs and lifts.
+TEST_F(ShovelTest, AnOperatorWhoFeelsGoesOnFromACheckpointToTheBit) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "feeling.bin";
+  const auto another = [&] {
+    const auto way = std::make_shared<machine::Motion>(quick());
+    return Shovel(machine, way, Pose{}, rake,
+                  std::make_unique<FeelingOperator>(way, machine, rake, 80e3));
+  };
+  const std::vector<Wrench> under = {Wrench{Vector3d(0, -2.4e6, 0), Vector3d(0, 0, 6e5)}, Wrench{}};
+  Shovel one = another();
+  for (int i = 1; i <= 400; ++i) one.step({2 * i * kMillisecond, under});
+  EXPECT_GT(named(one, one.state(0)).at("hoist_lift"), 0.05) << "the dipper stands on rock";
+  one.save(file);
+  Shovel other = another();
+  other.load(file);
+  for (int i = 401; i <= 700; ++i)
+    ASSERT_TRUE(same(one.step({2 * i * kMillisecond, no_rock}),
+                     other.step({2 * i * kMillisecond, no_rock})));
+  EXPECT_THROW(
+      Shovel(machine, quick(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited)
+          .load(file),
+      std::runtime_error)
+      << "another kind of operator's";
 }
 
 INSTANTIATE_TEST_SUITE_P(Drives, ShovelState,

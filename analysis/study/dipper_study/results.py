@@ -9,9 +9,12 @@ import dipper_run
 
 from .goal import COLUMNS
 
-FIGURES = (*COLUMNS, "passes", "passes_to_fill", "truck_filled_fraction", "warnings", "cpu_s", "wall_s")
+FIGURES = (*COLUMNS, "passes", "passes_to_fill", "truck_filled_fraction", "truck_load_fraction", "cycle_s",
+           "tonnes_per_hour", "energy_J_per_kg", "warnings", "cpu_s", "wall_s")
 
-PURE = ("fill_factor", "fill_factor_load", "passes", "passes_to_fill", "truck_filled_fraction", "warnings")
+PURE = ("fill_factor", "fill_factor_load", "passes", "passes_to_fill", "truck_filled_fraction", "truck_load_fraction",
+        "warnings")
+UNITS = {"tonnes_per_hour": "t/h", "energy_J_per_kg": "J/kg"}  # of others the last word of the name
 
 
 def row_of(planned, names, facts, failure=None):
@@ -48,7 +51,18 @@ def figures(run):
             "dig_work_MJ": mean(worked, "dig_work_J", 1e6), "passes": len(passes),
             "passes_to_fill": truck.get("passes_to_fill", np.nan),
             "truck_filled_fraction": truck.get("filled_fraction", np.nan),
+            "truck_load_fraction": truck.get("load_fraction", np.nan),
+            **operator_figures(run.summary.get("operator")),
             "cpu_s": run.summary["dem"]["cpu_s"] + run.summary["mbs"]["cpu_s"]}
+
+
+def operator_figures(operator):
+    """Of an operator who plans; nan for another: one who follows a motion has no such summary, a program its name."""
+    of = operator if isinstance(operator, dict) else {}
+    number = lambda key: np.nan if of.get(key) is None else of[key]
+    cycles = of.get("cycles_s") or [np.nan]  # none after a single pass
+    return {"cycle_s": float(np.mean(cycles)), "tonnes_per_hour": number("tonnes_per_hour"),
+            "energy_J_per_kg": number("energy_J_per_kg")}
 
 
 def write_csv(rows, names, file):
@@ -73,8 +87,7 @@ def write_hdf5(rows, names, file, study_text):
         f["seed"] = np.array([row["seed"] for row in rows])
         for column in FIGURES:
             f[column] = np.array([row.get(column, np.nan) for row in rows], float)
-            pure = column in PURE
-            f[column].attrs["unit"] = "1" if pure else column.rsplit("_", 1)[-1]
+            f[column].attrs["unit"] = "1" if column in PURE else UNITS.get(column, column.rsplit("_", 1)[-1])
     os.replace(part, file)
 
 

@@ -1,0 +1,51 @@
+// The operator who follows a planned pass and feels what the dipper does.
+#pragma once
+
+#include <memory>
+
+#include "machine/handle_statics.hpp"
+#include "mbs/dig_rules.hpp"
+#include "mbs/path_follower.hpp"
+
+namespace dipper::mbs {
+
+/// Follows the motion as a PathFollower, and bends it by the rules of dig_rules.hpp. He weighs by
+/// hoist and crowd together, as if the machine stood still, with a time constant of 0.5 s, and not
+/// while the crowd stalls: then the face pushes back on more than the teeth. What he has bent the
+/// motion by he gives back with a time constant of 2 s, and goes at most 0.6 m deeper than it.
+class FeelingOperator final : public Operator {
+ public:
+  /// \param full_kg  what the dipper takes
+  FeelingOperator(std::shared_ptr<const machine::Motion> motion,
+                  const machine::MachineData& machine, double rake, double full_kg);
+
+  /// \param state  of the path follower, then lift, its rate, and the load
+  void reset(double t_s, const std::vector<double>& state) override;
+  void update(double t_s, const std::function<Felt()>& feel) override;
+  std::vector<double> state(double t_s) const override;
+  machine::DriveState setpoint(double t_s) const override;
+  std::optional<double> motion_s(double t_s) const override { return path_.motion_s(t_s); }
+  std::vector<core::Channel> channels() const override;
+  std::vector<double> values(double t_s, const DriveEfforts& motors) const override;
+
+ private:
+  /// What he has bent besides the path's, at a time; rates change linearly in between.
+  struct Bent {
+    double lift = 0, lift_rate = 0;  ///< m by which the rope is drawn in further, m/s
+    double load_kg = 0;
+  };
+  Bent at(double t_s) const;
+  /// \param crowd_overload  of the motors, as they are
+  DigFeel feel(const Felt& felt, const PathState& path, double crowd_overload);
+
+  std::shared_ptr<const machine::Motion> motion_;
+  machine::HandleStatics statics_;
+  DigLimits limits_;
+  double crowd_max_;
+  PathFollower path_;
+  double updated_s_ = 0;
+  Bent then_;
+  double lift_slope_ = 0, load_slope_ = 0;  ///< m/s^2, kg/s, since then
+};
+
+}  // namespace dipper::mbs

@@ -1,0 +1,81 @@
+#include "mbs/dig_rules.hpp"
+
+#include <gtest/gtest.h>
+
+namespace dipper::mbs {
+namespace {
+
+/// In the upper half of the face, the teeth in rock, half full.
+class DigRules : public testing::Test {
+ protected:
+  DigRules() {
+    feel.at_face = feel.raises = true;
+    feel.load_kg = 40e3;
+    feel.resistance_N = 1e6;
+    feel.handle_rise = -0.5;
+    feel.overload = 0.8;
+    feel.room_m = 1;
+  }
+  DigWish wish() const { return dig_wish(feel, limits); }
+  bool as_the_motion_says() const {
+    const DigWish w = wish();
+    return w.rate == 1 && !w.crowd_back && !w.lift;
+  }
+
+  DigFeel feel;
+  DigLimits limits{80e3, 3e6};
+};
+
+TEST_F(DigRules, LightHeGoesDeeper) {
+  EXPECT_EQ(wish().crowd_back, -0.2);
+  EXPECT_FALSE(wish().lift);
+  EXPECT_EQ(wish().rate, 1);
+  feel.load_kg = 0.9 * 80e3;
+  EXPECT_TRUE(as_the_motion_says()) << "as good as full";
+}
+
+TEST_F(DigRules, HeDoesNotGoDeeperWhereThatIsDownNorWithoutRockRoomOrForce) {
+  const DigFeel light = feel;
+  feel.handle_rise = -0.75;
+  EXPECT_TRUE(as_the_motion_says()) << "into the ground";
+  feel = light;
+  feel.resistance_N = 0.14e6;
+  EXPECT_TRUE(as_the_motion_says()) << "the face has ended";
+  feel = light;
+  feel.room_m = 0.1;
+  EXPECT_TRUE(as_the_motion_says()) << "the crowd is all out";
+  feel = light;
+  feel.overload = 1;
+  EXPECT_TRUE(as_the_motion_says()) << "it stalls";
+}
+
+TEST_F(DigRules, FullHeBreaksOutUntilTheTeethAreFree) {
+  feel.load_kg = 80e3;
+  EXPECT_EQ(wish().crowd_back, 0.3);
+  feel.resistance_N = 0;
+  EXPECT_EQ(wish().crowd_back, 0.0) << "and does not go in again";
+}
+
+TEST_F(DigRules, CaughtHeLiftsAndDrawsBackInPlaceOfPushingOn) {
+  feel.carried = 0.49;
+  for (const bool raises : {true, false}) {  // on the way down as well
+    feel.raises = raises;
+    EXPECT_EQ(wish().crowd_back, 0.3);
+    EXPECT_EQ(wish().lift, 0.3);
+    EXPECT_EQ(wish().rate, 0.25);
+  }
+  feel.carried = 0.5;
+  EXPECT_FALSE(wish().lift);
+}
+
+TEST_F(DigRules, NothingWhileHeTurnsEmptiesOrComesDown) {
+  feel.raises = false;
+  EXPECT_TRUE(as_the_motion_says());
+  feel.raises = true;
+  feel.at_face = false;
+  feel.carried = 0;
+  EXPECT_TRUE(as_the_motion_says());
+}
+
+}  // namespace
+}  // namespace dipper::mbs
