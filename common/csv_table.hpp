@@ -23,11 +23,12 @@ struct CsvRow {
 /// of them, and in quotes where commas separate the columns. Accepted and ignored, as spreadsheets
 /// write them: a byte-order mark, line ends of any system, quotes and blanks around names and
 /// numbers, the unit after a number, minus signs of word processors, empty columns at the end,
-/// empty lines and rows, the header again, "sep=;" before the header, lines that begin with #. Faults are appended
-/// to `findings` with line and column: a wrong header, after which nothing is read; too many or
-/// too few columns; a field that is not a number; commas that all have three digits after them. Of
-/// many faults of one kind only the first is reported. The result has the sound rows. `file` is for
-/// the findings only. `name_column`: the one of `columns` that holds texts.
+/// empty lines and rows, the header again, "sep=;" before the header, lines that begin with #.
+/// Faults are appended to `findings` with line and column: a wrong header, after which nothing is
+/// read; too many or too few columns; a field that is not a number; commas that all have three
+/// digits after them. Of many faults of one kind only the first is reported. The result has the
+/// sound rows. `file` is for the findings only. `name_column`: the one of `columns` that holds
+/// texts.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& columns,
                               std::vector<Finding>& findings, const std::string& name_column = {});

@@ -18,7 +18,7 @@ namespace dipper::machine {
 namespace {
 
 const std::vector<std::string> kColumns = {"time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg"};
-constexpr double kLongest_s = 1e4;    // a motion in ms of 10 s or more is longer
+constexpr double kLongest_s = 1e4;  // a motion in ms of 10 s or more is longer
 constexpr double kUsualRow_s = 60;  // rows further apart, as a rule: a motion in ms
 
 double median_interval_s(const std::vector<std::int64_t>& t_ns) {

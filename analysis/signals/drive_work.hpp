@@ -19,8 +19,9 @@ struct DrivesWork {
   DriveWork hoist, crowd, swing;
 };
 
-/// Between two times, by the trapezoidal rule over the readings there (rows_within): the powers of a
-/// time between two of them are theirs, the work its share of theirs. Throws std::invalid_argument for powers that are not as many as the times.
+/// Between two times, by the trapezoidal rule over the readings there (rows_within): the powers of
+/// a time between two of them are theirs, the work its share of theirs. Throws
+/// std::invalid_argument for powers that are not as many as the times.
 DrivesWork drives_work(const DriveSignals& s, double t_start_s, double t_end_s);
 
 /// What a pass's dig takes: hoist and crowd from the start of penetrate to the end of breakout.

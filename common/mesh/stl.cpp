@@ -77,7 +77,7 @@ class Words {
 
   std::string_view next() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) {
-      if (text_[at_++] == '\n') ++line_;
+      if (ends_line(at_++)) ++line_;
     }
     const std::size_t begin = at_;
     while (at_ < text_.size() && !std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
@@ -103,7 +103,13 @@ class Words {
 
   // The rest of a line: the name after "solid", which may be anything.
   void skip_line() {
-    while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+    while (at_ < text_.size() && !ends_line(at_)) ++at_;
+  }
+
+  /// Whether a line ends there, as Unix, Windows or old Macs end it.
+  bool ends_line(std::size_t at) const {
+    if (text_[at] != '\r') return text_[at] == '\n';
+    return at + 1 == text_.size() || text_[at + 1] != '\n';
   }
 
   [[noreturn]] void fail(const std::string& message) const {
@@ -206,7 +212,8 @@ std::string other_format(std::string_view bytes) {
   for (const auto& [begin, name] :
        {Beginning{"ply", "PLY"}, Beginning{"ISO-10303", "STEP"}, Beginning{"PK", "3MF or zip"},
         Beginning{"glTF", "glTF"}, Beginning{"OFF", "OFF"}, Beginning{"# vtk", "VTK"},
-        Beginning{"<?xml", "XML"}})
+        Beginning{"<?xml", "XML"}, Beginning{"\x1F\x8B", "gzip"}, Beginning{"\xFF\xFE", "UTF-16"},
+        Beginning{"\xFE\xFF", "UTF-16"}})
     if (bytes.substr(0, begin.size()) == begin) return name;
   for (std::size_t at = 0; at < bytes.size();) {  // OBJ: comments, then such words
     const std::string_view line = bytes.substr(at, bytes.find('\n', at) - at);

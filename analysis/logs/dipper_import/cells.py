@@ -78,7 +78,8 @@ class CellReader:
         bad = np.array([not self._good(t) for t in texts], bool) & np.isfinite(raw)
         if bad.any() and bad.sum() == np.isfinite(raw).sum():
             faults.append((group.lines[0], self._what.channels[name].quality, f"no reading of {name} is good: they are "
-                           + some_names(sorted({t or "empty" for t in texts}), 4), "list what says that one is under file.good"
+                           + some_names(sorted({t or "empty" for t in texts}), 4),
+                           "list what says that one is under file.good"
                            + (" ('' for empty)" if "" in texts else "")))
         elif bad.any():
             told = some_names(sorted({t or "empty" for t, b in zip(texts, bad) if b}), 4)

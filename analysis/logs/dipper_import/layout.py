@@ -39,8 +39,9 @@ def find_layout(what, path, header_line, names, rows, found, notes):
         like = _like_tags(what, names, rows)
         found.add(what.path, what.time.line, "channels",
                   f"none of their columns is in the header of {path.name}, line {header_line}",
-                  f"" + (like or f"file.header_line, if that is not the header; it has {some_names(names)}")
-                  + ("" if len(names) > 1 else "; columns are parted by , ; | or a tab (file.delimiter), not by blanks"))
+                  (like or f"file.header_line, if that is not the header; it has {some_names(names)}")
+                  + ("" if len(names) > 1 else
+                     "; columns are parted by , ; | or a tab (file.delimiter), not by blanks"))
         return None
     return _wide(header, rows, notes)
 
@@ -125,7 +126,8 @@ def _like_tags(what, names, rows):
     words that say so; None elsewhere."""
     wanted = {c.column.lower() for c in what.channels.values()}
     for k, name in enumerate(names):
-        like = sorted({cells[k] for _, cells in rows[:ROWS_LOOKED_AT] if any(cells[k].lower().endswith(w) for w in wanted)})
+        like = sorted({cells[k] for _, cells in rows[:ROWS_LOOKED_AT]
+                       if any(cells[k].lower().endswith(w) for w in wanted)})
         if like:
             return f"the tags as '{name}' has them, a row a reading: {some_names(like)}"
     return None
@@ -208,5 +210,6 @@ def unnamed_qualities(what, names, rows, notes):
     if doubtful:
         texts = sorted({t for bad, _ in doubtful.values() for t in bad})
         notes.append(f"warning: {some_names(doubtful)} in {sum(n for _, n in doubtful.values())} cells "
-                     f"{'say' if len(doubtful) > 1 else 'says'} {some_names([t or 'nothing' for t in texts], 4)}, and these readings are taken "
-                     "all the same; channels.NAME.quality names the column that says whether a reading is good")
+                     f"{'say' if len(doubtful) > 1 else 'says'} "
+                     f"{some_names([t or 'nothing' for t in texts], 4)}, and "
+                     "these readings are taken all the same; channels.NAME.quality names the column that says whether a reading is good")

@@ -92,8 +92,8 @@ def _doubt_row_numbers(what, stamps, notes):
     first = stamps[0]
     if what.time.format is None and len(stamps) > 2 and first in ("0", "1") and \
             all(text == str(k) for k, text in enumerate(stamps, int(first))):
-        notes.append(f"warning: the time is {first}, {stamps[1]}, {stamps[2]}, ... in every row, taken as seconds: is it "
-                     "the row's number? time.format: s, if not")
+        notes.append(f"warning: the time is {first}, {stamps[1]}, {stamps[2]}, ... in every row, taken as seconds: is "
+                     "it the row's number? time.format: s, if not")
 
 
 def _has_date(form):
@@ -116,8 +116,8 @@ def _text(path, encoding, found):
 
 
 def _find_header(lines, what):
-    """(line, names, delimiter) of the header: the line given, else of those with the time's column the first with the most
-    of the channels, else the first of as many cells as most lines have; None without any."""
+    """(line, names, delimiter) of the header: the line given, else of those with the time's column the first with
+    the most of the channels, else the first of as many cells as most lines have; None without any."""
     delimiters = [what.file.delimiter] if what.file.delimiter else DELIMITERS
     if what.file.header_line:
         lines = [(i, line) for i, line in lines if i == what.file.header_line]

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -55,7 +56,9 @@ TEST(Stl, WeldsAcrossTheEdgeOfACell) {
 TEST(Stl, DialectsOfText) {
   std::string capitals = ascii_stl(cuboid);
   for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  for (const std::string& text : {capitals, "\xEF\xBB\xBF" + ascii_stl(cuboid),
+  std::string old_mac = ascii_stl(cuboid);
+  std::replace(old_mac.begin(), old_mac.end(), '\n', '\r');
+  for (const std::string& text : {capitals, old_mac, "\xEF\xBB\xBF" + ascii_stl(cuboid),
                                   "\n  \n" + ascii_stl(cuboid), "\r\n" + ascii_stl(cuboid)}) {
     EXPECT_EQ(parse_stl(text).triangles.size(), 12U);
     const auto file = std::filesystem::path(testing::TempDir()) / "dialect.stl";
@@ -73,6 +76,8 @@ TEST(Stl, OtherFormatsAreNamed) {
             "is a PLY file; export the mesh as STL");
   EXPECT_EQ(fault_of("# made by hand\n\nv 0 0 0\nv 1 0 0\n" + padding).message,
             "is a OBJ file; export the mesh as STL");
+  EXPECT_EQ(fault_of("\x1F\x8B\x08" + padding).message, "is a gzip file; export the mesh as STL");
+  EXPECT_EQ(fault_of("\xFF\xFEs" + padding).message, "is a UTF-16 file; export the mesh as STL");
   EXPECT_EQ(fault_of("ISO-10303-21;\n" + padding).message,
             "is a STEP file; export the mesh as STL");
 }

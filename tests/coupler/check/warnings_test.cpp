@@ -97,6 +97,26 @@ std::vector<std::string> with_text(const std::string& file, const std::string& f
   return warnings_of(checkout);
 }
 
+TEST(Warnings, ASieveCurveThatEndsBelowAll) {
+  const Checkout checkout;
+  const std::string text = test::read_text(checkout.file());
+  test::write_text(checkout.file(), text.substr(0, text.find("  classes:")) +
+                                        "  sieve: {file: sieve.csv, classes: 3}\n" +
+                                        text.substr(text.find("contact:")));
+  for (const char* last : {"60", "97"}) {
+    test::write_text(checkout.folder() / "sieve.csv",
+                     std::string("size_m,passing_percent\n0.15,0\n0.25,40\n0.6,") + last + "\n");
+    std::vector<Finding> findings;
+    const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+    test::expect_findings(findings, {});
+    const auto ends = HasSubstr("rock.sieve.file: the curve ends at 60 %, at 0.6 m: the 40 % of");
+    if (last == std::string("60"))
+      EXPECT_THAT(told(c), testing::Contains(ends));
+    else
+      EXPECT_THAT(told(c), testing::Not(testing::Contains(HasSubstr("the curve ends"))));
+  }
+}
+
 TEST(Warnings, MassesThatNoBodyHas) {
   const std::string machine = "mbs/bucyrus495.yaml";
   EXPECT_THAT(with_text(machine, "mass: {value: 42000.0", "mass: {value: 42"),  // t
