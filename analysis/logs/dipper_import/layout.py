@@ -212,4 +212,5 @@ def unnamed_qualities(what, names, rows, notes):
         notes.append(f"warning: {some_names(doubtful)} in {sum(n for _, n in doubtful.values())} cells "
                      f"{'say' if len(doubtful) > 1 else 'says'} "
                      f"{some_names([t or 'nothing' for t in texts], 4)}, and "
-                     "these readings are taken all the same; channels.NAME.quality names the column that says whether a reading is good")
+                     "these readings are taken all the same; channels.NAME.quality names the column that says "
+                     "whether a reading is good")
