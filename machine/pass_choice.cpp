@@ -15,11 +15,12 @@
 namespace dipper::machine {
 namespace {
 
-constexpr double kWay_m = 0.15;    // of the teeth, between two places that are looked at
-constexpr double kMean_m = 1;      // of the way, over which a force counts
-constexpr double kBeside_m = 0.1;  // between dipper and side wall
-constexpr double kSide_m = 1;      // looked at beyond what is dug
-constexpr double kOver_m = 0.5;    // between the dipper and the rock that it turns over
+constexpr double kWay_m = 0.15;      // of the teeth, between two places that are looked at
+constexpr double kMean_m = 1;        // of the way, over which a force counts
+constexpr double kBeside_m = 0.1;    // between dipper and side wall
+constexpr double kSide_m = 1;        // looked at beyond what is dug
+constexpr double kMostOverload = 2;  // of a drive, for a dig that stalls it
+constexpr double kOver_m = 0.5;      // between the dipper and the rock that it turns over
 
 /// The largest mean over a stretch of the way.
 class StretchPeak {
@@ -159,6 +160,7 @@ class Judge {
     // Slower than planned where the drives' power asks for it.
     c.cycle_s = t.end_s + std::max(0.0, lift_s - whole / choice_.teeth_m_s);
     const auto& drives = m_.drives;
+    c.overload = std::max(c.crowd_peak_N / drives.crowd.stall, c.hoist_peak_N / drives.hoist.stall);
     if (c.crowd_peak_N > drives.crowd.stall)
       c.refused = fmt::format("the crowd needs {:.2f} MN and has {:.2f}", c.crowd_peak_N * 1e-6,
                               drives.crowd.stall * 1e-6);
@@ -227,12 +229,14 @@ std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
   const DigCandidate& c = decision.candidates[static_cast<std::size_t>(decision.chosen)];
   const bool time = goal == DigGoal::time;
   return fmt::format(
-      "the most payload for {}, {:.4g} {}, of the {} digs that the machine can do ({} looked at): "
-      "at {:.0f} deg, {:.2f} m deep, floor rising by {:.2f}, out at {:.1f} m; {:.0f} t expected, "
+      "{}the most payload for {}, {:.4g} {}, of the {} digs that {} ({} looked at): at {:.0f} deg, "
+      "{:.2f} m deep, floor rising by {:.2f}, out at {:.1f} m; {:.0f} t expected, "
       "with {:.2f} MN on the crowd and {:.2f} MN on the hoist at most",
-      time ? "time" : "energy", c.score * (time ? 1 : 1e3), time ? "kg/s" : "kg/kJ", diggable,
-      decision.candidates.size(), degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m,
-      c.payload_kg * 1e-3, c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6);
+      c.overload > 1 ? "no dig stays within the drives; " : "", time ? "time" : "energy",
+      c.score * (time ? 1 : 1e3), time ? "kg/s" : "kg/kJ", diggable,
+      c.overload > 1 ? "stall them" : "the machine can do", decision.candidates.size(),
+      degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m, c.payload_kg * 1e-3,
+      c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6);
 }
 
 }  // namespace
@@ -267,6 +271,36 @@ HeightGrid DigPlanner::grid() const {
   return face_grid(from, base_m_.x() + reach + kSide_m, -half, half);
 }
 
+/// The best first, until one is found whose motion the machine can follow.
+bool DigPlanner::choose(DigDecision& decision, const HeightMap& face, const PassStart& from,
+                        double least_kg) const {
+  const auto worth = [&](const DigCandidate& c) {
+    return c.refused.empty() && c.payload_kg >= least_kg ? c.score : -1.0;
+  };
+  while (true) {
+    const auto best = std::max_element(
+        decision.candidates.begin(), decision.candidates.end(),
+        [&](const DigCandidate& a, const DigCandidate& b) { return worth(a) < worth(b); });
+    if (best == decision.candidates.end() || worth(*best) < 0) return false;
+    const PlannedPass pass{best->dig, best->heading_rad};
+    const double over_m = rock_over_m(face);
+    const std::string rows = pass_rows(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
+    const auto beyond = shovel_.check(Motion::parse(kMotionHead + rows, "the pass"));
+    if (!beyond.empty()) {
+      best->refused = beyond.front();
+      best->overload = 0;
+      continue;
+    }
+    decision.chosen = static_cast<int>(best - decision.candidates.begin());
+    decision.rows = rows;
+    decision.times = pass_times(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
+    const double set_off_s = decision.times.dig_s + cycle_.dig.ramp_s / 2;
+    decision.rock_from_s = set_off_s + best->rock_from_m / choice_.teeth_m_s;
+    decision.rock_to_s = set_off_s + best->rock_to_m / choice_.teeth_m_s;
+    return true;
+  }
+}
+
 DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, double least_kg,
                                double most_kg, const DigExperience& before) const {
   const Judge judge(face, choice_, cycle_, facts_, machine_, shovel_, statics_, base_m_, before);
@@ -281,38 +315,22 @@ DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, dou
           c.floor_rise = rise;
           c.exit_z_m = exit_z;
           judge.judge(c);
-          const double counts = std::min(c.payload_kg, most_kg);
-          if (c.refused.empty())
-            c.score = goal_ == DigGoal::time ? counts / c.cycle_s : counts / c.energy_J;
           decision.candidates.push_back(std::move(c));
         }
-  // The best first, until one is found whose motion the machine can follow.
-  while (true) {
-    const auto best =
-        std::max_element(decision.candidates.begin(), decision.candidates.end(),
-                         [&](const DigCandidate& a, const DigCandidate& b) {
-                           const auto worth = [&](const DigCandidate& c) {
-                             return c.refused.empty() && c.payload_kg >= least_kg ? c.score : -1.0;
-                           };
-                           return worth(a) < worth(b);
-                         });
-    if (best == decision.candidates.end() || !best->refused.empty() || best->payload_kg < least_kg)
-      break;
-    const PlannedPass pass{best->dig, best->heading_rad};
-    const double over_m = rock_over_m(face);
-    const std::string rows = pass_rows(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
-    const auto beyond = shovel_.check(Motion::parse(kMotionHead + rows, "the pass"));
-    if (!beyond.empty()) {
-      best->refused = beyond.front();
-      continue;
+  const auto score = [&](DigCandidate& c) {
+    const double counts = std::min(c.payload_kg, most_kg);
+    c.score = goal_ == DigGoal::time ? counts / c.cycle_s : counts / c.energy_J;
+  };
+  for (DigCandidate& c : decision.candidates)
+    if (c.refused.empty()) score(c);
+  if (!choose(decision, face, from, least_kg)) {
+    for (DigCandidate& c : decision.candidates) {
+      if (c.overload <= 1 || c.overload > kMostOverload) continue;
+      c.refused.clear();
+      c.payload_kg /= c.overload;
+      score(c);
     }
-    decision.chosen = static_cast<int>(best - decision.candidates.begin());
-    decision.rows = rows;
-    decision.times = pass_times(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
-    const double set_off_s = decision.times.dig_s + cycle_.dig.ramp_s / 2;
-    decision.rock_from_s = set_off_s + best->rock_from_m / choice_.teeth_m_s;
-    decision.rock_to_s = set_off_s + best->rock_to_m / choice_.teeth_m_s;
-    break;
+    choose(decision, face, from, least_kg);
   }
   decision.reason = reason(decision, goal_, least_kg);
   return decision;

@@ -46,7 +46,8 @@ struct DigCandidate {
   double payload_kg = 0;    ///< of that, what the dipper holds
   double crowd_peak_N = 0;  ///< means over a metre of the teeth's way
   double hoist_peak_N = 0;
-  double crowd_mean_N = 0;                ///< over the teeth's way in rock
+  double overload = 0;      ///< the larger of the two over what its drive gives; 0: not known
+  double crowd_mean_N = 0;  ///< over the teeth's way in rock
   double rock_from_m = 0, rock_to_m = 0;  ///< of the teeth's way: where they are in rock
   double dig_force_mean_N = 0;            ///< sqrt(crowd^2 + hoist^2), while the teeth are in rock
   double dig_s = 0;                       ///< with the teeth in rock
@@ -55,8 +56,9 @@ struct DigCandidate {
   double score = 0;                       ///< kg/s or kg/J
 };
 
-/// Candidates, and which is the best: the largest score of those that can be dug. None: there is
-/// none of at least the payload asked for.
+/// Candidates, and which is the best: the largest score of those that stay within the drives. Where
+/// none does, the best of those that stall them, whose payload is what is expected over `overload`.
+/// None: there is none of at least the payload asked for.
 struct DigDecision {
   std::vector<DigCandidate> candidates;
   int chosen = -1;
@@ -91,6 +93,9 @@ class DigPlanner {
   HeightGrid grid() const;
 
  private:
+  bool choose(DigDecision& decision, const HeightMap& face, const PassStart& from,
+              double least_kg) const;
+
   DigChoice choice_;
   MotionPlan cycle_;
   DigFacts facts_;

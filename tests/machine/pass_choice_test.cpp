@@ -125,6 +125,21 @@ TEST_F(PassChoice, RefusesWhatTheDrivesCannotDo) {
   EXPECT_TRUE(none.rows.empty());
 }
 
+TEST_F(PassChoice, StallsTheDrivesOnlyWhereNoDigStaysWithinThem) {
+  choice.depth_m = {0.3, 0.8};
+  const DigDecision strong = decide(bench());
+  const DigCandidate &shallow = strong.candidates[0], &deep = strong.candidates[1];
+  data.drives.crowd.stall = 0.5 * (shallow.crowd_peak_N + deep.crowd_peak_N);
+  EXPECT_EQ(decide(bench()).chosen, 0);
+  data.drives.crowd.stall = deep.crowd_peak_N / 1.4;
+  choice.depth_m = {0.8};
+  const DigDecision stalled = decide(bench());
+  ASSERT_EQ(stalled.chosen, 0) << stalled.reason;
+  EXPECT_NE(stalled.reason.find("no dig stays within"), std::string::npos) << stalled.reason;
+  EXPECT_NEAR(stalled.candidates[0].payload_kg, deep.payload_kg / 1.4, 1e-6 * deep.payload_kg);
+  EXPECT_EQ(decide(bench(), deep.payload_kg).chosen, -1);
+}
+
 TEST_F(PassChoice, TurnsToWhereTheRockIs) {
   choice.heading_rad = {radians(-8), 0, radians(8)};
   const DigDecision d = decide(bench(-2));  // low to the left and in the middle
