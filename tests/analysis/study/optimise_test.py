@@ -43,7 +43,7 @@ class Planner:
     def faults(self, points):
         return {}
 
-    def told(self, point):
+    def checked(self, point):
         return {"values": {"machine.rake_angle_deg": 60, "pile.toe_x_m": 0}}
 
     def runs(self, points, seeds):
