@@ -16,7 +16,7 @@ namespace dipper::dem {
 Collapse::Collapse(LAMMPS_NS::LAMMPS& lmp, setup::RockFall fall)
     : lmp_(lmp), fall_(std::move(fall)) {}
 
-/// Decided by the step alone, so that a resumed run knows whether the rock has come.
+/// Depends on the step only, so that a resumed run knows whether the rock was added.
 bool Collapse::needs_all_rock(const RockWindow& window) const {
   return window.first_step <= fall_.at_step && fall_.at_step < window.first_step + window.n_steps;
 }

@@ -12,9 +12,9 @@ class LAMMPS;
 
 namespace dipper::dem {
 
-/// Before the window of that step it reads the deck that lets the rock in; after it, it throws
-/// std::runtime_error when less than 80 % of the rock has found room. Rock is inserted among all
-/// rock, so none may be parked.
+/// Before the window of that step it runs the deck that adds the rock; after it, it throws
+/// std::runtime_error when less than 80 % of the rock could be placed. LIGGGHTS checks new rock for
+/// overlap with all rock, so none may be parked.
 class Collapse final : public RockFeature {
  public:
   Collapse(LAMMPS_NS::LAMMPS& lmp, setup::RockFall fall);

@@ -44,7 +44,7 @@ Deflated deflated(const std::string& text, int level) {
 std::string inflated(const Deflated& part) {
   z_stream stream{};
   if (inflateInit2(&stream, kRawDeflate) != Z_OK) throw std::bad_alloc();
-  std::string out(part.length + 1, '\0');  // with room left it reads the flush at the end, too
+  std::string out(part.length + 1, '\0');  // one byte more, so that zlib also reads the final flush
   stream.next_in = const_cast<Bytef*>(bytes_of(part.bytes));
   stream.avail_in = static_cast<uInt>(part.bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(out.data());

@@ -9,21 +9,21 @@ namespace dipper::dem {
 /// A part of a file, deflated without reference to any other part.
 struct Deflated {
   std::string bytes;
-  std::uint64_t length = 0;  ///< of what it was made of
-  std::uint32_t crc = 0;     ///< likewise
+  std::uint64_t length = 0;  ///< of the inflated bytes
+  std::uint32_t crc = 0;     ///< of the inflated bytes
 };
 
 /// \param level  zlib's, 1 (fastest) to 9. Throws std::bad_alloc.
 Deflated deflated(const std::string& bytes, int level);
 
-/// What it was made of. Throws std::runtime_error when it is not what `deflated` made.
+/// The inflated bytes. Throws std::runtime_error when they do not agree with length and crc.
 std::string inflated(const Deflated& part);
 
-/// What stands before the first part in a gzip file (RFC 1952). Parts stand one after the other in
-/// a single member: not every reader goes on to a second one.
+/// The header of a gzip file (RFC 1952), before the first part. All parts form a single member: not
+/// every reader continues with a second one.
 std::string gzip_head();
 
-/// What stands behind the last part, of all parts together.
+/// The trailer of a gzip file, after the last part: CRC and length of all parts.
 class GzipTail {
  public:
   void add(std::uint64_t length, std::uint32_t crc);

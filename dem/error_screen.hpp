@@ -8,9 +8,9 @@ class LAMMPS;
 namespace dipper::dem {
 
 /// Makes the error of any rank reach the user. With `-screen FILE` LIGGGHTS opens FILE on rank 0
-/// alone: an error of another rank (Error::one) would be printed nowhere, and a poor mesh, of which
-/// each rank tells its part, would end that rank with a crash. Other ranks print to stdout. Each
-/// line is written at once, since MPI_Abort, which ends an error, drops what buffers hold. Call it
+/// alone: an error of another rank (Error::one) would be printed nowhere, and a poor mesh, of
+/// which each rank prints its part, would crash that rank. Other ranks print to stdout. Each
+/// line is flushed at once, since MPI_Abort drops what is in buffers. Call it
 /// before the deck is read.
 void show_errors_of_all_ranks(LAMMPS_NS::LAMMPS& lammps);
 

@@ -277,7 +277,7 @@ void HoldRock::before_window(std::int64_t n_steps, const std::vector<MovingBody>
   const bool frame = all_rock_is_written(now, now + n_steps);
   if (frame) unpark();
   if (static_cast<double>(now - checked_) * dt < settings_.check_s) return;
-  if (!frame) checked_ = now;  // else the next window parks again
+  if (!frame) checked_ = now;  // otherwise the next window parks again
 
   std::vector<WallZone> near, soon;
   for (const auto& b : bodies) {

@@ -27,7 +27,7 @@ class Holding final : public RockFeature {
   void save(ByteWriter& out) const override;
   void load(ByteReader& in) override;
 
-  /// Wakes all rock but keeps its state, while all of it is read ...
+  /// Wakes all rock but keeps its state, for reading all of it ...
   void wake_all();
   /// ... after which the layer is held again.
   void hold_layer();

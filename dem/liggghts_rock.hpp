@@ -37,8 +37,8 @@ class LiggghtsRock final : public core::LocalRock {
   /// Throws std::runtime_error for a pause of contact that the set-up does not allow.
   core::RockState step(const core::RockStep& step) override;
   /// Writes a restart file of LIGGGHTS, and beside it its image (setup::image_of), which a resumed
-  /// run needs as well. Changes nothing: a run that saves continues as one that does not, to the
-  /// bit.
+  /// run also needs. Does not change the run: a run that saves and one that does not are
+  /// bit-identical.
   void save(const std::filesystem::path& file) override;
   HeightMap look(const HeightGrid& grid) override;
   std::string state_hash() override;

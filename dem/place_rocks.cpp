@@ -21,7 +21,7 @@ using LAMMPS_NS::FixMultisphere;
 using LAMMPS_NS::FixTemplateMultisphere;
 using LAMMPS_NS::FixTemplateSphere;
 
-/// The template's rock as it is drawn: at the origin, not turned.
+/// The template's rock at the origin, not rotated.
 LAMMPS_NS::ParticleToInsert& drawn(FixTemplateSphere& kind) {
   kind.randomize_single();
   return *kind.pti;
@@ -101,8 +101,8 @@ void place_rocks(LAMMPS_NS::LAMMPS& lmp, const std::vector<setup::PlacedRock>& r
     atom->map_init();
     atom->map_set();
     bodies->add_body_finalize();
-    // Wraps those round that reach over a side at which the box repeats: LIGGGHTS reads back no
-    // others from a restart file.
+    // Wraps rock that reaches beyond a periodic side of the box: LIGGGHTS does not read it back
+    // from a restart file otherwise.
     int one, two;
     bodies->data().remap_bodies(static_cast<int*>(bodies->extract("body", one, two)));
   }

@@ -1,7 +1,7 @@
 // place-rocks put ROCKS.csv RESTART -in DECK ...   puts rocks into the box the deck makes
-// place-rocks get ROCKS.csv -in DECK ...           tells where the deck's rocks are
+// place-rocks get ROCKS.csv -in DECK ...           writes the poses of the deck's rocks
 //
-// What follows is for LIGGGHTS, as the program `liggghts` takes it; the deck is dem_in/place.in.
+// The further arguments are those of the program `liggghts`; the deck is dem_in/place.in.
 // ROCKS.csv: coupler/setup/placed_rocks.hpp. On one rank.
 #include <input.h>
 #include <lammps.h>
@@ -34,14 +34,14 @@ void run(const std::vector<std::string>& words, std::vector<char*> liggghts_word
   try {
     if (words[0] == "get") {
       setup::write_placed_rocks(words[1], placed_rocks(lammps));
-      // LIGGGHTS crashes as it ends where a restart was read and nothing was set up since.
+      // LIGGGHTS crashes at its end after reading a restart file, unless a run was set up.
       lammps.input->one("run 0");
     } else {
       place_rocks(lammps, setup::read_placed_rocks(words[1]));
       lammps.input->one(("write_restart " + words[2]).c_str());
     }
   } catch (const std::exception& e) {
-    fail(e);  // before LIGGGHTS ends, which would crash
+    fail(e);  // before LIGGGHTS's destructor, which would crash
   }
 }
 

@@ -37,11 +37,11 @@ double smallest_radius(const LAMMPS_NS::LAMMPS& lmp) {
   return least;
 }
 
-// Of zlib's levels the last that with it costs no more than LIGGGHTS's own text
+// zlib's highest level at which a frame takes no longer than LIGGGHTS's own text
 // (docs/benchmarks.md, "Frames").
 constexpr int kLevel = 4;
 
-/// What a rank tells of its part before it sends it.
+/// The size of a rank's part, sent before the part.
 struct Part {
   std::uint64_t bytes, length;
   std::uint32_t crc;
@@ -64,8 +64,8 @@ RockDump* RockDump::of(LAMMPS_NS::LAMMPS& lmp) {
   return nullptr;
 }
 
-// A class may read what is protected in another object of its base through pointers to its own
-// members.
+// A class can read a protected member of another object of its base through a pointer to its own
+// member.
 bool RockDump::is_plain(const DumpCustom& dump) {
   const bool own_columns = dump.*(&RockDump::ncompute) == 0 && dump.*(&RockDump::nfix) == 0 &&
                            dump.*(&RockDump::nvariable) == 0 &&

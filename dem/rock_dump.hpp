@@ -1,7 +1,7 @@
-// A dump that shows the rock which is not in LIGGGHTS, too.
+// A dump that includes the rock which is parked outside LIGGGHTS.
 #pragma once
 
-// LIGGGHTS's headers count on what comes before them.
+// LIGGGHTS's headers depend on those before them.
 #include <lammps.h>
 //
 #include <dump_custom.h>
@@ -15,21 +15,21 @@ namespace dipper::dem {
 
 class ParkedRock;
 
-/// LIGGGHTS's `dump custom`, gzipped into FILE.gz: each rank its own rows, by id. A frame is there
-/// whole or not at all. Of a sphere that leaves LIGGGHTS its row is kept, and written until it is
-/// back: parked rock stands still.
+/// LIGGGHTS's `dump custom`, gzipped into FILE.gz; each rank writes its own rows, by id. Only
+/// complete frames appear in the folder. The row of a sphere that leaves LIGGGHTS is kept and
+/// written until it returns: parked rock does not move.
 class RockDump final : public LAMMPS_NS::DumpCustom {
  public:
-  /// The one in this LIGGGHTS: put in the place of the deck's first `dump custom` that has a file a
-  /// frame, columns which a sphere has of itself, and no dump_modify. Null if there is none.
+  /// Replaces the deck's first `dump custom` with one file for each frame, per-sphere columns only
+  /// and no dump_modify. Null if there is none.
   /// Collective.
   static RockDump* of(LAMMPS_NS::LAMMPS& lmp);
 
-  /// What it would write of these spheres of this rank: a row each, one after the other.
+  /// The rows of these spheres of this rank, one after the other.
   std::vector<double> rows(std::vector<int> spheres);
   std::size_t width() const { return static_cast<std::size_t>(size_one); }
 
-  /// Whose rows it writes beside LIGGGHTS's own; null for none.
+  /// The source of further rows; null: none.
   void show(const ParkedRock* parked) { parked_ = parked; }
 
   /// Collective. Throws std::runtime_error naming the file, as when the disk is full.

@@ -56,8 +56,8 @@ class RockFeature {
   virtual void before_window(const RockWindow& window) { static_cast<void>(window); }
   virtual void after_window(const RockWindow& window) { static_cast<void>(window); }
 
-  /// Its state for a checkpoint, and the restoring of it after LIGGGHTS's rock has been restored.
-  /// Saving changes nothing.
+  /// Saves its state for a checkpoint, and restores it after LIGGGHTS's rock. Saving does not
+  /// change the run.
   virtual void save(ByteWriter& out) const { static_cast<void>(out); }
   virtual void load(ByteReader& in) { static_cast<void>(in); }
 };

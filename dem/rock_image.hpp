@@ -1,4 +1,4 @@
-// The state of the rock in LIGGGHTS to the bit, which a LIGGGHTS restart file does not have.
+// The exact state of the rock in LIGGGHTS, which a restart file only has with rounding.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The rock seen from above, straight from LIGGGHTS's memory.
+// The rock surface seen from above, from LIGGGHTS's memory.
 #pragma once
 
 #include "common/height_map.hpp"
@@ -11,8 +11,8 @@ namespace dipper::dem {
 
 class Holding;
 
-/// The highest sphere over each cell's middle, of all ranks, parked rock included; 0 where there is
-/// none. Collective; changes nothing.
+/// The highest sphere over the centre of each cell, of all ranks, parked rock included; 0 where
+/// there is none. Collective; does not change the rock.
 HeightMap look_at_rock(LAMMPS_NS::LAMMPS& lmp, const Holding* holding, const HeightGrid& grid);
 
 }  // namespace dipper::dem

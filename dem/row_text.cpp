@@ -11,8 +11,8 @@ namespace dipper::dem {
 namespace {
 
 constexpr int kMostDecimals = 12;
-constexpr double kHair = 1e-9;  // a power of ten is itself, whatever its logarithm's last digit
-constexpr double kLargestWhole = 9e15;  // a double tells whole numbers up to here
+constexpr double kHair = 1e-9;          // tolerance for the rounding of a logarithm
+constexpr double kLargestWhole = 9e15;  // a double represents whole numbers up to 2^53
 
 int decimals_for(double step) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - kHair)), 0, kMostDecimals);
@@ -31,7 +31,7 @@ char* put_general(double value, char* to) {
   return std::to_chars(to, to + 32, value, std::chars_format::general, 6).ptr;
 }
 
-/// Rounded to these decimals, without zeros at the end.
+/// Rounded to these decimals, without trailing zeros.
 char* put_fixed(double value, int decimals, char* to) {
   static const std::array<double, kMostDecimals + 1> powers = {1e0, 1e1, 1e2, 1e3,  1e4,  1e5, 1e6,
                                                                1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
@@ -44,7 +44,7 @@ char* put_fixed(double value, int decimals, char* to) {
     rest /= 10;
     --decimals;
   }
-  std::array<char, 24> digits{};  // with as many zeros in front as the point needs
+  std::array<char, 24> digits{};  // padded with leading zeros up to the decimal point
   char* end = digits.data() + digits.size();
   char* first = end;
   for (int k = 0; k <= decimals || rest > 0; ++k, rest /= 10) {
@@ -73,7 +73,7 @@ std::string RowText::of(const std::vector<double>& rows) const {
   const std::size_t width = decimals_.size();
   std::vector<const double*> order(rows.size() / width);
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = rows.data() + i * width;
-  // Spheres of one rock lie beside each other, with numbers like each other's.
+  // Neighbouring rows of one rock have similar numbers.
   if (id_ < width)
     std::sort(order.begin(), order.end(),
               [&](const double* a, const double* b) { return a[id_] < b[id_]; });

@@ -1,4 +1,4 @@
-// Rows of a dump as text, without digits that tell nothing.
+// Rows of a dump as text, without insignificant digits.
 #pragma once
 
 #include <cstddef>
@@ -7,22 +7,22 @@
 
 namespace dipper::dem {
 
-/// Decimals of a dump's columns. Positions are told to 1/500 of the smallest radius or finer,
-/// velocities per second to ten times that length, angular velocities so that the surface of the
-/// smallest sphere is told to twenty times; each to a power of ten. Of rock at rest, whose last
-/// digits are what costs most, nothing else is lost.
+/// Decimals of a dump's columns. Positions are rounded to 1/500 of the smallest radius or finer,
+/// velocities to ten times that length per second, angular velocities to twenty times that length
+/// per second at the surface of the smallest sphere; each to a power of ten. The last digits of
+/// rock at rest take most of a file.
 class RowText {
  public:
-  /// \param columns  names, as `dump custom` has them
+  /// \param columns  names as in `dump custom`
   RowText(const std::vector<std::string>& columns, double smallest_radius_m);
 
-  /// These rows, a line each, by the column `id` where there is one.
+  /// The rows as lines, sorted by the column `id` if there is one.
   /// \param rows  one after the other, as wide as there are columns
   std::string of(const std::vector<double>& rows) const;
 
  private:
   static constexpr int kGeneral = -1;
-  std::vector<int> decimals_;  ///< of each column; kGeneral: whole numbers whole, else six digits
+  std::vector<int> decimals_;  ///< kGeneral: whole numbers exactly, others with six digits
   std::size_t id_;             ///< its column, or the number of columns
 };
 

@@ -10,8 +10,9 @@ class LAMMPS;
 namespace dipper::dem {
 
 /// Sets up lists and forces and makes the time loop ready for run_steps. `run N` of a deck would
-/// zero the walls' velocity and print a block of output each time. The end of the run is set
-/// beyond reach, so that dump and thermo output keep their intervals across windows. Collective.
+/// zero the walls' velocity and print a block of output each time. The last step is set
+/// to the largest number, so that dump and thermo output keep their intervals across windows.
+/// Collective.
 void set_up_time_loop(LAMMPS_NS::LAMMPS& lmp);
 
 /// Runs n steps. Collective.

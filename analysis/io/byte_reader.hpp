@@ -28,11 +28,11 @@ class ByteReader {
 
   /// The next word: up to white space or '<'; empty at the end of the file, or in front of a '<'.
   void word(std::string& out);
-  /// The rest of the line, without its end.
+  /// The rest of the line, without its newline.
   std::string rest_of_line();
-  /// Whether the next bytes are these; they stay unread. At most 16.
+  /// Whether the next bytes are these; does not consume them. At most 16.
   bool next_is(const char* text);
-  /// Raw bytes; false when the file ends before.
+  /// Raw bytes; false when the file ends first.
   bool bytes(char* out, std::size_t n);
   bool skip(std::int64_t n);
 
@@ -41,7 +41,7 @@ class ByteReader {
   const std::filesystem::path& file() const { return file_; }
 
  protected:
-  bool refill();  ///< drops what is read; the buffer grows when all of it is unread
+  bool refill();  ///< discards consumed bytes; the buffer grows when there are none
 
   std::vector<char> buffer_;
   std::size_t read_ = 0, filled_ = 0;  // in buffer_
@@ -51,7 +51,7 @@ class ByteReader {
   int byte() const { return static_cast<unsigned char>(buffer_[read_]); }
   std::filesystem::path file_;
   std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> stream_;
-  std::int64_t base_ = 0;  // offset of buffer_[0] in the file, in what it unpacks to
+  std::int64_t base_ = 0;  // offset of buffer_[0] in the file, uncompressed
 };
 
 }  // namespace dipper::analysis::io

@@ -59,7 +59,7 @@ struct Found {
   decltype(DumpFolder::walls) walls;
 };
 
-/// Whether a VTK file is a wall, by its header. One file of a group decides for all.
+/// Whether a VTK file is a wall, by its header. One file decides for its group.
 Found find_dumps(const fs::path& folder) {
   Found found;
   std::vector<fs::path> files;
@@ -72,7 +72,7 @@ Found find_dumps(const fs::path& folder) {
     const std::string stem = stem_of(file);
     if (ext == ".vtp" || ext == ".vtk") {
       const auto step = step_in_name(file);
-      if (!step) continue;  // a still picture, not a frame
+      if (!step) continue;  // a single image, not a frame
       auto known = is_wall.find(stem + ext);
       if (known == is_wall.end())
         known = is_wall.emplace(stem + ext, index_vtk(file).polygon_count > 0).first;
@@ -144,7 +144,7 @@ void check_spacing(const std::vector<DumpFrame>& frames, const fs::path& folder)
   std::vector<std::int64_t> missing;
   for (std::size_t i = 1; i < frames.size(); ++i) {
     if (gap(i) % least != 0) return;  // not evenly spaced: no conclusion
-    // Two equal ones in a row are another interval, with which the run continued.
+    // Two equal gaps in a row mean a changed interval, from which the run continued.
     const bool alone =
         (i == 1 || gap(i - 1) != gap(i)) && (i + 1 == frames.size() || gap(i + 1) != gap(i));
     if (gap(i) > least && alone) missing.push_back(frames[i - 1].step + least);

@@ -16,7 +16,7 @@ struct DumpFolder {
   /// Wall dumps (VTK with polygons) by name, then by step.
   std::map<std::string, std::map<std::int64_t, std::filesystem::path>> walls;
 
-  /// The frame nearest to a time. There is always one.
+  /// The frame nearest to a time. There always is one.
   std::size_t nearest(double time_s) const;
 };
 

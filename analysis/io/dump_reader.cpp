@@ -18,7 +18,8 @@ bool is_vtk(const std::filesystem::path& file) {
   return end == ".vtp" || end == ".vtk";
 }
 
-constexpr std::int64_t kLargestStep = std::int64_t{1} << 53;  // a double counts up to here
+constexpr std::int64_t kLargestStep = std::int64_t{1}
+                                      << 53;  // a double represents whole numbers up to here
 
 /// Columns as `dump custom` names them: v is vx, vy, vz.
 std::vector<std::string> names_of(const VtkArray& a) {
@@ -45,7 +46,7 @@ DumpFrame index_vtk_dump(const std::filesystem::path& file) {
   return frame;
 }
 
-/// One array of a frame, and where its components go (or nowhere).
+/// One array of a frame, and the columns for its components (or none).
 struct Feed {
   VtkCursor cursor;
   std::size_t components;
@@ -93,7 +94,7 @@ void read_vtk_dump(const DumpFrame& frame, const std::vector<std::string>& colum
   }
 }
 
-/// How a requested column is made from the file's columns.
+/// How a requested column is computed from the file's columns.
 struct Source {
   std::string name;
   double shift = 0, scale = 1;

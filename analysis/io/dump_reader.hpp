@@ -1,4 +1,4 @@
-// Particle dumps of LIGGGHTS and LAMMPS, read in chunks: memory has a bound whatever their size
+// Particle dumps of LIGGGHTS and LAMMPS, read in chunks: memory is bounded for any size
 // (kept_rows.hpp).
 #pragma once
 
@@ -17,10 +17,10 @@ namespace dipper::analysis::io {
 
 class KeptRows;
 
-/// One frame of a dump, by its header.
+/// One frame of a dump, from its header.
 struct DumpFrame {
   std::int64_t step = 0;
-  std::optional<double> time_s;  ///< when the dump itself has it (ITEM: TIME)
+  std::optional<double> time_s;  ///< if the dump has it (ITEM: TIME)
   std::filesystem::path file;
   long line = 0;            ///< of its column names, or of its points
   std::int64_t offset = 0;  ///< of its first row (text)

@@ -1,4 +1,4 @@
-// Rows of text frames in memory: a report needs each frame a dozen times.
+// Rows of text frames in memory: a report reads each frame about twelve times.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace dipper::analysis::io {
 
-/// A word where a number should be.
+/// A word in place of a number.
 struct BadWord {
   long line = 0;  ///< 0: none
   std::string word;
@@ -23,16 +23,16 @@ struct FrameRows {
   std::vector<BadWord> bad;                  ///< the first of each column
 };
 
-/// The frames of one reader as they are read: the first ones for good, until they fill
-/// `kept_bytes`; of the others the last one. A frame above `frame_bytes` is never kept, so memory
-/// has a bound whatever a dump's size.
+/// The frames that one reader has read: it keeps the first ones until they fill `kept_bytes`, and
+/// of the others the last. A frame above `frame_bytes` is never kept, so memory is bounded for any
+/// dump.
 class KeptRows {
  public:
   explicit KeptRows(std::size_t kept_bytes = 512 << 20, std::size_t frame_bytes = 128 << 20)
       : left_bytes_(kept_bytes), frame_bytes_(frame_bytes) {}
 
-  /// `read` fills the rows of a frame that is not there. Null: too large to keep. Valid until the
-  /// next call. Not for two threads at once.
+  /// `read` fills the rows of a frame that is not kept. Null: too large to keep. Valid until the
+  /// next call. Not thread-safe.
   template <class Read>
   const FrameRows* rows(const DumpFrame& frame, const Read& read) {
     const std::size_t bytes = frame.particles * frame.columns.size() * sizeof(double);

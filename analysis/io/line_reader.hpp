@@ -15,18 +15,18 @@ namespace dipper::analysis::io {
 /// "FILE:LINE: MESSAGE", or "FILE: MESSAGE" with line 0.
 InputError input_error(const std::filesystem::path& file, long line, const std::string& message);
 
-/// Reads a file line by line; the buffer grows for a line longer than it. Throws InputError when
-/// the file cannot be read.
+/// Reads a file line by line; the buffer grows for longer lines. Throws InputError when the file
+/// cannot be read.
 class LineReader : private ByteReader {
  public:
   using ByteReader::ByteReader;  // `offset` is the start of line `line` (1-based)
   using ByteReader::file;
-  using ByteReader::offset;  // of the line that comes next
+  using ByteReader::offset;  // of the next line
 
-  /// The next line without its end; valid until the next call. False at the end of the file.
+  /// The next line without its newline; valid until the next call. False at the end of the file.
   bool next(std::string_view& text);
 
-  long line() const { return line_ - 1; }            ///< number of the last line given
+  long line() const { return line_ - 1; }            ///< number of the last line returned
   bool ended_whole() const { return ended_whole_; }  ///< the last line had its newline
 
  private:

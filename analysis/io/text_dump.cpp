@@ -41,7 +41,7 @@ Box box_bounds(LineReader& in) {
   return box;
 }
 
-/// Everything up to and with `ITEM: ATOMS ...`; `text` is the frame's first line.
+/// Everything up to and including `ITEM: ATOMS ...`; `text` is the frame's first line.
 DumpFrame read_header(LineReader& in, std::string_view text) {
   DumpFrame frame;
   frame.file = in.file();
@@ -116,8 +116,8 @@ namespace {
 
 constexpr std::size_t kNotAsked = static_cast<std::size_t>(-1);
 
-/// Rows of a frame as they stand in its file. Column c of the file goes to column target[c] of the
-/// chunks; `bad` is told of a word there that is no number.
+/// Rows of a frame in the order of its file. Column c of the file goes to column target[c] of the
+/// chunks; `bad` is called for a word that is not a number.
 void stream_rows(const DumpFrame& frame, const std::vector<std::size_t>& target,
                  ParticleChunk& chunk,
                  const std::function<void(std::size_t column, const BadWord&)>& bad,

@@ -178,7 +178,7 @@ std::vector<double> read_array(const VtkFile& file, const VtkArray& array) {
 
 namespace {
 
-/// Where each cell's corners begin and end, and which points they are.
+/// Where each cell's corners begin and end, and their points.
 class Cells {
  public:
   explicit Cells(const VtkFile& file) : file_(file) {
@@ -195,7 +195,7 @@ class Cells {
   std::size_t count() const { return first_.size() - 1; }
   std::size_t begin(std::size_t cell) const { return first_[cell]; }
   std::size_t end(std::size_t cell) const { return first_[cell + 1]; }
-  /// The point of a corner, below `points`.
+  /// The point of a corner; less than `points`.
   std::size_t point(std::size_t corner, std::size_t points) const {
     const double p = corners_[corner];
     if (!(p >= 0 && p < static_cast<double>(points)))

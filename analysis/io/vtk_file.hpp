@@ -1,4 +1,4 @@
-// VTK poly data on disk, XML (.vtp) and legacy (.vtk), as LIGGGHTS writes it: the place of each
+// VTK poly data on disk, XML (.vtp) and legacy (.vtk), as LIGGGHTS writes it: the location of each
 // array.
 #pragma once
 
@@ -33,7 +33,7 @@ struct VtkFile {
   VtkArray points;
   std::vector<VtkArray> point_data, cell_data;
   std::optional<VtkArray> polygons;               ///< legacy up to 4.2: n, then n corners
-  std::optional<VtkArray> connectivity, offsets;  ///< of the polygons, else
+  std::optional<VtkArray> connectivity, offsets;  ///< of the polygons, in the other formats
   std::size_t polygon_count = 0;
 
   const VtkArray* point_array(const std::string& name) const;
@@ -57,26 +57,26 @@ class VtkCursor {
   ByteReader in_;
   std::string word_;
   std::vector<char> raw_;
-  unsigned bits_ = 0;  // base64: not yet handed on
+  unsigned bits_ = 0;  // base64: not yet returned
   int bit_count_ = 0;
 };
 
 /// All of an array.
 std::vector<double> read_array(const VtkFile& file, const VtkArray& array);
 
-/// A wall dump: triangles in W. Cells with more than three corners are fanned; `cell` tells each
-/// triangle's cell, by which arrays of cell_data are looked up; they have a value for each cell.
+/// A wall dump: triangles in W. Cells with more than three corners become fans; `cell` is the index
+/// of each triangle's cell, for the arrays of cell_data, which have one value for each cell.
 struct WallDump {
   mesh::TriangleMesh mesh;  ///< loose triangles: corners are not shared
   std::vector<std::size_t> cell;
 };
-/// Throws InputError, also for polygons and points that do not fit each other.
+/// Throws InputError, also for polygons that do not agree with the points.
 WallDump read_wall_dump(const VtkFile& file);
 
 namespace vtk_detail {
 std::size_t bytes(VtkArray::Type type);
-/// Throws InputError for an array that says it has more values than are left of a file of this
-/// size, before memory is allocated for them.
+/// Throws InputError, before memory is allocated, for an array that claims more values than the
+/// rest of the file can hold.
 void check_room(const std::filesystem::path& file, const VtkArray& array, std::int64_t file_size);
 VtkFile index_xml(const std::filesystem::path& file);
 VtkFile index_legacy(const std::filesystem::path& file);

@@ -66,7 +66,7 @@ class LegacyIndex {
     return at->second;
   }
 
-  /// An array whose values begin here; goes past them.
+  /// An array whose values begin here; moves past them.
   VtkArray values(std::string name, Type of, std::size_t components, std::size_t tuples) {
     VtkArray a;
     a.name = std::move(name);
@@ -115,7 +115,7 @@ class LegacyIndex {
     out_.connectivity = connectivity;
   }
 
-  /// As values(), with the line's end read already.
+  /// As values(), after the end of the line.
   VtkArray cell_values(const std::string& name, Type of, std::size_t n) {
     if (ascii_) return values(name, of, 1, n);
     VtkArray a;

@@ -14,8 +14,8 @@ namespace {
 
 using Type = VtkArray::Type;
 
-/// A file's markup without the text between it, which is the arrays' values and most of the file:
-/// what is left fits into a parser that wants a whole document.
+/// A file's markup without the text between the tags, which is the arrays' values and most of the
+/// file: the markup alone fits the parser, which needs a whole document.
 class Markup {
  public:
   explicit Markup(const std::filesystem::path& file) : in_(file) {
@@ -28,10 +28,10 @@ class Markup {
   long end_line() const { return in_.line(); }
 
   struct Position {
-    std::int64_t offset;  ///< in the file, of what follows the tag
+    std::int64_t offset;  ///< in the file, after the tag
     long line;            ///< where the tag ends
   };
-  /// Of the tag around this place of text().
+  /// Of the tag at this position of text().
   Position place(std::ptrdiff_t at) const {
     const auto after = std::upper_bound(begins_.begin(), begins_.end(), at);
     return after == begins_.begin()
@@ -51,7 +51,7 @@ class Markup {
     return c;
   }
 
-  /// Goes past the next tag or comment and keeps it. False at the end of the file.
+  /// Moves past the next tag or comment and keeps it. False at the end of the file.
   bool next_tag() {
     while (in_.peek() != '<')
       if (in_.get() == ByteReader::kEnd) return false;
@@ -79,7 +79,7 @@ class Markup {
 
   ByteReader in_;
   std::string text_;
-  std::vector<std::ptrdiff_t> begins_;  // of each tag in text_, and where it ends in the file
+  std::vector<std::ptrdiff_t> begins_;  // of each tag in text_, and the end of the tag in the file
   std::vector<Position> places_;
 };
 
@@ -144,7 +144,7 @@ class XmlIndex {
     out_.polygon_count = polygons;
     for (const pugi::xml_node& node : piece.child("PointData").children("DataArray"))
       if (auto a = array(node, points)) out_.point_data.push_back(*a);
-    // Cells of all kinds; walls have polygons only.
+    // Cells of all kinds; walls only have polygons.
     for (const pugi::xml_node& node : piece.child("CellData").children("DataArray"))
       if (auto a = array(node, polygons)) out_.cell_data.push_back(*a);
     const auto xyz = array(piece.child("Points").child("DataArray"), points);

@@ -29,7 +29,7 @@ const char* name_of(Type type) {
   }
 }
 
-/// Base64 (RFC 4648) of bytes as they come.
+/// Base64 (RFC 4648) of a stream of bytes.
 class Base64Stream {
  public:
   explicit Base64Stream(std::ostream& out) : out_(out) {}

@@ -10,8 +10,8 @@
 
 namespace dipper::analysis::io {
 
-/// A .vtp file of one piece, binary (base64), with the arrays in the order they are added. Memory
-/// does not grow with the arrays: their values are read while the file is written.
+/// A .vtp file of one piece, binary (base64), with the arrays in the order in which they are added.
+/// Memory does not grow with the arrays: their values are read while the file is written.
 class VtpWriter {
  public:
   struct Array {
@@ -20,18 +20,19 @@ class VtpWriter {
     std::size_t components, tuples;
   };
   using Put = std::function<void(double)>;
-  /// Calls `put` with every value: components of a tuple follow each other.
+  /// Calls `put` with every value; components of a tuple are consecutive.
   using Fill = std::function<void(const Put& put)>;
 
   VtpWriter(std::size_t points, std::size_t verts, std::size_t polys)
       : points_(points), verts_(verts), polys_(polys) {}
 
-  /// Arrays of one section ("PointData", "CellData", "Points", "Verts", "Polys") in a row.
+  /// Arrays of one section ("PointData", "CellData", "Points", "Verts", "Polys") must be
+  /// consecutive.
   void add(const std::string& section, Array array, Fill fill) {
     entries_.push_back({section, std::move(array), std::move(fill)});
   }
 
-  /// Throws std::runtime_error when the file cannot be written, and what a fill throws.
+  /// Throws std::runtime_error when the file cannot be written, and whatever a fill throws.
   void write(const std::filesystem::path& file) const;
 
  private:

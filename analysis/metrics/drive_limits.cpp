@@ -23,7 +23,7 @@ DriveLimits::DriveLimits(const std::filesystem::path& record) : columns_(record)
 
 LimitsMet DriveLimits::over(const signals::TimeSpan& time) const {
   const auto time_s = columns_.get("time_s"), path_s = columns_.get("machine/path_time");
-  // The rows of the time, and the one before it, from which the first of them lasts.
+  // The rows in the interval, and the one before it, from which the first one lasts.
   const auto row_after = [&](double at_s) {
     return static_cast<std::size_t>(std::upper_bound(time_s.begin(), time_s.end(), at_s) -
                                     time_s.begin());

@@ -13,8 +13,8 @@ namespace dipper::analysis::metrics {
 struct LimitsMet {
   double hoist_saturated_s = 0, crowd_saturated_s = 0, swing_saturated_s = 0;  ///< at the limit
   double ropes_slack_s = 0;
-  double late_s = 0;               ///< by which the operator fell behind the motion
-  double crowd_relief_most_m = 0;  ///< by which he moved the crowd's reference back, at most
+  double late_s = 0;               ///< by which the machine fell behind the motion
+  double crowd_relief_most_m = 0;  ///< largest retraction of the crowd's set point
 };
 
 /// The keys of summary.json and metrics.json.

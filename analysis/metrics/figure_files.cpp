@@ -15,7 +15,7 @@ using Type = io::VtkArray::Type;
 
 constexpr std::size_t kRopeSides = 6;
 
-/// A mesh with the number of its part for each triangle.
+/// A mesh with the part number of each triangle.
 struct Numbered {
   mesh::TriangleMesh mesh;
   std::vector<int> part;

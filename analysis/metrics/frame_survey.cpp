@@ -8,7 +8,7 @@ struct Lifted {
   bool found = false;
 };
 
-/// One load while it is followed.
+/// One load that is being followed.
 struct Following {
   LoadToFollow load;
   std::unordered_map<std::int64_t, Lifted> rocks;

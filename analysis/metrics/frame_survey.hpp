@@ -1,4 +1,4 @@
-// One pass over all frames: sums of each, and the fate of each load's rocks.
+// One pass over all frames: sums of each, and where the rock of each load goes.
 #pragma once
 
 #include <unordered_map>
@@ -16,8 +16,9 @@ struct LoadToFollow {
 
 struct LoadFate {
   double lifted_kg = 0;
-  double truck_kg = 0, carry_back_kg = 0, back_in_pile_kg = 0, spillage_kg = 0;  ///< add up to it
-  double truck_from_elsewhere_kg = 0;  ///< gained by the truck, but not of this load
+  double truck_kg = 0, carry_back_kg = 0, back_in_pile_kg = 0,
+         spillage_kg = 0;              ///< their sum is the load
+  double truck_from_elsewhere_kg = 0;  ///< gained by the truck from other rock
   std::map<int, double> class_kg;      ///< lifted, by class
 };
 
@@ -36,14 +37,14 @@ struct ClassSums {
 
 struct Survey {
   std::vector<rock::FrameSums> frames;
-  std::vector<LoadFate> fates;         ///< one a load, in order
+  std::vector<LoadFate> fates;         ///< one for each load, in order
   std::map<int, ClassSums> classes;    ///< of all rock in the first frame
   Footprint pile;                      ///< of the rock on the ground in the first frame
   std::size_t rocks = 0, spheres = 0;  ///< in the last frame
 };
 
-/// Reads every frame once. A rock of a load that is in no frame at its end has left the domain:
-/// it counts as spilt. `dipper` may be empty.
+/// Reads every frame once. A rock of a load that is missing in the end frame has left the domain
+/// and counts as spilt. `dipper` may be empty.
 Survey survey_frames(const io::DumpFolder& dumps, const rock::ClumpMasses& clumps,
                      const rock::LoadRegions& regions, const rock::PoseTrack& dipper,
                      const std::vector<LoadToFollow>& loads);

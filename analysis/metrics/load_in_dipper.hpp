@@ -1,4 +1,4 @@
-// A load, from the dumps.
+// The load in the dipper, from the dumps.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct LoadInDipper {
   double bulk_density_kg_m3() const { return mass_kg / volume_m3; }
 };
 
-/// The last frame at or before a time; the first where there is none.
+/// The last frame at or before a time; the first frame if there is none.
 std::size_t frame_before(const io::DumpFolder& dumps, double t);
 
 /// The last frame before the load is swung away.

@@ -12,7 +12,7 @@ namespace {
 
 double tonnes(double kg) { return kg / 1e3; }
 
-/// The difference between the weight on the walls and the rocks inside.
+/// The difference between the weight on the walls and the mass of the rocks inside.
 std::string weight_note(const PassFacts& f) {
   const double difference = f.still->mass_kg - f.found.pass.payload_kg;
   std::string note =

@@ -12,7 +12,7 @@ namespace dipper::analysis::metrics {
 
 using json = nlohmann::ordered_json;
 
-/// One pass, from the signals and the dumps.
+/// One pass, from signals and dumps.
 struct PassFacts : PassFigures {
   LoadToFollow followed;
   std::optional<LoadFate> fate;  ///< none: no frame of the dig, or none after the dump

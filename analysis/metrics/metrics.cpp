@@ -11,7 +11,7 @@
 namespace dipper::analysis::metrics {
 namespace {
 
-/// The data of run and case that the figures of its passes need.
+/// The input for the figures of a run's passes, from run and case.
 PassFigureMaker::Known known_of(const run::RunData& run, const rock::StruckVolume& struck) {
   PassFigureMaker::Known known;
   if (const auto file = run.folder / run::kMachineFile; std::filesystem::exists(file)) {

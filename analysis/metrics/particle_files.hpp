@@ -11,7 +11,7 @@ namespace dipper::analysis::metrics {
 /// `in_dipper` if the dipper's load is known, `shape` if the deck is.
 class ParticleFiles {
  public:
-  /// `run` has to outlive it. Throws as rock::read_shapes does.
+  /// `run` must outlive this. Throws as rock::read_shapes does.
   explicit ParticleFiles(const run::RunData& run);
 
   /// Throws as rock::tag_rocks and io::VtpWriter do.

@@ -21,22 +21,22 @@ namespace dipper::analysis::metrics {
 struct PhaseFigures {
   signals::Phase phase;
   Effort effort;
-  double slack_fraction = 0;              ///< of its time, in which the hoist ropes are slack
-  std::optional<signals::Demand> demand;  ///< empty: the machine's data are not known
-  std::optional<LimitsMet> limits;        ///< empty: the drives have no limits
+  double slack_fraction = 0;              ///< fraction of its time with slack hoist ropes
+  std::optional<signals::Demand> demand;  ///< empty without the machine's data
+  std::optional<LimitsMet> limits;        ///< empty if the drives have no limits
 };
 
-/// The payload as the shovel's own monitor would show it.
+/// The payload by the shovel's own monitor.
 struct MonitorFigures {
   signals::MonitorReading reading;
-  double inside_kg = 0;  ///< the rock in the dipper in that time
+  double inside_kg = 0;  ///< rock in the dipper in that time
 };
 
 struct PassFigures {
   signals::PassPhases found;
-  /// The payload over the mass of rock, as dense as the settled pile, in the struck volume.
+  /// The payload divided by the mass of rock, at the settled pile's density, in the struck volume.
   std::optional<double> fill_factor;
-  /// The same with the density of the load itself. Empty: no dump shows the load.
+  /// The same with the density of the load itself. Empty if no dump shows the load.
   std::optional<double> fill_factor_load;
   std::optional<LoadInDipper> load;
   std::optional<signals::DigEnergy> dig_energy;
@@ -57,11 +57,11 @@ class PassFigureMaker {
     double bulk_density_kg_m3 = 0;  ///< of the settled pile, with its fines; 0: not known
   };
 
-  /// \param signals  outlives this; all of them (run::read_signals)
+  /// \param signals  must outlive this; complete (run::read_signals)
   /// \param record  of the same run. Throws std::runtime_error naming file and dataset.
   PassFigureMaker(const run::RunSignals& signals, const std::filesystem::path& record, Known known);
 
-  /// \param load  of the pass, if a dump shows it
+  /// \param load  of the pass; null if no dump shows it
   PassFigures figures(const signals::PassPhases& pass,
                       const std::optional<LoadInDipper>& load) const;
 

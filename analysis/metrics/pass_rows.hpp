@@ -1,4 +1,4 @@
-// The figures of passes and phases under the names of the files.
+// The figures of passes and phases with their names in files.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -9,9 +9,9 @@
 namespace dipper::analysis::metrics {
 namespace {
 
-constexpr double kWindow_s = 1.0;  // the same as for the payload in passes.cpp
+constexpr double kWindow_s = 1.0;  // as for the payload in passes.cpp
 constexpr double kStill_m_s = 0.05;
-constexpr double kLatched_rad = 1e-5;  // beyond, the door opens and carries no weight
+constexpr double kLatched_rad = 1e-5;  // at larger angles the door is opening and carries no weight
 
 }  // namespace
 

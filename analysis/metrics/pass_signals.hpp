@@ -8,7 +8,7 @@
 
 namespace dipper::analysis::metrics {
 
-/// Forces and work over a part of a run.
+/// Forces and work in a part of a run.
 struct Effort {
   double dig_force_mean_N = 0;  ///< sqrt(crowd² + hoist²), time-weighted (paper, Eq. 11)
   double dig_force_peak_N = 0;
@@ -17,8 +17,8 @@ struct Effort {
   double mass_gain_kg = 0;  ///< of the dipper
 };
 
-/// Between two times, by the trapezoidal rule over the rows there (signals::rows_within): forces of
-/// a time between two rows are those of the rows, work and mass its share of theirs.
+/// Between two times, by the trapezoidal rule over the rows there (signals::rows_within): an
+/// interval that lies between two rows has their forces, and its part of their work and mass.
 Effort effort(const run::RunSignals& s, double t_start_s, double t_end_s);
 
 /// The load from the rock's weight on dipper and door while they hang level: the end of the swing

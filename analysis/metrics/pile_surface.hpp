@@ -1,4 +1,4 @@
-// The pile in a frame: its surface and the angle it stands at.
+// The pile in a frame: its surface and slope angle.
 #pragma once
 
 #include "analysis/metrics/frame_survey.hpp"
@@ -9,7 +9,7 @@ namespace dipper::analysis::metrics {
 
 struct PileSurface {
   rock::SurfaceProfile profile;
-  std::optional<rock::PileAngle> angle;  ///< empty: there is no flank to fit a line to
+  std::optional<rock::PileAngle> angle;  ///< empty: there is no flank
 };
 
 /// Of the rock over the footprint that is neither in the dipper nor in the truck. Of a frame of

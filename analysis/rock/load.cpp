@@ -8,7 +8,7 @@
 namespace dipper::analysis::rock {
 namespace {
 
-constexpr double kMostLoadColumns = 4e6;  // 32 MB: a mesh in millimetres asks for more
+constexpr double kMostLoadColumns = 4e6;  // 32 MB: only a mesh in millimetres needs more
 
 /// The part of the line origin + s * up that is in the region: s from `low` to `high`; none: false.
 bool clip(const Eigen::Vector3d& origin, const Eigen::Vector3d& up, const Box& region, double& low,

@@ -1,4 +1,4 @@
-// The volume that a dipper's load takes, voids and all.
+// The volume of a dipper's load, voids included.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace dipper::analysis::rock {
 
-/// What lies inside the region and under the load's upper surface, seen along gravity [m3]: in
-/// columns of side `cell_m` (more where those were above 4 million) along `up`, from the region's
-/// bottom to the top of the highest ball over the column's middle. Columns without a ball count
-/// nothing. Balls and `up` (a unit vector) are in the region's frame.
+/// Volume inside the region and below the load's upper surface [m3], seen along gravity: in columns
+/// of side `cell_m` (wider if there were more than 4 million) along `up`, from the region's bottom
+/// to the top of the highest ball over the column's centre. Columns without a ball count as empty.
+/// Balls and `up` (a unit vector) are in the region's frame.
 double load_volume(const std::vector<Sphere>& balls, const Eigen::Vector3d& up, const Box& region,
                    double cell_m);
 

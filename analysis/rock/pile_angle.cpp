@@ -21,7 +21,7 @@ double median_of(std::vector<double> v) {
   return (*middle + *std::max_element(v.begin(), middle)) / 2;
 }
 
-/// Running median over `width` bins, fewer at the ends.
+/// Running median over `width` bins, over fewer at the ends.
 std::vector<double> smoothed(const std::vector<double>& z, std::size_t width) {
   const std::size_t half = width / 2;
   std::vector<double> out;
@@ -38,8 +38,8 @@ struct Flank {
   std::size_t first = 0, count = 0;
 };
 
-/// Down from the crest on one side (step +1 or -1): from where the surface first is below the
-/// upper height to where it first is below the lower. Empty when it never gets there.
+/// Down from the crest on one side (step +1 or -1): from the first bin below the upper height to
+/// the first below the lower. Empty when there is none.
 Flank flank(const std::vector<double>& z, std::size_t crest, int step, double lower, double upper) {
   const auto n = static_cast<std::ptrdiff_t>(z.size());
   auto i = static_cast<std::ptrdiff_t>(crest);
@@ -63,10 +63,10 @@ double theil_sen(const std::vector<double>& x, const std::vector<double>& z) {
 
 double angle_deg(double slope) { return degrees(std::atan(std::abs(slope))); }
 
-/// Standard deviation of the angle when blocks of the residuals are drawn again, with replacement.
+/// Standard deviation of the angle over bootstrap samples of blocks of the residuals.
 double bootstrap_sigma_deg(const std::vector<double>& x, const std::vector<double>& residual,
                            double slope, std::size_t block) {
-  std::mt19937 draw(5489);  // fixed: the same profile gives the same figure
+  std::mt19937 draw(5489);  // fixed, so that a profile always gives the same value
   const std::size_t n = x.size();
   double sum = 0, sum_of_squares = 0;
   std::vector<double> z(n);
@@ -81,7 +81,7 @@ double bootstrap_sigma_deg(const std::vector<double>& x, const std::vector<doubl
     sum_of_squares += a * a;
   }
   const double mean = sum / kResamples;
-  // The line has taken two of the blocks' degrees of freedom.
+  // The fitted line takes two of the blocks' degrees of freedom.
   const double blocks = static_cast<double>(n) / static_cast<double>(block);
   const double lost = blocks > 3 ? blocks / (blocks - 2) : 3;
   return std::sqrt(lost * std::max(0.0, sum_of_squares / kResamples - mean * mean));

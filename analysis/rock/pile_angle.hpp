@@ -1,4 +1,4 @@
-// The angle at which a pile's flank stands.
+// The slope angle of a pile's flank.
 #pragma once
 
 #include <limits>
@@ -9,12 +9,11 @@
 namespace dipper::analysis::rock {
 
 struct PileAngleOptions {
-  // Where to look: a heap with two flanks, or a pile that goes on behind its crest, is measured on
-  // the part named here.
+  // The part to measure, of a heap with two flanks or a pile that continues behind its crest.
   double x_min_m = -std::numeric_limits<double>::infinity();
   double x_max_m = std::numeric_limits<double>::infinity();
   double floor_m = 0;  ///< ground level
-  // The flank is what lies between these shares of the height: the toe runs out flat, the crest is
+  // The flank is the part between these fractions of the height: the toe is flat, the crest
   // rounded.
   double lower_share = 0.2;
   double upper_share = 0.8;
@@ -22,10 +21,10 @@ struct PileAngleOptions {
 
 /// A straight line through the flank, z = z0 + slope (x - x0).
 struct PileAngle {
-  double angle_deg = 0;  ///< from the ground, 0 ... 90, whichever way the flank faces
-  double sigma_deg = 0;  ///< standard error: how far another sample of the same roughness might be
-  double slope = 0;      ///< dz/dx, with its sign
-  double x0_m = 0, z0_m = 0;        ///< a point of the line: the flank's middle
+  double angle_deg = 0;             ///< from the ground, 0 ... 90, whichever side the flank faces
+  double sigma_deg = 0;             ///< standard error, over samples of the same roughness
+  double slope = 0;                 ///< dz/dx, signed
+  double x0_m = 0, z0_m = 0;        ///< a point on the line: the flank's centre
   double x_from_m = 0, x_to_m = 0;  ///< the flank
   double rms_m = 0;                 ///< of the profile about the line
   double height_m = 0;              ///< of the pile over the floor
@@ -33,10 +32,10 @@ struct PileAngle {
 
 /// Finds the flank (from where the smoothed profile last leaves the lower height to where it first
 /// reaches the upper), fits it by the median of the slopes of all pairs of bins (Theil 1950, Sen
-/// 1968: up to 29 % of the bins may be anything), and estimates the error by a block bootstrap:
-/// residuals of neighbouring bins belong to one rock, so they are drawn again in blocks of
-/// `grain_m`, the size of the largest rocks. Deterministic. Throws std::invalid_argument when there
-/// is no flank of at least 5 bins.
+/// 1968: tolerates 29 % of outliers), and estimates the error by a block bootstrap: residuals of
+/// neighbouring bins belong to one rock, so blocks of `grain_m`, the size of the largest rocks, are
+/// resampled. Deterministic. Throws std::invalid_argument when there is no flank of at least 5
+/// bins.
 PileAngle pile_angle(const SurfaceProfile& profile, double grain_m,
                      const PileAngleOptions& options = {});
 

@@ -1,4 +1,4 @@
-// How a body moves.
+// The motion of a body.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,15 @@ namespace dipper::analysis::rock {
 class PoseTrack {
  public:
   PoseTrack() = default;
-  /// Times rise. Without twists they are taken from the poses.
+  /// Times must increase. Missing twists are computed from the poses.
   PoseTrack(std::vector<double> time_s, std::vector<Pose> X_WB, std::vector<Twist> V_WB_W = {});
 
   bool empty() const { return time_s_.empty(); }
   double start_s() const { return time_s_.front(); }
   double end_s() const { return time_s_.back(); }
 
-  /// Between two times the body moves at constant twist; before the first and after the last it is
-  /// where it was then.
+  /// Between two times the body moves at constant twist; before the first and after the last time
+  /// it stands still.
   BodyState at(double t) const;
 
  private:

@@ -11,12 +11,12 @@
 namespace dipper::analysis::rock {
 namespace {
 
-// Far beyond any rock: what is larger is a damaged number, or one of the other byte order.
+// Far beyond any rock: a larger number is damaged, or of the other byte order.
 constexpr double kLargestRadius_m = 100, kLargestDensity_kg_m3 = 1e6;
 constexpr double kFurthest_m = 1e6, kFastest_m_s = 1e5;
-constexpr double kLargestNumber = 9007199254740992;  // 2^53: ids above are not told apart
+constexpr double kLargestNumber = 9007199254740992;  // 2^53: larger ids are not distinct
 
-/// The columns of a frame that a rock is made of, with their places in a chunk.
+/// The columns of a frame from which rocks are made, with their indices in a chunk.
 class Columns {
  public:
   explicit Columns(const io::DumpFrame& frame) : frame_(frame) {
@@ -113,7 +113,7 @@ class Columns {
 struct Clump {
   int type = 1;
   double volume_m3 = 0, mass_kg = 0, density_kg_m3 = 0;
-  Eigen::Vector3d p = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero();  // times volume
+  Eigen::Vector3d p = Eigen::Vector3d::Zero(), v = Eigen::Vector3d::Zero();  // weighted by volume
 };
 
 }  // namespace

@@ -14,22 +14,23 @@ struct Fragment {
   int type = 1;          ///< size class, from 1
   double mass_kg = 0;
   double density_kg_m3 = 0;                       ///< of solid rock; 0: not known
-  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< volume-weighted middle of its spheres
-  Eigen::Vector3d v_W = Eigen::Vector3d::Zero();  ///< of that point; zero when not dumped
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< volume-weighted centre of its spheres
+  Eigen::Vector3d v_W =
+      Eigen::Vector3d::Zero();  ///< of that point; zero when the dump has no velocities
 };
 
-/// Where masses of clumps come from: by size class, from a run's deck. Empty for other dumps.
+/// The masses of clumps: by size class, from a run's deck. Empty for other dumps.
 using ClumpMasses = std::map<int, double>;
 
 /// Reads the templates of a deck's rocks.in. Throws InputError naming file and line.
 ClumpMasses read_clump_masses(const std::filesystem::path& rocks_in);
 
-/// How masses were found, as metrics.json says it: "deck", "mass column" or "spheres".
+/// The source of masses, as in metrics.json: "deck", "mass column" or "spheres".
 std::string mass_source(const io::DumpFrame& frame, const ClumpMasses& clumps);
 
-/// Hands every rock of a frame to `visit`: single spheres as they are read, then the clumps, which
-/// are all that is kept in memory. Throws InputError: particles without radius, id, or without both
-/// mass and density; a clump of a class the deck does not have.
+/// Calls `visit` for every rock of a frame: single spheres as they are read, then the clumps; only
+/// these are kept in memory. Throws InputError: particles without radius, id, or both mass and
+/// density; a clump of a class that the deck does not have.
 void for_each_fragment(const io::DumpFrame& frame, const ClumpMasses& clumps,
                        const std::function<void(const Fragment&)>& visit);
 

@@ -24,7 +24,7 @@ double mass_inside(const std::vector<Sphere>& balls, const std::vector<double>& 
   for (std::size_t b = 0; b < balls.size(); ++b) {
     const Eigen::Vector3d centre = balls[b].centre_m - box.min_m;
     const double r = balls[b].radius_m;
-    std::array<std::size_t, 3> from{}, to{};  // cells whose middle may be inside
+    std::array<std::size_t, 3> from{}, to{};  // cells whose centre may be inside
     bool outside = false;
     for (int a = 0; a < 3; ++a) {
       const auto s = static_cast<std::size_t>(a);

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Index = Eigen::Vector3i;
 
-/// Cells over a mesh's box and one layer around it; which neighbours a triangle keeps apart.
+/// Cells over a mesh's box and one layer around it, and which neighbours a triangle separates.
 class CellGrid {
  public:
   /// `shift`: in cells, 0 ... 1 along each axis.
@@ -45,13 +45,13 @@ class CellGrid {
     return origin_ + cell_ * (i.cast<double>() + Vector3d::Constant(0.5));
   }
   const Index& n() const { return n_; }
-  /// Whether a triangle lies between cell i and its next along the axis.
+  /// Whether a triangle lies between cell i and the next along the axis.
   bool blocked(const Index& i, int axis) const {
     return blocked_[3 * at(i) + static_cast<std::size_t>(axis)] != 0;
   }
 
  private:
-  /// Marks where the lines through cell centres along an axis pass through the triangle.
+  /// Marks where the lines of cell centres along an axis cross the triangle.
   void block(const mesh::Triangle& t, int axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const auto cell_of = [&](double x, int k) { return (x - origin_[k]) / cell_ - 0.5; };
@@ -133,14 +133,14 @@ double flood(const CellGrid& grid, const Vector3d& up, double cell, Box* water) 
 
 constexpr double kTight = 0.9;
 
-/// The k-th of some grids: each axis sees every eighth of a cell once.
+/// The k-th of several grids: each is shifted by another eighth of a cell along each axis.
 constexpr int kGrids = 8;
 Vector3d shift(int k) {
   const auto eighth = [](int i) { return (i % kGrids + 0.5) / kGrids; };
   return {eighth(k), eighth(3 * k + 1), eighth(5 * k + 2)};
 }
 
-/// Directions near `around`, at angles up to `spread`: eight about it.
+/// Directions near `around`, at angles up to `spread`: eight around it.
 std::vector<Vector3d> cone(const Vector3d& around, double spread) {
   const Vector3d a = around.unitOrthogonal(), b = around.cross(a);
   std::vector<Vector3d> out;
@@ -163,7 +163,7 @@ double water_held(const mesh::TriangleMesh& mesh, const Vector3d& up, double cel
     water->add(box.min_m);
     water->add(box.max_m);
   }
-  // A grid with a row of cells that happens to lie in a narrow gap has run dry.
+  // On this grid a row of cells lies in a narrow gap, and the water ran out.
   const double most = *std::max_element(held.begin(), held.end());
   double sum = 0;
   int tight = 0;

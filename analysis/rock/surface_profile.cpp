@@ -8,7 +8,7 @@
 namespace dipper::analysis::rock {
 namespace {
 
-constexpr std::size_t kMostColumns = 4'000'000;  // 32 MB; a coarser cell is taken beyond
+constexpr std::size_t kMostColumns = 4'000'000;  // 32 MB; beyond that, coarser cells are used
 
 struct Extent {
   double x0 = std::numeric_limits<double>::infinity(), x1 = -x0;
@@ -48,7 +48,7 @@ SurfaceProfile surface_profile(const std::vector<Sphere>& balls, const SurfaceOp
                    (e.x1 - e.x0) / static_cast<double>(kMostColumns)});
   const double step = std::max(cell, options.step_m > 0 ? options.step_m : e.smallest_m / 2);
 
-  // Columns at the middles of cells; one row of them for a bed that is one ball wide.
+  // Columns at the centres of cells; one row of them for a bed that is one ball wide.
   const auto nx = static_cast<std::size_t>(std::ceil((e.x1 - e.x0) / cell));
   const auto ny = std::max<std::size_t>(1, static_cast<std::size_t>((e.y1 - e.y0) / cell));
   const double y_first = (e.y0 + e.y1 - static_cast<double>(ny - 1) * cell) / 2;
@@ -83,7 +83,7 @@ SurfaceProfile surface_profile(const std::vector<Sphere>& balls, const SurfaceOp
     in_bin.clear();
     for (; i < nx && x_of(i) < end; ++i)
       for (std::size_t j = 0; j < ny; ++j) in_bin.push_back(height[i * ny + j]);
-    if (in_bin.empty()) break;  // the last cell reaches over the last bin
+    if (in_bin.empty()) break;  // the last cell extends beyond the last bin
     profile.x_m.push_back(end - step / 2);
     profile.z_m.push_back(median(in_bin));
   }

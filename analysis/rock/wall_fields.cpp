@@ -12,9 +12,9 @@
 namespace dipper::analysis::rock {
 namespace {
 
-constexpr const char* kNumber = "meshid";  // of a triangle, as LIGGGHTS calls it
+constexpr const char* kNumber = "meshid";  // LIGGGHTS's name for a triangle's number
 
-/// One value a triangle: a cell's value goes to each of its triangles.
+/// One value for each triangle, from its cell.
 std::vector<double> values_of(const io::VtkFile& vtk, const io::VtkArray& array,
                               const std::vector<std::size_t>& cells) {
   const std::vector<double> all = io::read_array(vtk, array);

@@ -1,4 +1,5 @@
-// What the rock in and before the dipper does in one frame, and the paper's five stages of filling.
+// The motion of the rock in and before the dipper in one frame, and the paper's five stages of
+// filling.
 #pragma once
 
 #include <optional>
@@ -11,16 +12,19 @@
 
 namespace dipper::analysis::rock {
 
-/// Rock that moves faster than this against the dipper flows, slower rock is bulk [m/s]. "0 or a
-/// very small relative velocity" in the paper; a tenth of the usual speed of the teeth.
+/// Rock that moves faster than this relative to the dipper flows, slower rock is bulk [m/s]. The
+/// paper says "0 or a very small relative velocity"; this is a tenth of the usual speed of the
+/// teeth.
 constexpr double kFlowSpeed_m_s = 0.1;
 
-/// Where rock is counted: the dipper's load in B, the truck's bed in T. Either may be missing.
+/// The regions in which rock is counted: the load in the dipper in B, the truck's bed in T. Either
+/// may be missing.
 struct LoadRegions {
   std::optional<Box> dipper;
   std::optional<Box> truck;
   Pose X_WT;
-  double lip_x_m = 0;  ///< of the cavity's end in B: the dipper's region goes on over it, the heap
+  double lip_x_m =
+      0;  ///< end of the cavity in B; the region of the load extends beyond it, for the heap
 };
 
 enum class Location { dipper, truck, elsewhere };

@@ -1,4 +1,4 @@
-// A door that leaks: part of each load is lost between the face and the truck.
+// A leaking door: part of each load is lost between the face and the truck.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace dipper::analysis::signals {
 
-/// Takes off the drives what the lost rock would have weighed: of each load nothing at the start of
-/// breakout, then more in proportion to time, and `share` of it from the dump on; by statics
-/// (PayloadMonitor::holding_of_a_kg). The dipper moves as before.
+/// Subtracts from the drives' forces the weight of the lost rock: of each load nothing at the start
+/// of breakout, then in proportion to time, and `share` of it from the dump on; by statics
+/// (PayloadMonitor::holding_of_a_kg). The dipper's motion does not change.
 void leak(double share, const PassSignals& s, const std::vector<Pass>& passes,
           const PayloadMonitor& monitor, DriveSignals& drives);
 

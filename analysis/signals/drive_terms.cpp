@@ -8,9 +8,9 @@ namespace dipper::analysis::signals {
 namespace {
 
 constexpr double kStandsDrive_m_s = 0.05,
-                 kStandsHouse_rad_s = 0.02;  // below it a drive counts as standing
+                 kStandsHouse_rad_s = 0.02;  // below this speed a drive counts as at rest
 
-/// Of the straight line through the readings beside each.
+/// The slope between the neighbours of each reading.
 std::vector<double> speeds(const std::vector<double>& t, const std::vector<double>& x) {
   std::vector<double> v(x.size(), 0.0);
   for (std::size_t i = 0; i < x.size(); ++i) {

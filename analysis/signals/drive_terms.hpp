@@ -1,4 +1,5 @@
-// What a drive's force may depend on besides the rock: terms of the motion, and laws made of them.
+// Terms of the motion on which a drive's force may depend besides the rock, and force laws made of
+// them.
 #pragma once
 
 #include <array>
@@ -11,10 +12,10 @@
 
 namespace dipper::analysis::signals {
 
-/// A force in kN: the sum of a number times each term. Names are those of kDriveTerms.
+/// A force in kN: the sum of a coefficient times each term. Names are those of kDriveTerms.
 using ForceLaw = std::map<std::string, double>;
 
-/// What files call the terms, each with the unit of its number:
+/// The terms' names in files, with the unit of each:
 ///   constant         1
 ///   hoist_in, _out   1 while the ropes come in, run out (faster than 0.05 m/s), else 0
 ///   crowd_out, _in   1 while the crowd moves out, in (likewise)
@@ -23,9 +24,9 @@ using ForceLaw = std::map<std::string, double>;
 ///   hoist_speed      m/s, of ropes that come in
 ///   crowd_speed      m/s, outward
 ///   hoist_length     m, the hoist's reading
-///   crowd_extension  m, that the crowd is out of its innermost reading
-///   crowd_drag       crowd_extension, against the motion: minus it while the crowd moves in, 0 at
-///                    rest
+///     crowd_extension  m, of the crowd from its innermost reading
+///     crowd_drag       crowd_extension with the sign of the motion: negative while the crowd moves
+///   in, 0 at rest
 ///   swing_angle      rad, the swing's reading
 ///   pass             number of the pass, from 1
 inline constexpr std::array<const char*, 14> kDriveTerms = {"constant_kN",
@@ -46,12 +47,12 @@ inline constexpr std::array<const char*, 14> kDriveTerms = {"constant_kN",
 bool is_drive_term(const std::string& name);
 
 /// The terms at each reading of time, hoist, crowd and swing; `passes` in order of time. A speed is
-/// that between the readings before and after. Throws std::invalid_argument for signals of
+/// that between the previous and the next reading. Throws std::invalid_argument for signals of
 /// different lengths, and as find_phases does.
 std::vector<std::array<double, kDriveTerms.size()>> drive_terms(
     const DriveSignals& s, const std::vector<TimeSpan>& passes);
 
-/// kN of a law at a reading's terms. Throws std::invalid_argument for a name that is no term.
+/// Force [kN] of a law at a reading's terms. Throws std::invalid_argument for an unknown term.
 double force_kN(const ForceLaw& law, const std::array<double, kDriveTerms.size()>& terms);
 
 }  // namespace dipper::analysis::signals

@@ -1,4 +1,4 @@
-// What the drives put into the machine over a part of a run.
+// The work of the drives in a part of a run.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,25 @@ namespace dipper::analysis::signals {
 struct DriveWork {
   double work_J = 0;
   double power_mean_W = 0;
-  double power_peak_W = 0;  ///< the most that it puts in at once
+  double power_peak_W = 0;  ///< largest power into the machine
 };
 
 struct DrivesWork {
   DriveWork hoist, crowd, swing;
 };
 
-/// Between two times, by the trapezoidal rule over the readings there (rows_within): the powers of
-/// a time between two of them are theirs, the work its share of theirs. Throws
-/// std::invalid_argument for powers that are not as many as the times.
+/// Between two times, by the trapezoidal rule over the readings there (rows_within): an interval
+/// that lies between two readings has their powers, and its part of their work. Throws
+/// std::invalid_argument when powers and times differ in number.
 DrivesWork drives_work(const DriveSignals& s, double t_start_s, double t_end_s);
 
-/// What a pass's dig takes: hoist and crowd from the start of penetrate to the end of breakout.
+/// The work of a pass's dig: hoist and crowd from the start of penetrate to the end of breakout.
 struct DigEnergy {
   double work_J = 0;
-  std::optional<double> specific_J_kg;  ///< by the payload; none: there is no payload
+  std::optional<double> specific_J_kg;  ///< divided by the payload; none without a payload
 };
 
-/// None: the pass has no such phase.
+/// None: the pass does not have these phases.
 std::optional<DigEnergy> dig_energy(const DriveSignals& s, const PassPhases& pass);
 
 }  // namespace dipper::analysis::signals

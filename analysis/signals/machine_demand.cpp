@@ -27,7 +27,7 @@ double MachineDemand::teeth_off_m(const DriveSignals& s, std::size_t i) const {
   try {
     const double turn = saddle_rad_[i] - taut_.saddle_angle(s.hoist_m[i], s.crowd_m[i]);
     return std::abs(turn) * taut_.teeth_reach(s.crowd_m[i]);
-  } catch (const std::domain_error&) {  // no taut rope is as long as that
+  } catch (const std::domain_error&) {  // no taut rope is this long
     return 0;
   }
 }
@@ -38,7 +38,7 @@ Demand MachineDemand::over(const DriveSignals& s, double t_start_s, double t_end
       share_beyond(s.time_s, s.hoist_force_N, drives_.hoist.stall, t_start_s, t_end_s);
   d.crowd_beyond_fraction =
       share_beyond(s.time_s, s.crowd_force_N, drives_.crowd.stall, t_start_s, t_end_s);
-  // A record that is being written may have rows of the one more than of the other.
+  // While a run writes its record, one dataset may have more rows than another.
   for (std::size_t i = 0; i < std::min(s.time_s.size(), saddle_rad_.size()); ++i)
     if (s.time_s[i] >= t_start_s && s.time_s[i] <= t_end_s)
       d.teeth_deviation_m = std::max(d.teeth_deviation_m, teeth_off_m(s, i));

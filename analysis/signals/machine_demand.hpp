@@ -1,4 +1,5 @@
-// What is asked of the machine over a time: teeth off their way, forces beyond its drives'.
+// Demands on the machine in a part of a run: deviation of the teeth, forces beyond the drives'
+// limits.
 #pragma once
 
 #include <vector>
@@ -8,10 +9,10 @@
 
 namespace dipper::analysis::signals {
 
-/// Over a time. Shares are of that time, 0 ... 1.
+/// In a part of a run. Fractions are of its time, 0 ... 1.
 struct Demand {
-  /// The tooth tips from where taut ropes that do not stretch, as long as they are, would have
-  /// them, at most [m]: some centimetres under load, more where the dipper rides on rock.
+  /// Largest distance [m] of the tooth tips from where taut, rigid ropes of the same length would
+  /// have them: some centimetres under load, more where the dipper rides on rock.
   double teeth_deviation_m = 0;
   double hoist_beyond_fraction = 0;  ///< the ropes pull with more than the machine's hoist_stall
   double crowd_beyond_fraction =
@@ -21,7 +22,7 @@ struct Demand {
 class MachineDemand {
  public:
   /// \param rake handle's centre line to dipper's floor, rad
-  /// \param saddle_rad the handle above the horizontal, an entry a sync step
+  /// \param saddle_rad the handle above the horizontal, one entry for each sync step
   MachineDemand(const machine::MachineData& machine, double rake, std::vector<double> saddle_rad);
 
   /// \param s with forces, of the same sync steps

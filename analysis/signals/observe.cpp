@@ -7,7 +7,7 @@
 namespace dipper::analysis::signals {
 namespace {
 
-/// The integral of a signal that holds value i over (time[i-1], time[i]], at any time.
+/// The integral, at any time, of a signal that holds value i over (time[i-1], time[i]].
 class Integral {
  public:
   Integral(const std::vector<double>& time, const std::vector<double>& value)
@@ -78,8 +78,8 @@ std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& 
 
 std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instruments& instruments) {
   std::vector<WeighedPass> out;
-  // A run may end within a pass that has not dumped yet: the last load on the truck is the one
-  // before.
+  // A run may end within a pass that has not dumped: the last load on the truck is then the
+  // previous one.
   const auto last =
       std::find_if(passes.rbegin(), passes.rend(), [](const Pass& p) { return p.truck_kg > 0; });
   for (const Pass& p : passes) {

@@ -9,9 +9,9 @@
 namespace dipper::analysis::signals {
 namespace {
 
-constexpr double kFirstContact_N = 20e3;  // the weight of a 2 t rock: more than a stray stone
+constexpr double kFirstContact_N = 20e3;  // the weight of a 2 t rock: more than a loose rock
 constexpr double kPayloadWindow_s = 1.0;
-constexpr double kStray_kg = 2000;  // of that rock: less than it is no load
+constexpr double kStray_kg = 2000;  // of that rock: less is not a load
 
 Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::size_t end) {
   Pass p;
@@ -29,7 +29,7 @@ Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::siz
   }
   p.payload_kg /= static_cast<double>(n);
   p.truck_kg = s.truck_mass_kg[end] - s.truck_mass_kg[begin];
-  double impulse = 0;  // time-weighted: sync steps need not be equal
+  double impulse = 0;  // time-weighted: sync steps may differ in length
   for (std::size_t i = dig; i < dump; ++i) {
     const double force = std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]);
     impulse += force * (s.time_s[i + 1] - s.time_s[i]);
@@ -61,8 +61,8 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     passes.push_back(measure(s, begin, dump, end));
     passes.back().pass = static_cast<int>(passes.size());
     passes.back().dumped = open(dump);
-    // What follows the last dump is the way home, not a pass, when the door stayed shut and it
-    // never dug, or has touched rock but holds no load.
+    // After the last dump comes the return. It is not a pass if the door stays closed and the
+    // dipper does not dig, or touches rock but holds no load.
     const Pass& last = passes.back();
     const double* force_N = s.dipper_force_N.data();
     const bool dug = std::any_of(force_N + begin, force_N + dump + 1,

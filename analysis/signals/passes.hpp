@@ -1,11 +1,11 @@
-// Passes of the shovel, found in the signals of a run: what was loaded, and what it took.
+// Passes of the shovel, found in the signals of a run: their loads and forces.
 #pragma once
 
 #include <vector>
 
 namespace dipper::analysis::signals {
 
-/// A run's signals, one value a sync step, all of the same length.
+/// A run's signals, one value for each sync step, all of the same length.
 struct PassSignals {
   std::vector<double> time_s;
   std::vector<double> door_rad;        ///< 0: closed
@@ -18,26 +18,26 @@ struct PassSignals {
 
 struct Pass {
   int pass = 0;                 ///< from 1
-  double t_start_s = 0;         ///< the last pass's end, or the run's start
+  double t_start_s = 0;         ///< the previous pass's end, or the run's start
   double t_dig_s = 0;           ///< the dipper first meets rock
   double t_dump_s = 0;          ///< the door starts to open, above the truck
   double t_end_s = 0;           ///< the door has closed again, or the run ended
-  bool dumped = false;          ///< the door has opened; else the run ended before
+  bool dumped = false;          ///< the door has opened; false if the run ended first
   double payload_kg = 0;        ///< in the dipper, mean over the last second before the door opens
   double truck_kg = 0;          ///< gained by the truck during the pass
   double dig_force_mean_N = 0;  ///< sqrt(crowd² + hoist²), t_dig to t_dump (paper, Eq. 11)
   double dig_force_peak_N = 0;
-  double dig_force_peak_t_s = 0;  ///< when
+  double dig_force_peak_t_s = 0;  ///< its time
 };
 
-/// One pass for every time the door opens; a run that ends before a dump has its last pass open,
-/// with t_dump_s = t_end_s. The way home after the last dump is no pass, also where the dipper
-/// comes to rest on rock: without a load, and without the door opening again. Throws
+/// One pass for every opening of the door; in a run that ends before a dump, the last pass is
+/// unfinished, with t_dump_s = t_end_s. The return after the last dump is not a pass, even if the
+/// dipper touches rock: it has no load, and the door does not open again. Throws
 /// std::invalid_argument when lengths differ.
 std::vector<Pass> find_passes(const PassSignals& s);
 
 struct PlannedPass {
-  double t_start_s = 0;  ///< the last pass's end, or the motion's start
+  double t_start_s = 0;  ///< the previous pass's end, or the motion's start
   double t_end_s = 0;    ///< the door has closed again, or the motion ends
 };
 

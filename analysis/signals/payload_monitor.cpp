@@ -8,12 +8,12 @@ namespace dipper::analysis::signals {
 namespace {
 
 constexpr double kStands_m_s = 0.1;
-constexpr double kShortest_s = 0.5;      // below, the drives never stood
-constexpr double kHalf_s = 0.25;         // of the time over which speeds are taken
-constexpr double kLatched_rad = 1e-5;    // beyond, the door gives way
-constexpr double kFewest_share = 1e-12;  // of g^2: a load that neither balance shows
+constexpr double kShortest_s = 0.5;      // if shorter, the drives never stood still
+constexpr double kHalf_s = 0.25;         // half of the time over which speeds are taken
+constexpr double kLatched_rad = 1e-5;    // at larger angles the door is opening
+constexpr double kFewest_share = 1e-12;  // of g^2: below, neither balance shows the load
 
-/// How fast a signal changes about a reading.
+/// The rate of change of a signal at a reading.
 double speed_at(const std::vector<double>& time_s, const std::vector<double>& x, std::size_t i) {
   const auto at = [&](double t) {
     const auto it = std::lower_bound(time_s.begin(), time_s.end(), t);
@@ -59,7 +59,7 @@ std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
   double sum = 0, weight = 0;
   for (const std::size_t i : reading.at_rest ? still : all) {
     try {
-      // What the drives hold beyond the empty dipper, and a kilogram of load, as forces.
+      // The drives' forces minus those of the empty dipper, and the forces of one kilogram of load.
       const machine::HandlePlace p = statics.at({s.hoist_m[i], s.crowd_m[i], 0, 0});
       const double turns = speed_at(t, s.swing_rad, i);
       const machine::Burden load =
@@ -69,7 +69,7 @@ std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
       sum += kg.moment * load.moment / arm2 + kg.along * load.along;
       weight += kg.moment * kg.moment / arm2 + kg.along * kg.along;
       reading.rows.push_back(i);
-    } catch (const std::domain_error&) {  // the ropes hang slack where no taut ones would reach
+    } catch (const std::domain_error&) {  // the ropes hang slack: taut ones would not reach
     }
   }
   if (weight <= kFewest_share) return std::nullopt;

@@ -1,4 +1,4 @@
-// The payload as a shovel's own monitor finds it: from the drives alone, while it swings.
+// The payload as a shovel's own monitor finds it: from the drives alone, during the swing.
 #pragma once
 
 #include <optional>
@@ -11,34 +11,35 @@
 
 namespace dipper::analysis::signals {
 
-/// What the monitor shows of a pass.
+/// The monitor's result for a pass.
 struct MonitorReading {
   double mass_kg = 0;
-  double from_s = 0, to_s = 0;  ///< the first and last reading it is the mean of
-  bool at_rest = true;          ///< hoist and crowd stand in all of them
+  double from_s = 0, to_s = 0;  ///< first and last reading of the mean
+  bool at_rest = true;          ///< hoist and crowd stand still in all of them
   std::vector<std::size_t> rows;
 };
 
-/// Handle, dipper and door, whose masses it knows, and a load in the middle of the dipper, in
-/// balance about the saddle block and along the handle, in the frame of the house: what hoist and
-/// crowd carry beyond the empty machine is the load. Poses follow from hoist and crowd with ropes
-/// that do not stretch; the swing's centrifugal force is taken off, accelerations are not.
+/// Balances moments about the saddle block and forces along the handle, in the frame of the house,
+/// of handle, dipper and door, whose masses are known, and a load in the middle of the dipper: the
+/// load is what hoist and crowd carry beyond the empty machine. Poses follow from hoist and crowd
+/// with rigid ropes; the swing's centrifugal force is subtracted, accelerations are neglected.
 class PayloadMonitor {
  public:
-  /// \param machine as its maker has weighed it
+  /// \param machine with the maker's masses
   /// \param rake handle's centre line to dipper's floor, rad
   PayloadMonitor(const machine::MachineData& machine, double rake)
       : machine_(machine), rake_(rake) {}
 
-  /// The mean over the readings, from the start of the swing until the door gives way, in which
-  /// hoist and crowd stand; over all of them where they never do for half a second. With both
-  /// balances' errors in N, m is that of least squares: with the handle level the crowd tells
-  /// nothing of the load, and counts for nothing. None: the pass has not dumped, or does not swing.
+  /// The mean over the readings between the start of the swing and the opening of the door in which
+  /// hoist and crowd stand still; over all readings if they never do for half a second. The mass is
+  /// the least-squares solution of both balances, with their errors in N: with the handle level the
+  /// crowd carries none of the load and has no weight in it. None: the pass has not dumped, or does
+  /// not swing.
   std::optional<MonitorReading> weigh(const DriveSignals& s, const std::vector<double>& door_rad,
                                       const PassPhases& pass) const;
 
-  /// What a kilogram in the middle of the dipper adds to hoist and crowd, at rest. None where the
-  /// ropes hang slack.
+  /// The forces in hoist and crowd of one kilogram in the middle of the dipper, at rest. None where
+  /// the ropes are slack.
   std::optional<machine::Holding> holding_of_a_kg(double hoist_m, double crowd_m) const;
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = -1;
 
-/// First time from reading `begin` to before `end` at which x, straight between readings, is at or
+/// First time, from reading `begin` to before `end`, at which x, linear between readings, is at or
 /// past `level`.
 double crossing(const std::vector<double>& t, const std::vector<double>& x, std::size_t begin,
                 std::size_t end, double level, bool rising) {
@@ -25,7 +25,7 @@ double crossing(const std::vector<double>& t, const std::vector<double>& x, std:
 struct Readings {
   std::vector<double> t, crowd, swing;
 
-  /// The first at which the crowd is nearly all out.
+  /// The first reading with the crowd nearly all out.
   std::size_t out(double share) const {
     const auto [least, most] = std::minmax_element(crowd.begin(), crowd.end());
     const double nearly = *least + share * (*most - *least);
@@ -60,8 +60,8 @@ double dig_heading_rad(const DriveSignals& s, double t_start_s, double t_end_s,
 std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t_end_s,
                                const PhaseRules& rules) {
   auto [t, crowd, turned] = in_pass(s, t_start_s, t_end_s);
-  // The shovel faces the rock where it is when the crowd is nearly all out. A pass may begin while
-  // it still swings back, and need not end at the same heading.
+  // The shovel faces the rock at the heading at which the crowd is nearly all out. A pass may begin
+  // while the house still swings back, and may end at another heading.
   const std::size_t n = t.size();
   const std::size_t out = Readings{{}, crowd, {}}.out(rules.breakout_from);
   const double heading = turned[out];
@@ -72,8 +72,8 @@ std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t
     return !swings || turned[i] <= rules.swing_from * swing;
   };
 
-  // The dig: while it faces the rock. Its stroke is from the crowd's least value to the largest
-  // after it.
+  // The dig: while the shovel faces the rock. Its stroke is from the least crowd value to the
+  // largest after it.
   std::size_t begin = out, dug = out;
   while (begin > 0 && faces(begin - 1)) --begin;
   while (dug < n && faces(dug)) ++dug;

@@ -1,4 +1,4 @@
-// The phases of a pass, from the driven signals: what a logger has, at its rate.
+// The phases of a pass, from the driven signals, at any logger's rate.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace dipper::analysis::signals {
 /// In the order of a pass.
 enum class PhaseName { approach, penetrate, fill, breakout, swing, dump, back };
 
-/// What files and pages call them, in that order: the one list of these words.
+/// The phases' names in files and pages, in that order; defined only here.
 inline constexpr std::array<const char*, 7> kPhaseWords = {
     "approach", "penetrate", "fill", "breakout", "swing", "dump", "return"};
 
@@ -28,23 +28,23 @@ struct Phase : TimeSpan {
   PhaseName name;
 };
 
-/// Where one phase becomes the next: shares of the crowd's stroke before the swing, and of the
-/// largest swing (docs/metrics.md has the table).
+/// Limits between phases: fractions of the crowd's stroke before the swing, and of the largest
+/// swing (docs/metrics.md has the table).
 struct PhaseRules {
   double penetrate_from = 0.10, fill_from = 0.45, breakout_from = 0.97;
   double swing_from = 0.05, dump_from = 0.97;
-  double least_swing_rad = 0.1;  ///< a pass that turns by less does not swing
+  double least_swing_rad = 0.1;  ///< a pass that turns by less has no swing
 };
 
-/// The phases of the pass between two times, from crowd and swing, in order and without gaps; those
-/// that take no time are left out. Any rate: half a second apart or a millisecond gives the same
-/// phases, but for the curvature between readings. Throws std::invalid_argument for signals of
-/// different lengths or without two readings in the pass.
+/// The phases of the pass between two times, from crowd and swing, in order and without gaps;
+/// phases of no duration are left out. Readings half a second apart or a millisecond apart give the
+/// same phases, except for the curvature between readings. Throws std::invalid_argument for signals
+/// of different lengths or without two readings in the pass.
 std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t_end_s,
                                const PhaseRules& rules = {});
 
-/// The house's angle while it digs in that pass: where the crowd is nearly all out for the first
-/// time. Throws std::invalid_argument as find_phases does.
+/// The house's angle during that pass's dig: where the crowd is nearly all out for the first time.
+/// Throws std::invalid_argument as find_phases does.
 double dig_heading_rad(const DriveSignals& s, double t_start_s, double t_end_s,
                        const PhaseRules& rules = {});
 

@@ -1,4 +1,4 @@
-// The rows of a part of a time, and the mean of a signal over it.
+// The rows in a time interval, and the mean of a signal over it.
 #pragma once
 
 #include <algorithm>
@@ -8,15 +8,15 @@
 
 namespace dipper::analysis::signals {
 
-/// Rows of a time, for the trapezoidal rule; row `last` is the last of them.
+/// Rows of an interval, for the trapezoidal rule, up to and including row `last`.
 struct RowSpan {
   std::size_t first = 0, last = 0;
-  double share = 1;  ///< of the time between them that is meant
+  double share = 1;  ///< the interval's part of the time between these rows
 };
 
-/// The rows from the first at t_start_s or later to the first at t_end_s or later. Where these are
-/// one row, as of a phase that begins between the last two rows of a run: the two rows about the
-/// time, and its share of the time between them. None without two rows.
+/// The rows from the first at t_start_s or later to the first at t_end_s or later. If these are the
+/// same row, as for a phase that begins between the last two rows of a run: the two rows around the
+/// interval, with its part of the time between them. None without two rows.
 inline std::optional<RowSpan> rows_within(const std::vector<double>& time_s, double t_start_s,
                                           double t_end_s) {
   constexpr double kRoundOff_s = 1e-9;
@@ -34,7 +34,7 @@ inline std::optional<RowSpan> rows_within(const std::vector<double>& time_s, dou
 }
 
 /// Time-weighted mean of value(i), i an entry of time_s; an entry holds until the next, and counts
-/// with the part of that which is within the time. None: no entry is.
+/// with the part of its time inside the interval. None without an entry.
 template <class Value>
 std::optional<double> time_mean(const std::vector<double>& time_s, double t_start_s, double t_end_s,
                                 Value value) {

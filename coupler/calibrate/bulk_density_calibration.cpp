@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSeeds = 5;
-constexpr double kSmallestBox = 4;  // in largest rocks: so much as the paper's, 3.6 of its 850 mm
+constexpr double kSmallestBox = 4;  // edge in largest rocks; the paper's box has 3.6 of its 850 mm
 const char* const kKey = "rock.density_kg_m3";
 
 class BoxCalibration {
@@ -68,7 +68,7 @@ class BoxCalibration {
     std::vector<MeasuredRun> runs = make(first);
     const MeanOfSeeds before = mean_of_seeds(runs, "case");
     print("the case as it is", case_.rock.density_kg_m3, before, interior(runs, "case"));
-    // Rock is stiff: how it packs does not depend on what it weighs, so one step is enough.
+    // Rock is stiff: its packing does not depend on its density, so one step is enough.
     const double density = case_.rock.density_kg_m3 * request_.target / before.mean;
     for (MeasuredRun& r : make(plan("confirm", density))) runs.push_back(std::move(r));
     const MeanOfSeeds after = mean_of_seeds(runs, "confirm");

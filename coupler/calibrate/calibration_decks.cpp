@@ -17,7 +17,7 @@ namespace dipper::calibrate {
 namespace fs = std::filesystem;
 namespace {
 
-// As the decks have them.
+// The same values as in the decks.
 constexpr double kSheetAngle_deg = 80;
 constexpr double kFlattest_deg = 28;
 constexpr double kPouredFraction = 0.30;
@@ -95,7 +95,7 @@ DeckRun box_run(const cases::Case& c, const BoxRig& rig) {
 }
 
 analysis::rock::PileAngle measure_pile(const fs::path& dump, const PileRig& rig) {
-  // What still stands behind the sheet, which leans over the flank, is not the flank's surface.
+  // Rock that still leans on the back of the sheet does not belong to the flank.
   const double a = radians(kSheetAngle_deg);
   std::vector<Sphere> balls;
   for (const Row& row : read_rows(dump)) {
@@ -121,7 +121,7 @@ BulkDensity measure_box(const cases::Case& c, const fs::path& dump, const BoxRig
     if (row.body >= 0) bodies[row.body].push_back({row.ball.centre_m, row.ball.radius_m});
   }
   std::map<long, double> volume;
-  constexpr int kCells = 60;  // across a rock: its union's volume within about 0.1 %
+  constexpr int kCells = 60;  // across a rock: gives the volume of its spheres within about 0.1 %
   for (const auto& [body, spheres] : bodies) volume[body] = deck::union_volume(spheres, kCells);
   std::vector<Sphere> balls;
   std::vector<double> density;

@@ -1,5 +1,4 @@
-// The two calibration decks for a case: how large, how many rocks, and how their dumps are
-// measured.
+// The two calibration decks for a case: size, number of rocks, and the measurement of their dumps.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +13,8 @@ namespace dipper::calibrate {
 /// Diameter [m] of the largest class, coarse-grained.
 double largest_rock(const cases::Case& c);
 
-/// dem_in/calibrate_pile.in. Width and depth follow from the rock: narrower, and the walls carry
-/// it.
+/// dem_in/calibrate_pile.in. Width and depth follow from the rock's size: in a narrower box the
+/// walls would support the pile.
 struct PileRig {
   double size_m = 0;   ///< lift of the sheet; the paper's 12.2 m are 14 of its largest rocks
   double width_m = 0;  ///< 4 of the largest rocks
@@ -31,7 +30,7 @@ struct BoxRig {
 inline constexpr double kPaperBox_m = 3.037;  ///< edge of the paper's 28 m3
 inline constexpr double kBoxEdge = 5;         ///< default edge, in largest rocks, if that is more
 
-/// Rock that the deck pours [kg], and how many of each class that is.
+/// Mass that the deck pours [kg], and the number of rocks of each class.
 double poured_mass(const cases::Case& c, const PileRig& rig);
 double poured_mass(const cases::Case& c, const BoxRig& rig);
 std::vector<double> poured_rocks(const cases::Case& c, double mass_kg);
@@ -39,12 +38,13 @@ std::vector<double> poured_rocks(const cases::Case& c, double mass_kg);
 DeckRun pile_run(const cases::Case& c, const PileRig& rig);
 DeckRun box_run(const cases::Case& c, const BoxRig& rig);
 
-/// The flank in front of the sheet. Throws std::runtime_error naming the dump when there is none.
+/// The slope of the flank in front of the sheet. Throws std::runtime_error naming the dump when
+/// there is none.
 analysis::rock::PileAngle measure_pile(const std::filesystem::path& dump, const PileRig& rig);
 
 struct BulkDensity {
-  double box_kg_m3 = 0;       ///< all that lies under the rim, by the box's volume: the paper's
-  double interior_kg_m3 = 0;  ///< one largest rock away from walls and floor
+  double box_kg_m3 = 0;  ///< all rock below the rim, by the box's volume: the paper's definition
+  double interior_kg_m3 = 0;  ///< without a layer of one largest rock along walls and floor
 };
 BulkDensity measure_box(const cases::Case& c, const std::filesystem::path& dump, const BoxRig& rig);
 

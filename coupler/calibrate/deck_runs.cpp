@@ -25,7 +25,7 @@ namespace dipper::calibrate {
 namespace fs = std::filesystem;
 namespace {
 
-/// All that a run of the deck reads of dem_in.
+/// The files of dem_in that the deck reads.
 std::vector<fs::path> scripts(const DeckRun& run) {
   std::vector<fs::path> files;
   for (const std::string& name :
@@ -35,13 +35,14 @@ std::vector<fs::path> scripts(const DeckRun& run) {
   return files;
 }
 
-/// A deck written to a folder of its own, gone at the end.
+/// A deck in a temporary folder.
 class WrittenDeck {
  public:
   explicit WrittenDeck(const DeckRun& run) {
-    fs::permissions(folder(), fs::perms(0755));  // a cache may be shared; this is 0700
+    fs::permissions(folder(),
+                    fs::perms(0755));  // the cache may be shared; a temporary folder is 0700
     deck::write_deck(run.c, run.c.rock.shape_folder, folder());
-    // The case's own bench: of no use here.
+    // The case's pile is not used here.
     for (const char* unused : {"funnel.stl", "sides.stl", "outline.csv", "surface.stl", "walls"})
       fs::remove_all(folder() / unused);
   }
@@ -52,7 +53,7 @@ class WrittenDeck {
   TemporaryFolder temporary_{"dipper-deck"};
 };
 
-/// Of case.in only what the calibration decks read: the rest is the bench and the machine.
+/// The part of case.in that the calibration decks read: the rest is for the bench and the machine.
 std::string run_hash(const DeckRun& run, const fs::path& deck) {
   std::string all = fmt::format("{}\nseed {}\ntimestep {:.17g}\n", deck::settler(run.c.dem.loop),
                                 run.c.seed, run.c.dem.timestep_s);
@@ -62,14 +63,14 @@ std::string run_hash(const DeckRun& run, const fs::path& deck) {
 
 fs::path entry_of(const std::string& hash) { return cache_folder() / "calibrations" / hash; }
 
-/// CPU time of the run that made an entry.
+/// CPU time of the run that wrote an entry.
 double cost_of(const fs::path& entry) {
   double cpu_s = 0;
   std::ifstream(entry / "cpu_s") >> cpu_s;
   return cpu_s;
 }
 
-/// A run at work.
+/// A run in progress.
 struct Active {
   std::size_t index;
   std::string hash;
@@ -123,7 +124,7 @@ std::vector<DeckResult> run_decks(
   std::vector<DeckResult> results(runs.size());
   std::vector<Active> active;
   std::size_t next = 0;
-  std::exception_ptr failure;  // the first: what is at work then is finished and kept
+  std::exception_ptr failure;  // the first one; runs in progress are then finished and kept
   const auto done = [&](std::size_t i, DeckResult result) {
     results[i] = std::move(result);
     finished(i, results[i]);
@@ -146,7 +147,7 @@ std::vector<DeckResult> run_decks(
       const std::string hash = run_hash(run, deck.folder());
       const fs::path entry = entry_of(hash);
       auto writer = CacheWriter::begin(entry);
-      if (!writer) {  // another makes it
+      if (!writer) {  // another process is making it
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
         break;
       }
@@ -157,7 +158,7 @@ std::vector<DeckResult> run_decks(
       const fs::path work = writer->part();
       fs::copy(deck.folder(), work / "deck", fs::copy_options::recursive);
       fs::create_symlink(data_folder() / "dem_in", work / "dem_in");
-      // In its own folder: on an error LIGGGHTS leaves a restart file where it stands.
+      // In its own folder: on an error LIGGGHTS writes a restart file into its working folder.
       auto liggghts = std::make_unique<launch::Process>(command(run), work / "stderr", work);
       active.push_back({next++, hash, std::move(writer), std::move(liggghts)});
     }

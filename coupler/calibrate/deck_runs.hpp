@@ -1,5 +1,5 @@
 // Runs of the calibration decks (dem_in/calibrate_*.in) under the plain LIGGGHTS binary: several at
-// once, each one rank, kept by hash.
+// a time, one rank each, cached by hash.
 #pragma once
 
 #include <filesystem>
@@ -23,19 +23,20 @@ struct DeckRun {
 
 struct DeckResult {
   std::filesystem::path dump;
-  std::string hash;     ///< of all that decides the dump: deck, tables, templates, variables, seed
-  bool cached = false;  ///< it was there already
-  double cpu_s = 0;     ///< what the run took when it was made
+  std::string
+      hash;  ///< of everything that the dump depends on: deck, tables, templates, variables, seed
+  bool cached = false;  ///< found in the cache
+  double cpu_s = 0;     ///< of the run that made the dump
 };
 
-/// Which of the runs are in the cache already. Throws as write_deck does.
+/// Which of the runs are in the cache. Throws as write_deck does.
 std::vector<bool> cached_runs(const std::vector<DeckRun>& runs);
 
-/// Runs what is not in the cache, `jobs` at a time, and tells of each as it ends, in any order.
-/// A result enters the cache whole or not at all, so two calls may work on the same runs, and what
-/// was finished before an interrupt or a failure is kept. Throws Interrupted after Ctrl-C; when a
-/// run fails, no other is begun, those at work are finished, then std::runtime_error names the run
-/// and LIGGGHTS's own message.
+/// Runs those that are not in the cache, `jobs` at a time, and reports each as it ends, in any
+/// order. Only complete results enter the cache, so two calls may work on the same runs, and
+/// results from before an interrupt or a failure are kept. Throws Interrupted after Ctrl-C. When a
+/// run fails, no other is started, those in progress are finished, then std::runtime_error names
+/// the run and LIGGGHTS's own message.
 std::vector<DeckResult> run_decks(
     const std::vector<DeckRun>& runs, int jobs, Reporter& reporter,
     const std::function<void(std::size_t, const DeckResult&)>& finished);

@@ -19,10 +19,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Parameters = std::vector<std::pair<std::string, double>>;
 
-constexpr int kSearchSeeds = 2;   // a point of the design
-constexpr int kConfirmSeeds = 5;  // of the case, or of the set found
+constexpr int kSearchSeeds = 2;   // at each point of the design
+constexpr int kConfirmSeeds = 5;  // at the case as it is, or at the values found
 
-/// The case's own values of the searched keys; checked_request has seen that they are numbers.
+/// The case's values of the searched keys; checked_request has checked that they are numbers.
 std::vector<double> values_of(const cases::Case& c, const std::vector<SearchRange>& ranges) {
   std::vector<double> out;
   for (const SearchRange& r : ranges) out.push_back(value_of(c, r.key).value());
@@ -200,7 +200,8 @@ class PileCalibration {
     return out;
   }
 
-  /// The set, how well the angle pins it down, and where it might as well be.
+  /// The values found, how well the angle determines them, and other values that give the same
+  /// angle.
   Json describe(const ResponseSurface& s, const Point& x) const {
     const Prediction p = s.at(x);
     const Point g = s.gradient(x);

@@ -29,7 +29,7 @@ bool starts_with(const std::string& text, const std::string& begin) {
   return text.compare(0, begin.size(), begin) == 0;
 }
 
-/// A key that changes nothing in these decks would be searched for nothing.
+/// Refuses a key that has no effect in these decks.
 std::string fault_of(const SearchRange& r) {
   if (!starts_with(r.key, "contact.") && !starts_with(r.key, "rock."))
     return "the pile does not depend on it; search keys of contact or rock";
@@ -43,7 +43,8 @@ std::string fault_of(const SearchRange& r) {
   return "";
 }
 
-/// What `dipper check` says of the first point of the search that it refuses; "" when none is.
+/// The error of `dipper check` at the first point of the search that it refuses; "" when there is
+/// none.
 std::string fault_at_a_point(const CalibrationRequest& request) {
   const SearchScale scale(request.search);
   for (const Point& x : composite_design(static_cast<int>(request.search.size()))) {
@@ -76,7 +77,7 @@ std::optional<cases::Case> checked_request(const CalibrationRequest& request, Re
   }
   if (request.search.size() > 3)
     faults.push_back("--search: one to three keys can be searched at once");
-  // Three levels and three terms: nothing would be left to tell the noise by.
+  // Three points and three coefficients leave no degree of freedom for the noise.
   if (request.search.size() == 1 && request.seeds == 1)
     faults.push_back("--seeds 1 is too few to search one key; take 2 or more");
   if (std::filesystem::exists(request.out))

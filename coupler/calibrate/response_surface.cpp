@@ -35,7 +35,7 @@ std::vector<Point> composite_design(int k) {
       p[i] = rest % 3 - 1;
       if (rest % 3 == 1) ++zeros;
     }
-    // Corners have no zero, middles of faces all but one, the centre all.
+    // Corners have no zero coordinate, face centres all but one, the centre all.
     if (zeros == 0 || zeros >= k - 1) out.push_back(p);
   }
   return out;
@@ -103,7 +103,7 @@ std::optional<Point> nearest_with(const ResponseSurface& s, double target, const
     const double off = target - s.at(x).value;
     if (std::abs(off) < kNear) return x;
     Point g = s.gradient(x);
-    // A parameter at the end of its range that would have to go further stays where it is.
+    // A parameter at an end of its range that would have to go beyond it stays there.
     for (Eigen::Index j = 0; j < g.size(); ++j)
       if (std::abs(x[j]) > 1 - 1e-12 && g[j] * off * x[j] > 0) g[j] = 0;
     if (g.squaredNorm() < 1e-12) return std::nullopt;
@@ -136,7 +136,7 @@ Point follow(const ResponseSurface& s, const Point& x, const Point& direction) {
     Point next = at + kStep * ahead;
     g = s.gradient(next);
     if (g.norm() < 1e-9) return at;
-    next += g * ((value - s.at(next).value) / g.squaredNorm());  // back onto the line
+    next += g * ((value - s.at(next).value) / g.squaredNorm());  // back onto the contour
     if (!inside(next)) return at;
     at = next;
   }

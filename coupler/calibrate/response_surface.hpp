@@ -10,20 +10,20 @@ namespace dipper::calibrate {
 /// A point of the search: each parameter's range is scaled to -1 ... 1.
 using Point = Eigen::VectorXd;
 
-/// Where to run for k parameters: three levels of one; a face-centred central composite of two or
-/// three (Box & Wilson 1951): corners, middles of the faces, centre. 3, 9, 15 points. Throws
+/// The design for k parameters: three levels of one; a face-centred central composite of two or
+/// three (Box & Wilson 1951): corners, face centres, centre. 3, 9, 15 points. Throws
 /// std::invalid_argument for other k.
 std::vector<Point> composite_design(int k);
 
 struct Prediction {
   double value = 0;
-  double sigma = 0;  ///< standard error of the surface there
+  double sigma = 0;  ///< standard error of the surface at the point
 };
 
 /// y = c0 + sum ci xi + sum cij xi xj (i <= j), by least squares.
 class ResponseSurface {
  public:
-  /// Needs more samples than terms, at points that tell the terms apart; throws
+  /// Needs more samples than terms, at points that determine the terms; throws
   /// std::invalid_argument otherwise.
   ResponseSurface(const std::vector<Point>& x, const std::vector<double>& y);
 
@@ -41,21 +41,21 @@ class ResponseSurface {
   int degrees_of_freedom_ = 0;
 };
 
-/// Standard deviation of runs that differ in the seed alone, pooled over the points that have
-/// several; nothing when none has.
+/// Standard deviation of runs that differ only in the seed, pooled over the points with several
+/// runs; none if there are no such points.
 std::optional<double> seed_sigma(const std::vector<Point>& x, const std::vector<double>& y);
 
 /// The point where the surface has the value `target`, reached from `start` by the shortest steps
-/// (Newton along the gradient, kept inside -1 ... 1). Nothing when the surface does not have it in
+/// (Newton along the gradient, inside -1 ... 1). None if the surface does not reach the value
 /// there.
 std::optional<Point> nearest_with(const ResponseSurface& s, double target, const Point& start);
 
-/// Directions of unit length, at right angles to the gradient at x and to each other, along which
-/// the surface does not change: k - 1 of them. Empty for one parameter or no gradient.
+/// Unit directions, perpendicular to the gradient at x and to each other, along which the surface
+/// does not change: k - 1 of them. Empty for one parameter or no gradient.
 std::vector<Point> neutral_directions(const ResponseSurface& s, const Point& x);
 
-/// Follows the line of equal value from x along `direction` until it leaves -1 ... 1 or turns back:
-/// the last point inside.
+/// Follows the contour from x along `direction` until it leaves -1 ... 1 or turns back: the last
+/// point inside.
 Point follow(const ResponseSurface& s, const Point& x, const Point& direction);
 
 }  // namespace dipper::calibrate

@@ -1,4 +1,4 @@
-// Between the values of searched keys and the points of a design.
+// Conversion between values of searched keys and points of a design.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace dipper::calibrate {
 
-/// Each range's ends are -1 and 1.
+/// The ends of each range are -1 and 1.
 class SearchScale {
  public:
   explicit SearchScale(const std::vector<SearchRange>& ranges) : ranges_(ranges) {}

@@ -76,8 +76,8 @@ Window Coupling::finish(std::int64_t n_next) {
 
   for (std::size_t b = 0; b < n; ++b) {
     // The wall's twist is constant over the window, so mean wrench times twist times H is the
-    // rock's work exactly; the machine's wrench is constant, so its work is the wrench times the
-    // displacement (the rotation vector's error is third order in the window's turn).
+    // rock's work exactly. The machine's wrench is constant, so its work is wrench times
+    // displacement (the error of the rotation vector is third order in the window's rotation).
     w.V_WB_wall.push_back(twist_between(state_.walls[b].X_WB, w.rock.bodies[b].X_WB, H));
     w.rock_work_J += power(felt[b], w.V_WB_wall[b]) * H;
     w.machine_work_J += power(applied[b], twist_between(machine_state_.bodies[b].X_WB,

@@ -1,4 +1,4 @@
-// What the two sides and the master say to each other, independent of how it travels.
+// The messages between the two sides and the master, independent of the transport.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace dipper::core {
 
-/// In front of every message.
+/// The header of every message.
 struct Envelope {
   std::string run_id;
   std::string case_hash;
@@ -18,7 +18,7 @@ struct Envelope {
   std::int64_t t_ns = 0;
 };
 
-/// To the rock: where its walls start.
+/// To the rock: the walls' initial poses.
 struct RockPlace {
   std::vector<Pose> X_WB;
 };
@@ -34,7 +34,7 @@ enum class Action {
   follow = 8
 };
 
-/// To either side. `state`: of the machine now, and where it will be at the envelope's t_ns.
+/// To either side. `state`: of the machine now, with the poses extrapolated to the envelope's t_ns.
 struct Command {
   Action action = Action::hello;
   std::string text;  ///< save, load: the file; look: the grid; follow: rows of a motion
@@ -46,7 +46,8 @@ struct Status {
   std::string text;
 };
 
-/// A window's step_index and end are in the envelope as it travels, and in the step once decoded.
+/// While a message travels, the envelope has the window's step_index and end; a decoded step has
+/// them too.
 using Body =
     std::variant<MachineStep, MachineState, RockPlace, RockStep, RockState, Command, Status>;
 
@@ -56,8 +57,8 @@ struct Message {
 };
 
 /// Throws std::runtime_error naming `side`, the sync step, the simulated time, the body and the
-/// quantity when a pose, twist or wrench has a NaN, an infinity, or a rotation that is not one.
-/// `bodies` are the names, for the message only.
+/// quantity when a pose, twist or wrench has a NaN, an infinity, or an invalid rotation. `bodies`
+/// are names for that message.
 void require_sound(const Message& m, const std::string& side,
                    const std::vector<std::string>& bodies);
 

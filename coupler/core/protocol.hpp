@@ -9,10 +9,10 @@
 
 namespace dipper::core {
 
-/// The asking end.
+/// The client's end.
 class Requester {
  public:
-  /// The number of a new request. The previous one must have been answered.
+  /// The number of a new request. The previous request must have its reply.
   std::int64_t begin() {
     assert(!waiting_);
     waiting_ = true;
@@ -21,10 +21,10 @@ class Requester {
     return ++number_;
   }
 
-  /// The request under way was sent once more.
+  /// Records that the current request was sent again.
   void sent_again() { ++unanswered_; }
 
-  /// Whether the reply with this number is the one awaited, and not one that was taken already.
+  /// Whether this number is that of the awaited reply, the first time it comes.
   bool accept(std::int64_t number) {
     if (number == number_) --unanswered_;
     if (number == number_ - 1) --unanswered_before_;
@@ -35,26 +35,26 @@ class Requester {
   }
 
   /// Requests sent again because a message was lost. When the other side is only slow, each copy
-  /// has its reply, before the next request has one.
+  /// has its reply before the next request has one.
   std::int64_t resends() const { return resends_; }
 
  private:
   std::int64_t number_ = 0;
   bool waiting_ = false;
-  int unanswered_ = 0;         ///< copies of this request less replies to it
-  int unanswered_before_ = 0;  ///< of the request before
+  int unanswered_ = 0;         ///< copies of this request minus replies to it
+  int unanswered_before_ = 0;  ///< the same for the previous request
   std::int64_t resends_ = 0;
 };
 
-/// The answering end.
+/// The server's end.
 class Responder {
  public:
   enum class Handling {
-    execute,  ///< new: carry it out and keep the reply
-    repeat,   ///< already carried out: send the same reply again
-    ignore    ///< older than that
+    execute,  ///< new: execute it and keep the reply
+    repeat,   ///< already executed: send the same reply again
+    ignore    ///< older
   };
-  /// Throws std::runtime_error when a request has been skipped: it can never be served in order.
+  /// Throws std::runtime_error when a request was skipped: it can never be served in order.
   Handling classify(std::int64_t number) {
     if (number > last_ + 1) throw std::runtime_error("a request between two is lost");
     if (number <= last_) return number == last_ ? Handling::repeat : Handling::ignore;

@@ -39,7 +39,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr double kSummaryTrim = 1e-3;  // m: of the faces' points, a page draws no finer
+constexpr double kSummaryTrim =
+    1e-3;  // m: resolution of the faces' points, as fine as a page draws
 
 setup::PeerConfig machine_config(const cases::Case& c, const result::RunFolder& folder, bool told) {
   setup::PeerConfig config;
@@ -118,7 +119,7 @@ json describe(const std::vector<LimitUse>& uses) {
   return out;
 }
 
-/// When the shovel faces the rock of a pass, whether it meets any or not.
+/// When the shovel starts to face the rock in a pass, also if it then meets none.
 double faces_rock_s(const json& pass) {
   for (const json& phase : pass.at("phases"))
     if (phase.at("phase") == word(analysis::signals::PhaseName::penetrate))
@@ -203,7 +204,7 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
   }
   for (const fs::path& unused : {folder.dumps(), folder.checkpoints()}) fs::remove(unused);
   if (!complete) {
-    fs::remove(folder.record());  // which makes it a run's folder
+    fs::remove(folder.record());  // a folder with a record counts as a run
     reporter.error("interrupted; the same command starts it again");
     return run::RunStatus::interrupted;
   }

@@ -1,4 +1,4 @@
-// How near a run came to what the machine can do.
+// How close a run came to the machine's limits.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,9 @@ struct LimitUse {
   std::string name;  ///< as "hoist_force"
   std::string unit;  ///< SI
   double most = 0;   ///< largest magnitude
-  double at_s = 0;   ///< when
+  double at_s = 0;   ///< time of the largest
   double limit = 0;
-  double over_s = 0;  ///< for how long it was above
+  double over_s = 0;  ///< total time above the limit
 };
 
 /// Of force, power and speed of hoist, crowd and swing. Throws std::runtime_error naming the record

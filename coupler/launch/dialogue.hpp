@@ -1,4 +1,4 @@
-// A program that is spoken with: a line to it, a line back.
+// Exchange of lines with a program.
 #pragma once
 
 #include <chrono>
@@ -12,11 +12,11 @@
 
 namespace dipper::launch {
 
-/// Has the program's stdin and stdout; its stderr goes to a log. SIGPIPE must be ignored
+/// Owns the program's stdin and stdout; its stderr goes to a log. SIGPIPE must be ignored
 /// (catch_interrupts does that).
 class Dialogue {
  public:
-  /// \param patience  for each line, its time without a core not counted
+  /// \param patience  for each line, without the time that the program waits for a core
   /// \param watch     called at least every 50 ms while waiting; throws to give up
   /// Throws std::runtime_error when the program cannot be started.
   Dialogue(const std::vector<std::string>& command, const std::filesystem::path& log,
@@ -26,19 +26,19 @@ class Dialogue {
   Dialogue(const Dialogue&) = delete;
   Dialogue& operator=(const Dialogue&) = delete;
 
-  /// Sends a line; `line` has no end of one. Throws std::runtime_error when the program has ended,
-  /// with how and its last words, or does not read.
+  /// Sends a line; `line` has no newline. Throws std::runtime_error when the program has ended,
+  /// with its exit and last output, or does not read.
   void say(const std::string& line);
 
-  /// The next line, without its end. Throws std::runtime_error when the program has ended, says
-  /// nothing until the patience is over, or a line is longer than 64 MiB.
+  /// The next line, without its newline. Throws std::runtime_error when the program has ended,
+  /// writes nothing for `patience`, or writes a line longer than 64 MiB.
   std::string hear();
 
-  /// Closes its stdin and waits for its end; whether it has ended by itself with exit status 0.
+  /// Closes its stdin and waits for its end. True if it ended by itself with exit status 0.
   bool dismiss(std::chrono::milliseconds patience);
 
  private:
-  /// Until a file can be read or written. `doing` is what the program does not do, if it cannot.
+  /// Waits until a pipe can be read or written. `doing`: the error's text if the time runs out.
   void wait_for(int file, short event, const char* doing,
                 std::chrono::steady_clock::time_point began, double starved_s);
   [[noreturn]] void tell_end();

@@ -22,7 +22,7 @@ json read_json(const std::filesystem::path& file) {
 json operator_summary(const cases::Case& c, const RunFolder& folder) {
   if (c.machine.operated_by != cases::OperatorKind::plan) return nullptr;
   std::vector<double> begun_s;
-  double back_s = 0;  // of all ways back
+  double back_s = 0;  // sum over the returns
   for (int pass = 1;; ++pass) {
     const json one = read_json(folder.decisions() / fmt::format("pass_{}.json", pass));
     if (!one.is_object() || one.at("chosen").is_null()) break;
@@ -41,7 +41,7 @@ json operator_summary(const cases::Case& c, const RunFolder& folder) {
               {"cycles_s", json::array()}};
   for (std::size_t k = 1; k < begun_s.size(); ++k)
     out["cycles_s"].push_back((k + 1 < begun_s.size() ? begun_s[k + 1] : done_s) - begun_s[k]);
-  // A way back for the first pass as well: the mean of the others'.
+  // The first pass gets a return as well: the mean of the others'.
   const double truck_s = done_s - begun_s.front() + (passes > 1 ? back_s / (passes - 1) : 0);
   const double kg = truck.back();
   out["truck_kg"] = kg;

@@ -18,7 +18,8 @@ using nlohmann::json;
 
 namespace {
 
-/// Folders of checkpoints with that extension, oldest first; without one: whole, sound or not.
+/// Checkpoint folders with that extension, oldest first; without an extension: the completed ones,
+/// valid or damaged.
 std::vector<fs::path> list(const fs::path& checkpoints, const std::string& extension = "") {
   std::vector<fs::path> found;
   if (!fs::exists(checkpoints)) return found;
@@ -30,8 +31,8 @@ std::vector<fs::path> list(const fs::path& checkpoints, const std::string& exten
   return found;
 }
 
-/// Throws when there are checkpoints, all of them damaged: those found now, with what is wrong with
-/// each, and those that were set aside before.
+/// Throws when there are checkpoints and all of them are damaged. The error lists those found now,
+/// with the fault of each, and those set aside earlier.
 void require_none_lost(const fs::path& checkpoints,
                        const std::vector<std::pair<fs::path, std::string>>& damaged) {
   std::vector<Finding> findings;
@@ -88,7 +89,7 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
   c.folder = place;
   const auto all = list(checkpoints);
   for (std::size_t i = 0; i + 2 < all.size(); ++i) {
-    // One that a segment began at stays: a replay of that segment needs it.
+    // The checkpoint at which a segment began stays: a replay of that segment needs it.
     const auto segment = fmt::format("events-{}.lcmlog", std::stoll(all[i].filename().string()));
     if (!fs::exists(checkpoints.parent_path() / segment)) fs::remove_all(all[i]);
   }
@@ -127,7 +128,7 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   c.record = {j.at("record_rows"), j.at("record_t_ns"), j.at("rock_work_J"),
               j.at("machine_work_J")};
   c.cost = {j.at("dem_cpu_s"), j.at("mbs_cpu_s"), j.at("wall_s"), j.at("rock_busy_s")};
-  c.desk = j.value("desk", json());  // checkpoints made before have none
+  c.desk = j.value("desk", json());  // earlier checkpoints have none
   return c;
 }
 

@@ -1,4 +1,4 @@
-// Where a run can go on from.
+// Checkpoints: what a run can be resumed from.
 #pragma once
 
 #include <filesystem>
@@ -11,27 +11,27 @@
 
 namespace dipper::run {
 
-/// One folder under checkpoints/, whole or not there at all.
+/// One folder under checkpoints/; it appears there only when it is complete.
 struct Checkpoint {
   std::filesystem::path folder;
   core::CouplingState coupling;
   RecordPosition record;
   result::RunCost cost;
-  nlohmann::json desk;  ///< of an operator who plans (pass_desk.hpp); null: there is none
+  nlohmann::json desk;  ///< state of the planning operator (pass_desk.hpp); null without one
 
   std::filesystem::path rock() const { return folder / "rock.restart"; }
   std::filesystem::path machine() const { return folder / "machine.state"; }
 };
 
-/// Has both sides save, then adds coupling.json, seals the folder (common/manifest.hpp) and moves
-/// it into place; older checkpoints but the last are removed. Returns it with `folder` set.
+/// Has both sides save, adds coupling.json, writes the manifest (common/manifest.hpp) and moves the
+/// folder into place; keeps the last older checkpoint and removes the others. Returns it with
+/// `folder` set.
 Checkpoint save_checkpoint(const std::filesystem::path& checkpoints, Checkpoint c, core::Rock& rock,
                            core::Machine& machine);
 
-/// The newest checkpoint whose files are what was written; none when there never was one. Newer
-/// ones are set aside, each with a warning that names the file. Throws InputError, and leaves all
-/// where it is, when there are checkpoints and none of them is sound: what the run got to would be
-/// lost.
+/// The newest checkpoint whose files agree with its manifest; none if there are no checkpoints.
+/// Damaged newer ones are renamed, each with a warning that names the file. Throws InputError, and
+/// renames nothing, when there are checkpoints and all are damaged: continuing would lose the run.
 std::optional<Checkpoint> last_checkpoint(const std::filesystem::path& checkpoints);
 
 }  // namespace dipper::run

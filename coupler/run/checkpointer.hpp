@@ -1,4 +1,4 @@
-// When a run's checkpoints are made.
+// When a run writes checkpoints.
 #pragma once
 
 #include <functional>
@@ -8,19 +8,19 @@
 
 namespace dipper::run {
 
-/// Saves a checkpoint every so often and at the end, with the record flushed up to it.
+/// Saves a checkpoint at intervals and at the end, with the record flushed up to it.
 class Checkpointer final : public Observer {
  public:
-  struct Sources {  ///< what a checkpoint is made of
+  struct Sources {  ///< inputs of a checkpoint
     const core::Coupling& coupling;
     core::Machine& machine;
     core::Rock& rock;
     RunRecord& record;
     std::function<result::RunCost()> cost;
-    std::function<nlohmann::json()> desk;  ///< none: nobody plans
+    std::function<nlohmann::json()> desk;  ///< empty without a planning operator
   };
 
-  /// \param every_s  simulated time between two; 0: only at the end
+  /// \param every_s  simulated time between checkpoints; 0: only at the end
   Checkpointer(std::filesystem::path checkpoints, double every_s, Sources sources);
 
   bool needs_rest(const core::Window& w) const override;
@@ -33,7 +33,7 @@ class Checkpointer final : public Observer {
   std::filesystem::path folder_;
   double every_s_;
   Sources sources_;
-  std::int64_t saved_ns_;  ///< when the last one was due
+  std::int64_t saved_ns_;  ///< time of the last checkpoint
 };
 
 }  // namespace dipper::run

@@ -13,7 +13,7 @@
 namespace dipper::run {
 namespace {
 
-constexpr double kBeforeToe_m = 4.0;  // where rubble comes to lie
+constexpr double kBeforeToe_m = 4.0;  // loose rock lies up to this far in front of the toe
 
 HeightGrid bench_grid(const cases::Case& c) {
   const deck::PileShape pile = deck::pile_shape(c);

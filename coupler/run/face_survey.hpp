@@ -1,4 +1,4 @@
-// The face as a survey would have it: seen from above before the first pass and at every dump.
+// Surveys of the face during a run: from above, before the first pass and at every dump.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace dipper::run {
 
-/// Looks at the rock, both sides at rest, when a new run starts and whenever the door opens: what a
-/// pass has left is what the next finds. Writes faces/face_K.json, K from 0, in the run's folder: a
-/// map of heights (common/height_map.hpp) with `t_s` and the swing axis `axis_m` (x, y in W).
-/// Changes nothing in the run.
+/// Samples the rock surface when a new run starts and whenever the door opens, with both sides at
+/// rest: the face that a pass leaves is the face that the next one finds. Writes faces/face_K.json,
+/// K from 0, in the run's folder: a height map (common/height_map.hpp) with `t_s` and the swing
+/// axis `axis_m` (x, y in W). Does not change the run.
 class FaceSurvey final : public Observer {
  public:
   struct Sides {
@@ -20,8 +20,8 @@ class FaceSurvey final : public Observer {
     core::ServerInfo machine_info;
   };
 
-  /// \param from  of a run that goes on: the machine there and the time; faces seen later are
-  ///              removed. Null: a new run.
+  /// \param from  of a resumed run: the machine's state and the time; later faces are removed.
+  /// Null: a new run.
   FaceSurvey(const cases::Case& c, const Sides& sides, std::filesystem::path folder,
              const core::CouplingState* from, const core::MachineState& machine);
 

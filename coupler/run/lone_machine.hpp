@@ -1,4 +1,4 @@
-// The machine's process by itself.
+// The machine's process without a rock side.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace dipper::run {
 
-/// A shovel in a process of its own, for as long as this lives. Who waits for it also watches it:
-/// when it ends, transport::PeerError says what it said last; at the second interrupt
-/// launch::Interrupted is thrown.
+/// Starts dipper-mbs for a shovel and ends it in the destructor. Waiting for an answer also watches
+/// the process: if it ends, transport::PeerError gives its last message; the second interrupt
+/// throws launch::Interrupted.
 class LoneMachine {
  public:
   /// Writes mbs.json and mbs.log into `folder`.

@@ -21,7 +21,7 @@ namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
-/// The rock's mean wrench on a body, a row a sync step.
+/// The rock's mean wrench on a body, one row for each sync step.
 class RecordedWrench {
  public:
   RecordedWrench(const record::Columns& record, const std::string& body) {
@@ -45,7 +45,7 @@ class RecordedWrench {
 cases::Case case_of_run(const fs::path& run, const std::string& case_folder,
                         const std::vector<cases::Override>& changes,
                         std::vector<Finding>& findings) {
-  // The text has the values that effects of the case have changed: the effects are in it.
+  // The effects of the case have already changed the values in this text.
   std::vector<cases::Override> all = {{"effects", "{}"}};
   try {
     for (const CaseLine& line : CaseLines::read(run / "case.txt"))
@@ -90,8 +90,8 @@ void observe_changed_machine(const fs::path& run, const cases::Case& changed, co
       s.crowd_force_N.push_back(state.channels[core::channel_index(info, "crowd_force")]);
     };
     put(time_s.at(0), lone.machine().state(0));
-    // The corrected scheme repeats a window with its own mean wrench, the serial one holds the
-    // last.
+    // The corrected scheme repeats a sync step with its own mean wrench; the serial scheme uses the
+    // wrench of the previous step.
     const std::size_t late = changed.coupling.scheme == core::Scheme::serial ? 1 : 0;
     for (std::size_t i = 1; i < time_s.size(); ++i) {
       core::MachineStep step{std::llround(time_s[i] * 1e9),

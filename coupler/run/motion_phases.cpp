@@ -29,7 +29,7 @@ MotionPhases::MotionPhases(const machine::Motion& motion) {
   }
   std::vector<signals::PlannedPass> passes = signals::find_planned_passes(drive.time_s, door_rad);
   if (passes.empty()) passes.push_back({drive.time_s.front(), 0});
-  passes.back().t_end_s = drive.time_s.back();  // the way home belongs to the last pass
+  passes.back().t_end_s = drive.time_s.back();  // the return belongs to the last pass
   for (std::size_t k = 0; k < passes.size(); ++k)
     for (const signals::Phase& phase :
          signals::find_phases(drive, passes[k].t_start_s, passes[k].t_end_s))

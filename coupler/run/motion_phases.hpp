@@ -1,4 +1,4 @@
-// The phases that a motion goes through, before a run has been there.
+// The passes and phases of a motion, before it is run.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace dipper::run {
 
-/// A motion's passes, and the phases of each as `dipper phases` finds them in what was measured.
+/// A motion's passes and their phases, by the same rules as `dipper phases` applies to a log.
 class MotionPhases {
  public:
   explicit MotionPhases(const machine::Motion& motion);

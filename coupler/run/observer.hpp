@@ -1,23 +1,23 @@
-// Who wants to know how a run goes.
+// The interface of what follows a run: record, progress, checkpoints.
 #pragma once
 
 #include "coupler/core/coupling.hpp"
 
 namespace dipper::run {
 
-/// Told by the stepper (stepper.hpp) of a run's windows as they are done.
+/// The stepper (stepper.hpp) calls it after each window of a run.
 class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// Whether both sides have to stand still while `window` is told of this one. Else the rock steps
-  /// the next meanwhile.
+  /// Whether both sides must be at rest during `window` for this window. Otherwise the rock
+  /// computes the next window at the same time.
   virtual bool needs_rest(const core::Window&) const { return false; }
 
-  /// A window has been stepped; index 0: the start, before the first.
+  /// A window is complete; index 0: the start, before the first.
   virtual void window(const core::Window& w) = 0;
 
-  /// No more windows come: the end is reached or the run is interrupted. Not after a failure.
+  /// The run has reached its end or is interrupted. Not called after a failure.
   virtual void end() {}
 };
 

@@ -31,7 +31,7 @@ double time_s(const core::CouplingState& at, const cases::Case& c) {
   return static_cast<double>(at.dem_step) * c.dem.timestep_s;
 }
 
-/// How a run can go on, for the message that says why it has to.
+/// How to resume the run, for the message that explains why it stopped.
 std::string how_to_resume(const cases::Case& c, const result::RunFolder& folder) {
   std::optional<Checkpoint> last;
   try {
@@ -45,7 +45,7 @@ std::string how_to_resume(const cases::Case& c, const result::RunFolder& folder)
                      folder.root().string());
 }
 
-/// Summary and instruments of a session, which is closed first: the record is read again.
+/// Closes the session, then writes summary and observed signals from the closed record.
 void conclude(const cases::Case& c, const result::RunFolder& folder,
               std::unique_ptr<Session> session, RunStatus status, const std::string& failure,
               Reporter& reporter) {
@@ -53,7 +53,7 @@ void conclude(const cases::Case& c, const result::RunFolder& folder,
   session.reset();
   facts.status = word(status);
   facts.failure = failure;
-  // The summary last: it says "complete" once all the rest is written.
+  // The summary comes last: "complete" means that all other files are written.
   if (c.machine.kind == cases::MachineKind::shovel)
     result::write_observed(folder.record(), c.observation, folder.observed());
   result::write_summary(c, folder, facts, reporter);

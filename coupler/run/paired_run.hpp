@@ -1,4 +1,4 @@
-// `dipper run` from its first line to its last.
+// `dipper run` as a whole.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,9 @@ namespace dipper::run {
 enum class RunStatus { complete = 0, failed = 3, interrupted = 4 };
 
 /// Runs a checked case in its folder, from the start or, with `resume`, from the last checkpoint:
-/// settles or finds the pile, starts both sides, steps them to the end, writes the summary. What
-/// fails on the way ends here and is told to the reporter. A run that is complete already is left
-/// as it is. \param program  that drives the machine, of a case that it can (require_operable)
+/// finds or settles the pile, starts both sides, steps them to the end, writes the summary. Errors
+/// during the run are caught here and reported. Does nothing to a complete run. \param program
+/// drives the machine; the case must allow it (require_operable)
 RunStatus paired_run(const cases::Case& c, const result::RunFolder& folder, bool resume,
                      const launch::MpiPlaces& places,
                      const std::optional<operate::Program>& program, Reporter& reporter);

@@ -1,4 +1,5 @@
-// Where an operator who plans sits: between two passes he looks, decides, and tells the machine.
+// The planning operator's part of a run: between two passes he surveys the rock, decides, and sends
+// the machine his motion.
 #pragma once
 
 #include <nlohmann/json.hpp>

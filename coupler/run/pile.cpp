@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* kPileFile = "pile.restart";
 constexpr const char* kBrickFile = "brick.csv";
-constexpr int kBrickRanks = 2;  // a part of a brick must hold its largest rocks
+constexpr int kBrickRanks = 2;  // each rank's part of a brick must be larger than the largest rock
 
 std::vector<fs::path> scripts(const std::vector<std::string>& names) {
   std::vector<fs::path> files;
@@ -35,8 +35,8 @@ std::vector<fs::path> scripts(const std::vector<std::string>& names) {
   return files;
 }
 
-/// Everything the bench depends on: the case's keys that affect the settling, the deck that settles
-/// it, the files that deck includes, and the program that runs it.
+/// Input of the cache key: the case's keys that affect settling, the deck that settles the pile,
+/// the files that the deck includes, and the version of the program that runs it.
 std::string pile_hash(const PilePrograms& programs, const fs::path& deck) {
   const cases::Case& c = programs.c;
   const bool bricks = c.pile.built == cases::PileBuilt::bricks;
@@ -44,9 +44,9 @@ std::string pile_hash(const PilePrograms& programs, const fs::path& deck) {
   if (bricks) all += fmt::format("brick {}\n", deck::kBrickVersion);
   for (const CaseLine& line : CaseLines(c.text)) {
     const cases::KeySpec& spec = *cases::spec_of(line.key);
-    // A path says where a file is, not what is in it: the deck's spheres, outline and surface are
-    // hashed below. The settler's word has the loop.
-    // A poured pile keeps the name it had before there were others.
+    // Paths are left out: the contents of spheres, outline and surface are hashed below. The
+    // settler's version includes the time loop.
+    // Poured piles keep the key that they had before bricks existed.
     const bool said =
         cases::is_path(spec) || line.key == "dem.loop" || (line.key == "pile.built" && !bricks);
     if (spec.affects == cases::Affects::settling && !said)
@@ -59,7 +59,7 @@ std::string pile_hash(const PilePrograms& programs, const fs::path& deck) {
       deck);
 }
 
-/// The entry's file with the rocks of the case's brick; settles it when it is not there.
+/// The cached file with the rocks of the case's brick; settles the brick when it is missing.
 fs::path settled_brick(const PilePrograms& programs,
                        const std::map<std::string, deck::RockShape>& shapes, const fs::path& deck) {
   const cases::Case& c = programs.c;
@@ -67,7 +67,7 @@ fs::path settled_brick(const PilePrograms& programs,
   const int ranks = std::min(c.dem.ranks, kBrickRanks);
   deck::write_brick_deck(c, shapes, deck);
   std::vector<fs::path> files = scripts({"place.in", "brick.in", "contact.in", "check_lost.in"});
-  files.push_back(deck / "case.in");  // all of a brick's is its own
+  files.push_back(deck / "case.in");  // a brick's deck has no other settings
   const fs::path entry = cache_folder() / "bricks" /
                          deck_hash(fmt::format("{}, brick {}, {} ranks\n", programs.settler(),
                                                deck::kBrickVersion, ranks),
@@ -86,7 +86,7 @@ fs::path settled_brick(const PilePrograms& programs,
   return entry / kBrickFile;
 }
 
-/// Lays the bench from the brick and lets it relax, in `out`.
+/// Builds the pile from the brick and lets it relax, in `out`.
 void relax_bricks(const PilePrograms& programs, const fs::path& deck, const fs::path& out) {
   const cases::Case& c = programs.c;
   const auto shapes = deck::used_shapes(c, c.rock.shape_folder);

@@ -7,20 +7,18 @@
 
 namespace dipper::run {
 
-/// A settled bench for the case: the LIGGGHTS restart file to dig in.
+/// A settled pile for the case: the LIGGGHTS restart file from which the run starts.
 struct Pile {
   std::filesystem::path restart;
-  bool cached = false;  ///< it was there already
+  bool cached = false;  ///< found in the cache
   double wall_s = 0;    ///< settling time, 0 when cached
 };
 
-/// Finds the case's bench in the cache, or settles it (dem_in/settle.in under the plain LIGGGHTS
-/// binary) and puts it there. The key is a hash of everything the bench depends on. Two runs may do
-/// this at once and either may be killed (cache_entry.hpp).
-/// \param deck  the folder write_deck filled
-/// \param logs  where LIGGGHTS's output goes
-/// \param places  of the ranks that settle it
-/// Throws std::runtime_error with LIGGGHTS's own message.
+/// Finds the case's pile in the cache, or settles it (dem_in/settle.in under the plain LIGGGHTS
+/// binary) and stores it. The key is a hash of everything that the pile depends on. Several runs
+/// may do this at once, and any of them may be killed (cache_entry.hpp). \param deck  the folder
+/// that write_deck filled. \param logs  folder of LIGGGHTS's output. \param places  hosts of the
+/// ranks that settle it. Throws std::runtime_error with LIGGGHTS's own message.
 Pile settled_pile(const cases::Case& c, const std::filesystem::path& deck,
                   const std::filesystem::path& logs, const launch::MpiPlaces& places);
 

@@ -20,7 +20,7 @@ namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
-/// For the message about a settling that has stopped.
+/// For the message about a settling that hangs.
 std::string how_far(const fs::path& screen) {
   std::ifstream in(screen);
   std::string last;

@@ -1,4 +1,4 @@
-// Programs that make a pile: LIGGGHTS, and what puts rock into it.
+// The programs that make a pile: LIGGGHTS and place-rocks.
 #pragma once
 
 #include <filesystem>
@@ -10,23 +10,23 @@
 
 namespace dipper::run {
 
-/// What the programs that make a case's pile are started with.
+/// How the programs that make a case's pile are started.
 struct PilePrograms {
   const cases::Case& c;
-  std::filesystem::path logs;  ///< where LIGGGHTS's output goes
-  launch::MpiPlaces places;    ///< of the ranks
+  std::filesystem::path logs;  ///< folder of LIGGGHTS's output
+  launch::MpiPlaces places;    ///< hosts of the ranks
 
-  /// A word by which what the case's LIGGGHTS settled is kept: it changes with the order of its
-  /// sums.
+  /// Identifies the LIGGGHTS that settled a pile, in cache keys: its version and the time loop,
+  /// which fixes the order of summation.
   std::string settler() const;
 
   /// Runs dem_in/SCRIPT.in under LIGGGHTS in `folder`, which has PileLinks, to make the file
-  /// `makes` there. `variables` are names and values in turn. Throws std::runtime_error with
+  /// `makes` there. `variables`: name, value, name, value ... Throws std::runtime_error with
   /// LIGGGHTS's own message.
   void settle(const std::filesystem::path& folder, const std::string& script, int ranks,
               const std::string& makes, std::vector<std::string> variables) const;
 
-  /// The same with place-rocks, its own words and dem_in/place.in.
+  /// The same with place-rocks, its arguments and dem_in/place.in.
   void place(const std::filesystem::path& folder, const std::vector<std::string>& words,
              const std::string& makes, std::vector<std::string> variables) const;
 
@@ -36,8 +36,8 @@ struct PilePrograms {
            std::vector<std::string> variables) const;
 };
 
-/// What the scripts name, linked into the folder that LIGGGHTS is started in: neither a script nor
-/// the shell it calls reads a path that a user has chosen.
+/// Links to the files that the scripts name, in the folder in which LIGGGHTS runs: so no script and
+/// no shell command contains a path that the user chose.
 class PileLinks {
  public:
   PileLinks(std::filesystem::path folder, const std::filesystem::path& deck);

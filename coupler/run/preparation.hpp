@@ -1,4 +1,4 @@
-// Before a run: its deck, its pile, and what both sides are told.
+// Before a run starts: its deck, its pile, and the input of both sides.
 #pragma once
 
 #include <map>
@@ -16,11 +16,11 @@
 
 namespace dipper::run {
 
-/// When a run is done.
+/// When a run ends.
 struct RunEnd {
-  std::int64_t step = 0;  ///< DEM steps, at the latest
-  /// Or as soon as the machine's channel path_time is there [s]: limited drives, which come to the
-  /// motion's end when they can.
+  std::int64_t step = 0;  ///< DEM steps, at most
+  /// Also ends when the machine's channel path_time reaches this [s]: limited drives reach the end
+  /// of the motion when they can.
   std::optional<double> path_s;
   bool told = false;  ///< a program drives, and may end it
 };
@@ -32,37 +32,38 @@ struct RunEnd {
 /// read.
 RunEnd run_end(const cases::Case& c, bool told = false);
 
-/// Whether a run whose record stands at its last checkpoint is done. Throws std::runtime_error
+/// Whether a run whose last checkpoint is `last` has reached its end. Throws std::runtime_error
 /// naming the record.
 bool is_done(const RunEnd& end, const Checkpoint& last, const std::filesystem::path& record);
 
-/// Lets a stepper end when the machine's path does, where the end asks for that.
+/// Ends the stepper at the end of the machine's motion, where the run's end depends on it.
 void end_with_path(Stepper& stepper, const RunEnd& end, const core::ServerInfo& machine);
 
-/// What record.h5 says of its run.
+/// The attributes of record.h5.
 std::map<std::string, std::string> record_attributes(
     const cases::Case& c, const core::ServerInfo& machine, const core::ServerInfo& rock,
     const std::optional<operate::Program>& program);
 
-/// Writes scales.json of dipper-dem's set-up: for those who may not read the run's secret, which
-/// is beside the settings. With it what the dipper holds, which its meshes alone do not tell.
-/// Throws std::runtime_error naming the file.
+/// Writes scales.json from dipper-dem's input, without the run's secret, which dem.json contains;
+/// and the dipper's struck volume, which its meshes alone do not give. Throws std::runtime_error
+/// naming the file.
 void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
                   double struck_volume_m3);
 
-/// Writes deck and identity into the run's folder, settles the pile or finds it in the cache, and
-/// says so. \param from  what the run goes on from; nothing: a new run. \param places  of the
-/// ranks. \param told  a program drives. Throws what settled_pile throws, launch::Interrupted too.
+/// Writes deck and identity into the run's folder, finds the pile in the cache or settles it, and
+/// reports this. \param from  the checkpoint of a resumed run; none: a new run. \param places
+/// hosts of the ranks. \param told  a program drives the machine. Throws as settled_pile
+/// does, also launch::Interrupted.
 sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
                           bool told, Reporter& reporter);
 
-/// What is needed of a run to have a program drive its machine. \param segment  of the run, for the
-/// name of its log
+/// What a program needs to drive the machine of a run. \param segment  of the run, for the name of
+/// its log
 operate::Operated operated(const cases::Case& c, const operate::Program& program,
                            const result::RunFolder& folder, const std::string& segment);
 
-/// Refuses a case that a program cannot drive. Throws InputError.
+/// Throws InputError for a case that a program cannot drive.
 void require_operable(const cases::Case& c);
 
 }  // namespace dipper::run

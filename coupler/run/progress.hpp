@@ -1,4 +1,4 @@
-// One line that tells how a run is doing.
+// The progress line of a run.
 #pragma once
 
 #include <chrono>
@@ -14,9 +14,9 @@
 
 namespace dipper::run {
 
-/// How far it has come, pass and phase, what is in the dipper, how long it will take yet (once that
-/// can be told), and simulated seconds a second: in 79 columns. Limited drives take as long for
-/// their motion as they need: how far they have come is counted along it, and no end time is shown.
+/// Shows progress, pass and phase, payload in the dipper, estimated time left, and simulated
+/// seconds per second, in 79 columns. With limited drives, which may take longer than their motion,
+/// progress is measured along the motion and no end time is shown.
 class Progress final : public Observer {
  public:
   using Clock = std::chrono::steady_clock;
@@ -32,14 +32,14 @@ class Progress final : public Observer {
   std::function<Clock::time_point()> now_;
   struct State {
     Clock::time_point wall;
-    double t_s, way_s;  ///< way: what has an end, the time or limited drives' motion
+    double t_s, way_s;  ///< position on what has a known end: time, or the motion of limited drives
   };
-  std::optional<State> first_;  ///< as the first window ended: starting up does not count
+  std::optional<State> first_;  ///< at the end of the first window: starting up does not count
   double end_s_;
-  bool by_motion_;                        ///< it ends with the motion
-  std::optional<MotionPhases> phases_;    ///< of a shovel that follows its motion
-  std::optional<std::size_t> payload_;    ///< of a shovel
-  std::optional<std::size_t> path_time_;  ///< of limited drives: how far along the motion they are
+  bool by_motion_;                        ///< the run ends with the motion
+  std::optional<MotionPhases> phases_;    ///< only for a shovel that follows its motion
+  std::optional<std::size_t> payload_;    ///< only for a shovel
+  std::optional<std::size_t> path_time_;  ///< only for limited drives: their position on the motion
 };
 
 }  // namespace dipper::run

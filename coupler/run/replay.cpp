@@ -28,7 +28,7 @@ struct Exchange {
   std::int64_t asked_us = 0, answered_us = 0;
 };
 
-/// A side's exchanges in order; resends and repeated answers count once.
+/// A side's exchanges in order; resent requests and repeated replies count once.
 std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
                                const std::string& from) {
   lcm::LogFile log(file.string(), "r");
@@ -63,8 +63,8 @@ std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
   return all;
 }
 
-/// The segments of a run in order, as their files are named: "", then "-N" for each that was
-/// resumed after N sync steps.
+/// The segments of a run in order, by the suffix of their files: "", then "-N" for each one resumed
+/// after N sync steps.
 std::vector<std::string> segments(const fs::path& run) {
   std::map<std::int64_t, std::string> by_start;
   for (const auto& entry : fs::directory_iterator(run)) {
@@ -79,7 +79,7 @@ std::vector<std::string> segments(const fs::path& run) {
   return all;
 }
 
-/// The set-up with everything the rock side writes sent to `scratch`.
+/// The setup with all output of the rock side directed to `scratch`.
 setup::RockSetup redirected(setup::RockSetup rock, const fs::path& scratch) {
   rock.log = (scratch / "dem.liggghts").string();
   rock.screen = (scratch / "dem.screen").string();
@@ -108,7 +108,7 @@ void compare(const core::Body& now, const core::Body& before, ReplayResult& resu
 
 bool is_window(const Exchange& e) { return !std::holds_alternative<core::Command>(e.request.body); }
 
-/// The request with the files it names in `scratch`, the one it reads copied there.
+/// The request with its file names directed to `scratch`; a file that it reads is copied there.
 core::Body redirected(core::Body request, const fs::path& scratch) {
   auto* c = std::get_if<core::Command>(&request);
   if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load))
@@ -154,7 +154,7 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
   };
   transport::Link link(side, lcm, to, config.identity, options);
 
-  // Of the segments before.
+  // After the earlier segments.
   const double wall_s = result.wall_s, recorded_wall_s = result.recorded_wall_s;
   std::optional<std::chrono::steady_clock::time_point> began;
   std::int64_t recorded_us = 0;

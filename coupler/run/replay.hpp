@@ -7,21 +7,20 @@ namespace dipper::run {
 
 /// How a side's answers compare with the recorded ones.
 struct ReplayResult {
-  int segments = 0;            ///< from the start or a checkpoint to an end, each
-  long requests = 0;           ///< windows and commands asked again
-  long windows = 0;            ///< of them windows
-  long different = 0;          ///< answers that are not the recorded ones to the bit
+  int segments = 0;            ///< each from the start or a checkpoint to an end
+  long requests = 0;           ///< windows and commands sent again
+  long windows = 0;            ///< how many of these are windows
+  long different = 0;          ///< answers that are not bit-identical to the recorded ones
   double force_N = 0;          ///< largest difference in a mean force component (rock side)
   double position_m = 0;       ///< largest difference in a body's position
-  double wall_s = 0;           ///< replay, from the first to the last answer
-  double recorded_wall_s = 0;  ///< the run, over the same requests
+  double wall_s = 0;           ///< of the replay, from the first to the last answer
+  double recorded_wall_s = 0;  ///< of the run, for the same requests
 };
 
 /// Runs one side ("dem" or "mbs") of the run in `run` against the recording of the other: starts
-/// its process as each segment of the run did and asks it again everything in events.lcmlog and
-/// then in each events-N.lcmlog, in the order of the request numbers. Files it writes go to a
-/// scratch folder. Throws std::runtime_error for a folder without a recording, PeerError when the
-/// side fails.
+/// its process as each segment of the run did and sends it all requests of events.lcmlog, then of
+/// each events-N.lcmlog, in the order of their numbers. Its output goes to a scratch folder. Throws
+/// std::runtime_error for a folder without a recording, PeerError when the side fails.
 ReplayResult replay(const std::filesystem::path& run, const std::string& side);
 
 }  // namespace dipper::run

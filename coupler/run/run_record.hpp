@@ -11,7 +11,7 @@
 
 namespace dipper::run {
 
-/// Where a record stands; part of a checkpoint.
+/// The length of a record; part of a checkpoint.
 struct RecordPosition {
   std::size_t rows = 0;
   std::int64_t t_ns = 0;                       ///< of the last row
@@ -23,12 +23,12 @@ struct RecordPosition {
 /// wrench_end, wall_pose}; coupling/{rock_work, machine_work, energy_residual, interface_power_*}.
 class RunRecord final : public Observer {
  public:
-  /// A new record, or (from.rows > 0) an earlier one of the run, cut back to where it stood.
+  /// A new record, or (from.rows > 0) an earlier one of the run, truncated to that length.
   RunRecord(const std::filesystem::path& file, const core::ServerInfo& machine,
             const core::ServerInfo& rock, const std::map<std::string, std::string>& attributes,
             const RecordPosition& from);
 
-  /// Adds a row; what was added is on the disk about a second later.
+  /// Adds a row; it is on disk about a second later.
   void window(const core::Window& w) override;
   void flush();
   const RecordPosition& position() const { return at_; }

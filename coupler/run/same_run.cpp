@@ -21,19 +21,19 @@ namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
-/// The lines of a case's text that a run must not change on its way.
+/// The lines of a case's text that must not change when a run is resumed.
 std::set<std::string> fixed_lines(const CaseLines& text) {
   std::set<std::string> fixed;
   for (const CaseLine& line : text) {
-    const cases::KeySpec* spec = cases::spec_of(line.key);  // none: of another version's case
+    const cases::KeySpec* spec = cases::spec_of(line.key);  // none: the key is of another version
     if (spec == nullptr || spec->affects != cases::Affects::output)
       fixed.insert(line.key + '=' + line.value);
   }
   return fixed;
 }
 
-/// SHA-256 by path, relative to the case's folder: the files the case names, and what is written
-/// beside the meshes of dipper and truck.
+/// SHA-256 by path, relative to the case's folder: the files that the case names, and the YAML
+/// files beside the meshes of dipper and truck.
 std::map<std::string, std::string> input_hashes(const cases::Case& c) {
   const std::vector<fs::path> files = cases::referenced_files(c);
   std::map<std::string, std::string> hashes;
@@ -43,12 +43,12 @@ std::map<std::string, std::string> input_hashes(const cases::Case& c) {
   return hashes;
 }
 
-// In the run's folder: what a report needs when the case's folder has gone or changed.
+// Copies in the run's folder, for reports after the case's folder is moved or changed.
 constexpr const char* kMotion = "motion.csv";
 constexpr const char* kMachine = "machine.yaml";
 constexpr const char* kPoses = "poses.csv";
 
-/// Whether two motions are one, to the bit, up to a time.
+/// Whether two motions are bit-identical up to a time.
 bool same_until(const fs::path& before, const fs::path& now, double until_s) {
   if (!fs::is_regular_file(before)) return false;
   const auto a = machine::Motion::load(before), b = machine::Motion::load(now);
@@ -64,7 +64,7 @@ bool same_until(const fs::path& before, const fs::path& now, double until_s) {
   return true;
 }
 
-/// inputs.sha256 of a run; empty when there is none.
+/// inputs.sha256 of a run; empty when the file is missing.
 std::map<std::string, std::string> recorded_hashes(const fs::path& file) {
   std::map<std::string, std::string> hashes;
   std::ifstream in(file);

@@ -1,4 +1,4 @@
-// Whether a run that goes on is still the same run.
+// Whether a resumed run is still the same run.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@
 
 namespace dipper::run {
 
-/// Writes what the run is into its folder: case.txt, and in inputs.sha256 the SHA-256 of every file
-/// the case names, as `sha256sum -c` reads it in the case's folder; and copies of its motion
-/// (motion.csv) and its machine's data (machine.yaml).
+/// Writes the run's identity into its folder: case.txt; inputs.sha256, with the SHA-256 of every
+/// file that the case names, in the format of `sha256sum -c` in the case's folder; and copies of
+/// its motion (motion.csv) and machine data (machine.yaml).
 void write_identity(const std::filesystem::path& folder, const cases::Case& c);
 
-/// What in `c` is not as in the run that `folder` holds, a line a key or file: a run that goes on
-/// may end later, write more often and wait longer, but must be the same run otherwise. Its motion
-/// may be another one after `from_s`, where the run goes on: the next pass can be planned from the
-/// face as it stands then.
+/// The differences of `c` from the run in `folder`, one line for each key or file. A resumed run
+/// may end later, write more often and wait longer; everything else must be unchanged. Its motion
+/// may differ after `from_s`, where the run continues: so the next pass can be planned on the face
+/// as it is then.
 std::vector<std::string> changed_since(const std::filesystem::path& folder, const cases::Case& c,
                                        double from_s);
 

@@ -77,7 +77,7 @@ Session::Session(const cases::Case& c, const result::RunFolder& folder,
     desk_.emplace(c,
                   PassDesk::Sides{sides_.machine(), rock_, sides_.machine().info(), rock_.info()},
                   folder.decisions(), from ? from->desk : nlohmann::json(), reporter);
-    stepper_.add(*desk_);  // before a checkpoint, which has what he has decided by then
+    stepper_.add(*desk_);  // before the checkpointer, which saves its decision
     stepper_.end_when([this](const core::MachineState&) { return desk_->finished(); });
   }
   stepper_.add(checkpointer_);
@@ -94,7 +94,7 @@ bool Session::run() {
     if (case_.pile.clear_machine) tell_removed_rocks(first);
   }
   const bool complete = stepper_.run([] { return launch::interrupts() > 0; });
-  if (complete) {  // rock and machine together, as both stand in the last checkpoint
+  if (complete) {  // both from the last checkpoint
     const auto last = last_checkpoint(folder_.checkpoints());
     state_hash_ = sha256(rock_.state_hash() + sha256_file(last->machine()));
   }

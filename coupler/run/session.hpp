@@ -1,4 +1,4 @@
-// A run under way.
+// A run in progress.
 #pragma once
 
 #include <memory>
@@ -23,22 +23,22 @@
 
 namespace dipper::run {
 
-/// What a run needs while it runs, from its start or a checkpoint: both sides, the coupling between
-/// them, the record, and the stepper that drives them.
+/// What a run uses from its start or checkpoint on: both sides, the coupling between them, the
+/// record, and the stepper.
 class Session {
  public:
-  /// Prepares the run and starts both sides, and the program that drives the machine if there is
-  /// one. `c` and `folder` must outlive this. Throws transport::PeerError, launch::Interrupted,
+  /// Prepares the run and starts both sides and, if there is one, the program that drives the
+  /// machine. `c` and `folder` must outlive this. Throws transport::PeerError, launch::Interrupted,
   /// std::runtime_error.
   Session(const cases::Case& c, const result::RunFolder& folder,
           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
           const std::optional<operate::Program>& program, Reporter& reporter);
 
-  /// Steps to the end, or until the user interrupts, after which a checkpoint is saved. Whether the
-  /// end is reached. Throws as the constructor does.
+  /// Steps until the end or an interrupt, then saves a checkpoint. Returns whether the end is
+  /// reached. Throws as the constructor does.
   bool run();
 
-  /// Ends both sides, in order after a run that ended in order, and the record.
+  /// Closes the record and ends both sides, with "stop" if the run ended without a failure.
   result::RunFacts close(bool orderly);
 
   const core::CouplingState& state() const { return coupling_.state(); }
@@ -59,7 +59,7 @@ class Session {
   std::string operator_command_;
   sides::Sides sides_;
   TimedRock rock_;
-  std::unique_ptr<operate::OperatedMachine> operated_;  ///< none: no program drives
+  std::unique_ptr<operate::OperatedMachine> operated_;  ///< empty unless a program drives
   core::Coupling coupling_;
   RunRecord record_;
   RunEnd end_;

@@ -26,7 +26,7 @@ void write_settings(const std::filesystem::path& run,
   std::map<std::string, std::string> last;
   for (const cases::Override& o : settings) {
     std::string& value = last[o.key] = o.value;
-    std::replace(value.begin(), value.end(), '\n', ' ');  // a line a key
+    std::replace(value.begin(), value.end(), '\n', ' ');  // one line for each key
   }
   std::string text;
   for (const auto& [key, value] : last) text += key + '=' + value + '\n';

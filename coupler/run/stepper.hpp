@@ -1,4 +1,4 @@
-// A run from window to window.
+// Steps a run window by window.
 #pragma once
 
 #include <functional>
@@ -9,31 +9,31 @@
 
 namespace dipper::run {
 
-/// Advances a coupling and tells its observers of each window, in the order they were added, while
-/// the rock steps the next.
+/// Steps a coupling and calls its observers after each window, in the order they were added, while
+/// the rock computes the next.
 class Stepper {
  public:
-  /// \param window_steps  DEM steps a window
-  /// \param end_step      DEM steps of the run; the last window is shorter where it must be
+  /// \param window_steps  DEM steps in a window
+  /// \param end_step      DEM steps of the run; the last window may be shorter
   Stepper(core::Coupling& coupling, std::int64_t window_steps, std::int64_t end_step);
 
-  /// `observer` must live as long as this.
+  /// `observer` must outlive this.
   void add(Observer& observer) { observers_.push_back(&observer); }
 
-  /// Ends a run before its last step, as soon as the machine is so; asked before each window.
+  /// Ends the run early, before the first window at whose start `done` is true for the machine.
   void end_when(std::function<bool(const core::MachineState&)> done) { done_ = std::move(done); }
 
-  /// The start of a new run; one that goes on from a checkpoint has none.
+  /// Starts a new run; not called for a resumed one.
   const core::Window& start();
 
-  /// Steps until the end, or until `stop` says so: asked before each window. Whether the end is
-  /// reached.
+  /// Steps to the end, or until `stop`, called before each window, is true. Returns whether the end
+  /// is reached.
   bool run(const std::function<bool()>& stop);
 
-  /// The last window; index 0 and no bodies when there has been none.
+  /// The last window; index 0 and no bodies before the first.
   const core::Window& last() const { return last_; }
 
-  /// Wall time from the begin of `run` to the end of its last window [s].
+  /// Wall time from the start of `run` to the end of its last window [s].
   double wall_s() const { return wall_s_; }
 
  private:

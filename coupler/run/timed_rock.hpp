@@ -1,4 +1,4 @@
-// How long the rock takes.
+// Measures the time that the rock takes.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace dipper::run {
 
-/// A rock, the wall time its steps take, and what it told last.
+/// Forwards to a rock; keeps the wall time of its steps and its last state.
 class TimedRock final : public core::Rock {
  public:
   explicit TimedRock(core::Rock& rock) : rock_(rock) {}

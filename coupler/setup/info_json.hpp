@@ -6,7 +6,7 @@
 
 namespace dipper::setup {
 
-/// A server's description as the JSON text of the status that answers "hello", and back.
+/// A side's description as the JSON text of its reply to "hello", and back.
 std::string to_json(const core::ServerInfo& info);
 core::ServerInfo info_from_json(const std::string& text);
 

@@ -39,7 +39,7 @@ ShovelSetup shovel_from(const json& j) {
   s.model = j.at("model").get<std::string>();
   s.motion = j.at("motion").get<std::string>();
   s.full_kg = j.value("full_kg", 0.0);
-  s.planned = j.value("planned", false);  // recordings made before have no such entry
+  s.planned = j.value("planned", false);  // earlier recordings do not have this entry
   s.drives = j.at("limited_drives").get<bool>() ? DriveMode::limited : DriveMode::prescribed;
   s.told = j.at("told");
   s.contact_on_return = j.at("contact_on_return");

@@ -1,4 +1,4 @@
-// What dipper-mbs is started with: the launcher writes it, the machine's process reads it.
+// The input of dipper-mbs: written by the launcher, read by the machine's process.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,12 @@
 
 namespace dipper::setup {
 
-/// A shovel that follows a motion, or is told where its drives go.
+/// A shovel that follows a motion or a program's orders.
 struct ShovelSetup {
   std::filesystem::path model;   ///< dimensions and masses, YAML
   std::filesystem::path motion;  ///< CSV
-  bool planned = false;          ///< it stands where the motion begins until it is told more
-  double full_kg = 0;            ///< what its operator takes for a full dipper, who feels; planned
+  bool planned = false;          ///< stands at the motion's start until it is sent more rows
+  double full_kg = 0;  ///< planned only: the load that its operator regards as a full dipper
   machine::DriveMode drives = machine::DriveMode::prescribed;
   bool told = false;  ///< limited drives go where each window's order says, from the motion's start
   bool contact_on_return = true;
@@ -30,12 +30,12 @@ struct ShovelSetup {
 /// Bodies that follow a table of poses.
 struct PosesSetup {
   std::filesystem::path table;      ///< CSV
-  std::vector<std::string> bodies;  ///< in the order of the launcher's
+  std::vector<std::string> bodies;  ///< in the order of the launcher's bodies
 };
 
 using MachineSetup = std::variant<ShovelSetup, PosesSetup>;
 
-/// As JSON, and back. Throws nlohmann::json::exception for a key that lacks.
+/// As JSON, and back. Throws nlohmann::json::exception for a missing key.
 nlohmann::json to_json(const MachineSetup& setup);
 MachineSetup machine_setup_from(const nlohmann::json& j);
 

@@ -8,17 +8,18 @@
 
 namespace dipper::setup {
 
-/// What the launcher tells a side: where to listen, who it is, and the side's own settings. Written
-/// to a file that only its owner can read, because of the secret; a command line is for all to see.
+/// The configuration that the launcher gives to a side: where to listen, its identity, and the
+/// side's own settings. Written to a file that only its owner can read, because of the secret; any
+/// user can read a command line.
 struct PeerConfig {
   std::string lcm_url;
-  std::string secret;  ///< of this segment of the run; seals its messages
+  std::string secret;  ///< of this segment of the run; authenticates its messages
   core::Envelope identity;
-  std::filesystem::path checkpoints;  ///< the one folder to save to and load from
+  std::filesystem::path checkpoints;  ///< the only folder in which it may save and load
   nlohmann::json settings;
 };
 
-/// 256 random bits, as hex digits. Throws std::runtime_error when the kernel has none to give.
+/// 256 random bits, as hex digits. Throws std::runtime_error when the kernel provides none.
 std::string random_secret();
 
 void write_peer_config(const std::filesystem::path& file, const PeerConfig& config);

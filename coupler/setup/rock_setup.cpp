@@ -37,7 +37,7 @@ json to_json(const RockSetup& setup) {
   json fall;  // null: none
   if (const auto& f = setup.fall)
     fall = {{"deck", f->deck}, {"at_step", f->at_step}, {"mass_kg", f->mass_kg}};
-  json floor;  // null: not cleared
+  json floor;  // floor is not cleared
   if (const auto& f = setup.floor) floor = {f->to_x_m, f->half_width_m, f->height_m};
   return {{"ranks", setup.ranks},
           {"fast_loop", setup.fast_loop},
@@ -76,7 +76,7 @@ RockSetup rock_setup_from(const json& j) {
   if (const auto& crust = j.at("crust"); !crust.is_null()) {
     setup.crust = CrustZone{crust.at(0), crust.at(1)};
   }
-  // Recordings made before these were there have no such entries.
+  // Earlier recordings do not have these entries.
   setup.fast_loop = j.value("fast_loop", true);
   setup.image = j.value("image", std::string{});
   setup.cleared = j.value("cleared", std::vector<std::string>{});

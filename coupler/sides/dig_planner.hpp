@@ -1,4 +1,4 @@
-// The planner of a case's operator, and what he knows before anything is computed.
+// The planner of a case's operator, with what he knows before the run.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,8 @@ namespace dipper::sides {
 /// Throws as read_mesh_facts and load_machine do.
 machine::DigFacts dig_facts(const cases::Case& c);
 
-/// Of a plan file. Throws InputError with every fault and its line, and where the plan has passes
+/// The input of a plan file. Throws InputError with every fault and its line, also where the file
+/// plans passes instead of giving candidates.
 /// in place of a choice.
 machine::DigPlanner dig_planner(const cases::Case& c, const std::filesystem::path& plan);
 

@@ -19,7 +19,7 @@ struct Layer {
   mesh::LinedFaces faces;
 };
 
-/// Of one layer, about its own centre.
+/// One layer's mass properties, about its own centre.
 struct LayerMass {
   double mass_kg;
   Eigen::Vector3d center_m;

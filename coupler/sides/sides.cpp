@@ -16,7 +16,7 @@
 namespace dipper::sides {
 namespace {
 
-/// A log of messages that only its owner can read: it shows what the run computes.
+/// A log of messages that only its owner can read, since it contains the run's results.
 std::shared_ptr<lcm::LogFile> open_log(const std::filesystem::path& file) {
   const mode_t old = umask(077);
   auto log = std::make_shared<lcm::LogFile>(file.string(), "w");
@@ -60,7 +60,7 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
       launch::mpirun(setup.rock.ranks, {installed_program("dipper-dem"), dem_config.string()},
                      setup.places),
       setup.logs / "dem.log",
-      setup.logs);  // where LIGGGHTS, when it is ended, leaves a restart file
+      setup.logs);  // working folder: LIGGGHTS writes a restart file there when it is ended
   mbs_ = std::make_unique<launch::Process>(
       std::vector<std::string>{installed_program("dipper-mbs"), mbs_config.string()},
       setup.logs / "mbs.log");
@@ -82,7 +82,7 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   rock_ = std::make_unique<transport::RemoteRock>(*dem_link_);
 }
 
-Sides::~Sides() = default;  // the processes end with their handles
+Sides::~Sides() = default;  // ends the processes
 
 void Sides::watch() {
   if (dem_->ended())
@@ -100,7 +100,7 @@ void Sides::end() {
 
 void Sides::stop() {
   for (int said = 0; said < 200 && !(mbs_->ended() && dem_->ended()); ++said) {
-    machine_->stop();  // nobody answers this: a lost one is said again
+    machine_->stop();  // no reply comes: repeated in case the first was lost
     rock_->stop();
     mbs_->wait(std::chrono::milliseconds(50));
     dem_->wait(std::chrono::milliseconds(50));

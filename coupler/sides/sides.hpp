@@ -13,23 +13,23 @@
 
 namespace dipper::sides {
 
-/// What both sides are started with.
+/// Input of both sides.
 struct SidesSetup {
   std::string run_id;
   std::string case_hash;
-  launch::MpiPlaces places;  ///< of the ranks
+  launch::MpiPlaces places;  ///< hosts of the ranks
   double timeout_s = 60;
   setup::RockSetup rock;
   setup::MachineSetup machine;
   std::filesystem::path logs;         ///< folder
   std::filesystem::path checkpoints;  ///< folder
-  std::filesystem::path dem_screen;   ///< where LIGGGHTS writes its errors
-  std::string segment;                ///< "", or "-N" of one resumed after N sync steps
-  std::filesystem::path message_log;  ///< every message of the segment, as an LCM log
+  std::filesystem::path dem_screen;   ///< LIGGGHTS's output, with its errors
+  std::string segment;                ///< "", or "-N" for a segment resumed after N sync steps
+  std::filesystem::path message_log;  ///< all messages of the segment, as an LCM log
 };
 
-/// The two processes of a run and the links to them. Whoever waits on a link also watches both
-/// processes: when one ends, PeerError says which and what it said last.
+/// The two processes of a run and the links to them. Waiting on a link also watches both processes:
+/// when one ends, PeerError names it and gives its last message.
 class Sides {
  public:
   explicit Sides(const SidesSetup& setup);
@@ -40,12 +40,12 @@ class Sides {
   const transport::Link& machine_link() const { return *mbs_link_; }
   const transport::Link& rock_link() const { return *dem_link_; }
 
-  /// Tells both to stop and waits.
+  /// Sends "stop" to both and waits for their end.
   void stop();
-  /// Ends whatever still runs.
+  /// Ends the processes that still run.
   void end();
-  /// CPU time so far, all ranks; of those on other hosts, as much as those here: they wait for each
-  /// other without a rest.
+  /// CPU time so far of all ranks. Ranks on other hosts count as much as those here: ranks wait for
+  /// each other at full load.
   double dem_cpu_s() const { return dem_->cpu_s() / setup_.places.part_here; }
   double mbs_cpu_s() const { return mbs_->cpu_s(); }
 

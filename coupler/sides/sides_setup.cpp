@@ -16,11 +16,11 @@ namespace dipper::sides {
 namespace fs = std::filesystem;
 namespace {
 
-// The floor that is cleaned: beside the pile as far as rock rolls, and as high as it lies on rock.
+// The cleared floor: beside the pile as far as rock rolls, and to a height above rock lying on it.
 constexpr double kFloorSide_m = 4, kFloorHeight_m = 3;
 
-/// Frames fall on ends of sync steps, where the record has a row. LIGGGHTS counts to them in an
-/// int, and always dumps the start.
+/// Frames are written at ends of sync steps, where the record has a row. LIGGGHTS counts steps in
+/// an int, and always writes the first.
 long dump_steps(const cases::Case& c) {
   const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
   const long most = std::numeric_limits<int>::max() / c.coupling.sync_steps;
@@ -67,7 +67,7 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
                      {"run_steps", "0"},
                      {"dump_steps", std::to_string(dump_steps(c))}};
   setup.bodies = body_names(c);
-  // The bodies are placed by their own poses, from their own frames.
+  // The bodies' poses are relative to their own frames.
   for (const std::string& body : setup.bodies)
     for (const char* axis : {"_x", "_y", "_z"}) setup.variables.emplace_back(body + axis, "0");
   if (c.pile.clear_machine) {
@@ -93,7 +93,7 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
   }
   if (c.collapse.height_m > 0) {
     const deck::CollapseSlab slab = deck::collapse_slab(c);
-    // The check has refused a case whose slab never comes loose.
+    // The case check has refused a slab that never falls.
     const double at_s = deck::collapse_time_s(c, machine::Motion::load(c.machine.motion)).value();
     setup.fall = setup::RockFall{(data_folder() / "dem_in" / "collapse.in").string(),
                                  std::llround(at_s / c.dem.timestep_s), slab.mass_kg};

@@ -1,4 +1,4 @@
-// From a case to what each side is started with.
+// From a case to the input of each side.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,24 +16,24 @@
 
 namespace dipper::sides {
 
-/// What the YAML files beside the meshes say.
+/// Contents of the YAML files beside the meshes.
 struct MeshFacts {
-  cases::DipperFacts dipper;         ///< of a shovel
-  std::map<std::string, Box> loads;  ///< body -> where rock in it is weighed, in its frame
-  std::optional<Box> truck_bed;      ///< in T; none: no truck
+  cases::DipperFacts dipper;         ///< only of a shovel
+  std::map<std::string, Box> loads;  ///< body -> box in its frame in which rock is weighed
+  std::optional<Box> truck_bed;      ///< in T; none without a truck
 };
 
-/// Reads them. Throws std::runtime_error with the first finding, of which a checked case has none.
+/// Reads them. Throws std::runtime_error with the first finding; a checked case has none.
 MeshFacts read_mesh_facts(const cases::Case& c);
 
-/// What dipper-dem is started with. `resumed`: when `restart` is a checkpoint and not a settled
-/// pile, what the walls remember.
+/// The input of dipper-dem. `resumed`: the state of the walls, when `restart` is a checkpoint and
+/// not a settled pile.
 setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts,
                             const std::filesystem::path& deck, const std::filesystem::path& dumps,
                             const std::filesystem::path& logs, const std::filesystem::path& restart,
                             const std::optional<std::vector<setup::WallMemory>>& resumed);
 
-/// What dipper-mbs is started with. `told`: a program drives (coupler/operate).
+/// The input of dipper-mbs. `told`: a program drives (coupler/operate).
 setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers,
                                   bool told = false);
 

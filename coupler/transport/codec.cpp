@@ -19,10 +19,10 @@
 namespace dipper::transport {
 namespace {
 
-/// Writes or reads the fields of a message in LCM's form: numbers big-endian, a text behind its
-/// length, in which its NUL counts, a list behind its length. LCM's own decoder trusts the lengths:
-/// it makes room for a list before it looks for its bytes, and a text of less than no letters it
-/// copies from wherever that leads.
+/// Writes or reads the fields of a message in LCM's format: numbers big-endian, a string after its
+/// length (its NUL included), a list after its length. LCM's own decoder trusts the lengths: it
+/// allocates a list before it checks that the bytes are there, and copies a string of negative
+/// length from outside the message.
 class Fields {
  public:
   Fields() = default;  ///< writes
@@ -62,7 +62,7 @@ class Fields {
 
   // As in coupler/lcm/dipper_msg.lcm.
   void visit(core::Envelope& e) {
-    std::array<std::int64_t, sizeof dipper_msg::header_t::mac / 8> mac{};  // the transport seals it
+    std::array<std::int64_t, sizeof dipper_msg::header_t::mac / 8> mac{};  // the transport sets it
     for (auto& part : mac) visit(part);
     (*this)(e.run_id, e.case_hash, e.step_index, e.sequence, e.t_ns);
     header_ = &e;
@@ -120,12 +120,12 @@ class Fields {
   }
 
   bool reading_ = false;
-  const core::Envelope* header_ = nullptr;  ///< of the message, which has some fields of its body
+  const core::Envelope* header_ = nullptr;  ///< of the message; holds some fields of its body
   std::string_view rest_;
   std::string written_;
 };
 
-/// What LCM puts in front of each type of core::Body.
+/// LCM's fingerprint of each type of core::Body.
 std::int64_t fingerprint(const core::Body& body) {
   using namespace dipper_msg;
   const std::array<std::int64_t, std::variant_size_v<core::Body>> of = {
@@ -135,7 +135,7 @@ std::int64_t fingerprint(const core::Body& body) {
   return of.at(body.index());
 }
 
-/// The rest of a message, as the type of body that it is.
+/// The rest of a message, decoded as that type of body.
 template <class... Body>
 bool read(Fields& fields, std::int64_t type, core::Envelope& header, std::variant<Body...>& body) {
   const auto read_as = [&](auto empty) {
@@ -151,7 +151,7 @@ bool read(Fields& fields, std::int64_t type, core::Envelope& header, std::varian
 }  // namespace
 
 std::string encode(const core::Message& message) {
-  core::Message m = message;  // Fields may change what it is given
+  core::Message m = message;  // Fields takes a mutable reference
   Fields fields;
   std::int64_t type = fingerprint(m.body);
   std::visit([&](auto& body) { fields(type, m.envelope, body); }, m.body);

@@ -7,16 +7,16 @@
 
 namespace dipper::transport {
 
-/// Bytes that are not a whole message of one of the types in coupler/lcm.
+/// Bytes that are not one complete message of a type in coupler/lcm.
 struct DecodeError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// As LCM encodes the types in coupler/lcm. header.mac is zero: the transport seals it.
+/// Encodes as LCM does the types in coupler/lcm. header.mac is zero: the transport sets it.
 std::string encode(const core::Message& m);
 
-/// Throws DecodeError for an unknown type or a wrong length. Numbers are passed on as they are:
-/// `require_sound` judges them once it is known whose message it is.
+/// Throws DecodeError for an unknown type or a wrong length. Does not check values: `require_sound`
+/// does, once the sender is known.
 core::Message decode(const std::string& bytes);
 
 }  // namespace dipper::transport

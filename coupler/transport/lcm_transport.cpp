@@ -19,14 +19,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Channel, its NUL and message that LCM sends in one packet [bytes].
+/// Largest sum of channel, its NUL and message that LCM sends in one packet [bytes].
 constexpr std::size_t kLargestPacket = 65499;
 
-/// A call that drops packets looks at the clock after this many of them: some milliseconds' work.
-/// So one with no time left still empties what has gathered, and a flood cannot hold it up.
+/// A call that drops packets checks the clock after this many of them, which takes milliseconds. So
+/// even a call without time left empties the queue, and a flood of packets cannot delay it further.
 constexpr int kDropsPerLook = 1000;
 
-/// A socket that hears the URL's group, besides all others that do: lcm-logger, another run.
+/// A socket that receives the URL's multicast group, beside any others on it: lcm-logger, another
+/// run.
 int listen(const std::string& url) {
   char group[16] = {};
   unsigned short port = 0;
@@ -40,7 +41,7 @@ int listen(const std::string& url) {
   const int s = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   const int yes = 1;
   const ip_mreq membership{address.sin_addr, {INADDR_ANY}};
-  // Bound to the group, not to any address: what is sent to this host alone does not come in.
+  // Bound to the group, not to any address: unicast packets to this host are not received.
   if (s < 0 || setsockopt(s, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
       bind(s, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
       setsockopt(s, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) != 0) {
@@ -54,7 +55,7 @@ int listen(const std::string& url) {
 }  // namespace
 
 std::optional<Packet> read_lcm_packet(std::string_view datagram) {
-  constexpr std::size_t kHeader = 8;  // "LC02", and LCM's own count of packets, which says nothing
+  constexpr std::size_t kHeader = 8;    // "LC02", and LCM's own packet counter, which is not used
   constexpr std::size_t kChannel = 63;  // LCM_MAX_CHANNEL_NAME_LENGTH
   if (datagram.size() < kHeader || datagram.substr(0, 4) != "LC02") return std::nullopt;
   datagram.remove_prefix(kHeader);
@@ -104,7 +105,7 @@ std::optional<Packet> LcmTransport::receive(std::chrono::microseconds timeout) {
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     pollfd wait{socket_, POLLIN, 0};
-    // A signal, Ctrl-C say, cuts the wait short.
+    // A signal such as Ctrl-C interrupts the wait.
     if (poll(&wait, 1, std::max(0, static_cast<int>(left))) <= 0) return std::nullopt;
   }
   return std::nullopt;

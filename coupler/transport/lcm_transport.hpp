@@ -8,20 +8,21 @@
 
 namespace dipper::transport {
 
-/// Where the processes of a run meet: on this machine, in a network of the run's own.
+/// Multicast group of a run's processes: on this machine, in a network namespace of the run.
 inline constexpr const char* kLcmUrl = "udpm://239.255.76.67:7667?ttl=0";
 
-/// What a datagram of LCM carries ("LC02", a number, the channel with its NUL, the message).
-/// Nothing of a fragment: our messages fit one packet, and putting strangers' pieces together is
-/// how a receiver is led to write where it must not.
+/// The contents of an LCM datagram ("LC02", a number, the channel with its NUL, the message).
+/// Fragments are not accepted: our messages fit one packet, and reassembling foreign fragments is a
+/// known way to corrupt memory.
 std::optional<Packet> read_lcm_packet(std::string_view datagram);
 
-/// LCM over UDP multicast, every message sealed. ttl=0 in the URL keeps packets on this host.
-/// liblcm sends; we receive on a socket of our own, since liblcm's receiver trusts what comes in: a
-/// channel without its NUL or a fragment with a wild offset is the end of its process.
+/// LCM over UDP multicast, every message authenticated. ttl=0 in the URL keeps packets on this
+/// host. liblcm sends; we receive on our own socket, because liblcm's receiver trusts its input: a
+/// channel without its NUL or a fragment with a wrong offset crashes its process.
 class LcmTransport final : public Transport {
  public:
-  /// Hears `channel`. Throws std::runtime_error, with the cure when there is no multicast route.
+  /// Receives `channel`. Throws std::runtime_error, with the remedy when there is no multicast
+  /// route.
   LcmTransport(const std::string& url, std::string channel, std::string secret);
   ~LcmTransport() override;
   LcmTransport(const LcmTransport&) = delete;
@@ -33,7 +34,7 @@ class LcmTransport final : public Transport {
   std::int64_t foreign() const override { return foreign_; }
 
  private:
-  lcm::LCM lcm_;  // sends only: without a subscription it opens no receiver
+  lcm::LCM lcm_;  // sends only: without a subscription it creates no receiver
   std::string channel_, secret_;
   int socket_ = -1;
   std::vector<char> buffer_;

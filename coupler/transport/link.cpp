@@ -26,7 +26,7 @@ void Link::publish() {
 }
 
 void Link::send(core::Body request, std::int64_t step_index, std::int64_t t_ns) {
-  // Nothing that has come can be the answer yet, and a queue that is full would lose it.
+  // Nothing received so far can be the answer, and in a full queue it would be lost.
   for (int old = 0; old < 1000; ++old) {
     const auto packet = transport_.receive(0us);
     if (!packet) break;
@@ -45,7 +45,7 @@ core::Body Link::receive() {
   std::chrono::milliseconds interval = 10ms;
   auto reply = wait(start + interval);
   const auto starved = reply ? 0s : options_.starved();
-  std::optional<Clock::time_point> wanted;  // since when an end is
+  std::optional<Clock::time_point> wanted;  // time at which the user asked for the end
   auto starved_then = starved;
   while (!reply) {
     if (!wanted && options_.wants_end()) {

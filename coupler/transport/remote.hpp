@@ -1,4 +1,4 @@
-// The two sides of a run when they live in other processes.
+// The two sides of a run as clients of their processes.
 #pragma once
 
 #include "coupler/core/server.hpp"
@@ -6,14 +6,14 @@
 
 namespace dipper::transport {
 
-/// What both have in common. They say hello when they are made.
+/// Common to both. The constructor asks the side for its description.
 template <class Side>
 class Remote : public Side {
  public:
   explicit Remote(Link& link);
   core::ServerInfo info() const override { return info_; }
   void save(const std::filesystem::path& file) override { command(core::Action::save, file); }
-  /// May be called again until the process has ended.
+  /// May be called repeatedly until the process has ended.
   void stop() { link_.tell(core::Command{core::Action::stop, ""}, step_index_, t_ns_); }
 
  protected:

@@ -8,7 +8,7 @@ namespace {
 // Every message begins with its type's fingerprint, then with header.mac.
 constexpr std::size_t kMacAt = 8, kMacSize = 32;
 
-/// Over the channel, with its NUL, too: a request cannot be turned round and played as a reply.
+/// The channel and its NUL are included: so a request cannot be sent back as a reply.
 std::string mac_of(const std::string& secret, const Packet& packet) {
   return hmac_sha256(secret, packet.channel + '\0' + packet.bytes.substr(0, kMacAt) +
                                  packet.bytes.substr(kMacAt + kMacSize));
@@ -23,7 +23,7 @@ void seal(const std::string& secret, Packet& packet) {
 bool unseal(const std::string& secret, Packet& packet) {
   if (packet.bytes.size() < kMacAt + kMacSize) return false;
   const std::string mac = mac_of(secret, packet);
-  int off = 0;  // compared in a time that does not tell how many bytes are right
+  int off = 0;  // in constant time
   for (std::size_t k = 0; k < kMacSize; ++k) off |= mac[k] ^ packet.bytes[kMacAt + k];
   packet.bytes.replace(kMacAt, kMacSize, kMacSize, '\0');
   return off == 0;

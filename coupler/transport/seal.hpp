@@ -6,14 +6,14 @@
 
 namespace dipper::transport {
 
-// A message leaves with the HMAC-SHA256 of its channel and its bytes under the run's secret in
-// `header.mac`; one that comes without the right one is dropped before anything decodes it. The
-// secret itself is never sent. That a message is not heard twice is for its number to see to.
+// Authentication of messages: each carries in `header.mac` the HMAC-SHA256 of its channel and bytes
+// under the run's secret. A message with a wrong code is dropped before it is decoded. The secret
+// itself is never sent. Repeated messages are recognised by their request number, not here.
 
-/// Sets `header.mac` of a message as `encode` makes it.
+/// Sets `header.mac` of an encoded message.
 void seal(const std::string& secret, Packet& packet);
 
-/// Whether the seal is right; `header.mac` is zero then, as before it was sealed.
+/// Whether the code is right; sets `header.mac` to zero, as it was before `seal`.
 bool unseal(const std::string& secret, Packet& packet);
 
 }  // namespace dipper::transport

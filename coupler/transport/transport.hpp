@@ -1,4 +1,4 @@
-// How encoded messages travel. Behind this line: LCM in a run, memory in a test.
+// The interface of a transport for encoded messages: LCM in a run, memory in a test.
 #pragma once
 
 #include <chrono>
@@ -8,24 +8,24 @@
 
 namespace dipper::transport {
 
-/// A message on its way.
+/// A message with its channel.
 struct Packet {
   std::string channel;
   std::string bytes;
 };
 
-/// One endpoint, which hears one channel. Delivery is not guaranteed, in neither number nor order.
+/// One endpoint, which receives one channel. Packets may be lost, repeated or reordered.
 class Transport {
  public:
   virtual ~Transport() = default;
   virtual void publish(const std::string& channel, const std::string& bytes) = 0;
-  /// The next message on the channel, or nothing after `timeout`.
+  /// The next message on the channel, or none after `timeout`.
   virtual std::optional<Packet> receive(std::chrono::microseconds timeout) = 0;
-  /// How many packets have come that are no message of this run, and were dropped.
+  /// Number of packets received that are not messages of this run and were dropped.
   virtual std::int64_t foreign() const = 0;
 };
 
-/// Channel names of a run: who is spoken to, who speaks.
+/// Channel names of a run, to and from each side.
 struct Channels {
   static constexpr const char* to_dem = "DIPPER_TO_DEM";
   static constexpr const char* from_dem = "DIPPER_FROM_DEM";

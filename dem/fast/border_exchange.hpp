@@ -14,8 +14,8 @@ namespace dipper::dem {
 /// LIGGGHTS passes every sphere near a boundary three times a step: back to its rank and on to the
 /// others once it has moved, and its force to the rank of its body; one neighbour after the other,
 /// each waiting for the one before. Here a sphere goes only where it is needed, to all neighbours
-/// at once: home if its body is on another rank, on if it moves, its force if its body is
-/// elsewhere. The result is the same to the bit.
+/// at once: back if its body is on another rank, on if it moves, its force if its body is
+/// on another rank. The result is the same to the bit.
 class BorderExchange {
  public:
   explicit BorderExchange(LAMMPS_NS::LAMMPS& lmp) : lmp_(lmp) {}

@@ -3,7 +3,7 @@
 
 namespace dipper::dem {
 
-/// Call once in a process, before a deck names it. LIGGGHTS's tables of models are accessible
+/// Call once in a process, before a deck uses it. LIGGGHTS's tables of models are accessible
 /// through its headers; this adds one row to those of pairs and of walls.
 void register_moist();
 
