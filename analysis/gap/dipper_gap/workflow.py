@@ -108,17 +108,17 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
     say(f"gap: {statement(plan, simulator, first)}")
     runner = Runner(simulator, catalogue, say)
     if len(first.signatures) < len(plan.signatures):
-        known = _known(first, measured, before, runner)
+        known = learn_and_predict(first, measured, before, runner)
         if omnibus(known[1], *compare(*known, measured)) >= EARLY_P:
             left = len(plan.requests()) - len(first.requests())
             told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs "
                     "and the effects that need none show no gap to explain",)
             out = conclude(*known, measured, runner, before)
             return replace(out, early=True, warnings=(*out.warnings, *told))
-    return conclude(*_known(plan, measured, before, runner), measured, runner, before)
+    return conclude(*learn_and_predict(plan, measured, before, runner), measured, runner, before)
 
 
-def _known(plan, measured, before, runner):
+def learn_and_predict(plan, measured, before, runner):
     """(Model, Prediction) from the runs of a plan, which are made."""
     requests = plan.requests()
     model = learn(plan, dict(zip(requests, runner.simulator.run(requests, runner.say))), measured, before)
