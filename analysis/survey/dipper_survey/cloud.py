@@ -44,7 +44,7 @@ def open_cloud(path, found):
         return None
     if head.startswith(b"LASF"):
         opened = open_las(path, found)
-    elif head.startswith((b"ply\n", b"ply\r")):
+    elif head[:3].lower() == b"ply" and head[3:4].isspace():
         opened = open_ply(path, found)
     else:
         opened = open_text(path, found)

@@ -1,4 +1,5 @@
 """LAS 1.0 to 1.4 (ASPRS, LAS Specification 1.4-R15), not compressed. Debian has no library: docs/decisions.md."""
+import re
 import struct
 
 import numpy as np
@@ -7,6 +8,13 @@ PART = 1 << 18           # points
 HEADER = 227             # bytes that every version has
 NOISE = (7, 18)          # classes: low point, high noise
 COMPRESSED = 0x80        # of a point's format, by LASzip
+# GeoTIFF 1.0, section 6.3: keys of a projection, and codes that are not metres.
+GEO_KEYS, MODEL, UNIT_OF_EASTING, UNIT_OF_ELEVATION = 34735, 1024, 3076, 4099
+GEOGRAPHIC = 2
+FEET = {9002: "feet", 9003: "US survey feet", 9005: "feet", 9006: "feet"}
+WKT = 2112
+FOOT_IN_WKT = re.compile(r'UNIT\["([^"]*(?:foot|feet|ft)[^"]*)"', re.IGNORECASE)
+VLR = 54                 # bytes of a record's header
 SHORTEST = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)  # bytes of a point, by its format
 
 
@@ -39,6 +47,8 @@ def open_las(path, found):
         return fault(f"ends after {max(0, size - begin) // length} of its {count} points", "a whole file")
     if count == 0:
         return fault("has no points", "a cloud")
+    if other := _other_unit(path, head):
+        return fault(f"says that its {other}", "coordinates in metres, in the mine's grid: convert them")
     flags = 15 if form < 6 else 16
     layout = np.dtype({"names": ["xyz", "flags", "class"], "formats": ["3<i4", "u1", "u1"],
                        "offsets": [0, 15, flags], "itemsize": length})
@@ -54,3 +64,31 @@ def open_las(path, found):
                 yield rows["xyz"][good] * scale + offset
 
     return parts, f"LAS {version}", ("points that the file calls withheld or noise are left out",)
+
+
+def _other_unit(path, head):
+    """What the records after the header say of coordinates that are not metres; None where nothing does."""
+    at, = struct.unpack_from("<H", head, 94)
+    records, = struct.unpack_from("<I", head, 100)
+    keys, wkt = {}, ""
+    with open(path, "rb") as file:
+        for _ in range(records):
+            file.seek(at)
+            record = file.read(VLR)
+            if len(record) < VLR:
+                break
+            kind, length = struct.unpack_from("<HH", record, 18)
+            data = file.read(length)
+            if kind == GEO_KEYS:
+                keys = {key: value for key, place, _, value in struct.iter_unpack("<4H", data[8:len(data) // 8 * 8])
+                        if place == 0}
+            elif kind == WKT:
+                wkt = data.decode("latin-1")
+            at += VLR + length
+    if keys.get(MODEL) == GEOGRAPHIC or wkt.lstrip().startswith(("GEOGCS", "GEOGCRS")):
+        return "coordinates are degrees of longitude and latitude"
+    for key, what in ((UNIT_OF_EASTING, "coordinates"), (UNIT_OF_ELEVATION, "elevations")):
+        if keys.get(key) in FEET:
+            return f"{what} are {FEET[keys[key]]}"
+    foot = FOOT_IN_WKT.search(wkt)
+    return f"unit is the {foot[1]}" if foot else None

@@ -75,11 +75,11 @@ def _header(path):
             if word[:1] == ["format"]:
                 order = ORDERS[word[1]]
             elif word[:1] == ["element"]:
-                elements.append((word[1], int(word[2]), []))
+                elements.append((word[1].lower(), int(word[2]), []))
             elif word[:2] == ["property", "list"]:
                 elements[-1][2].append((word[4], None))
             elif word[:1] == ["property"]:
-                elements[-1][2].append((word[2], TYPES[word[1]]))
+                elements[-1][2].append((word[2].lower(), TYPES[word[1]]))
         except (IndexError, KeyError, ValueError) as e:
             raise Broken(i, f"is '{text[:60]}'", "a line of a PLY's header") from e
     if order == "" or not any(name == "vertex" for name, _, _ in elements):

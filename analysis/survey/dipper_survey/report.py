@@ -9,11 +9,14 @@ def words(made, path):
     """Lines of text."""
     looked, s = made.looked, made.surface
     cell = s.columns.step
+    angle, turned = s.face_deg
     area = (s.x[-1] - s.x[0]) * (s.y[-1] - s.y[0])
     out = [f"{path.name}: {looked.points:,} points ({made.kind}), {looked.on_bench:,} over the bench's place"
            + (f"; {looked.none:,} rows without a reading" if looked.none else ""),
            f"surface: x {s.x[0]:.2f} to {s.x[-1]:.2f} m, y {s.y[0]:.2f} to {s.y[-1]:.2f} m, up to z = {s.z.max():.2f} "
            f"m, a height each {cell[0]:.2f} x {cell[1]:.2f} m",
+           f"face: {angle:.0f} degrees, its rise {abs(turned):.0f} degrees to the {'left' if turned > 0 else 'right'} of "
+           "the dig's direction",
            f"gaps: {100 * s.filled.mean():.1f} % of {area:.0f} m2 not seen, filled from what is round them"
            + (f"; the largest {s.hole_m2:.1f} m2" if s.filled.any() else "")]
     left = sum(i.points for i in s.islands)

@@ -26,6 +26,7 @@ NOWHERE_m = -1e6       # where nothing is seen
 ATTACHED = 0.5          # of its edge without such a step: ground, a ridge or a heap
 ROCK_m = 0.3            # over the ground: where the bench begins
 TOE_SHARE = 0.1         # of the width that is rock at the toe
+FACE = (0.2, 0.8)       # of the bench's height: between floor and crest
 SEEN_SHARE = 0.1        # of the width that is seen at the rear
 
 
@@ -93,6 +94,19 @@ class Surface:
     above: int              # points left out over the surface
     floor_m: float          # median height of what is seen in front of the toe; NaN: nothing
     hole_m2: float          # the largest part that is filled
+
+    @property
+    def face_deg(self):
+        """(angle of the face, direction of its rise, positive to the left of x): of the plane that fits best between
+        FACE of its height."""
+        x, y = np.meshgrid(self.x, self.y, indexing="ij")
+        low, high = (share * np.quantile(self.z, 0.95) for share in FACE)
+        on_it = (self.z > low) & (self.z < high)
+        if on_it.sum() < 3:
+            return 90.0, 0.0
+        terms = np.column_stack([x[on_it], y[on_it], np.ones(on_it.sum())])
+        (along, across, _), *_ = np.linalg.lstsq(terms, self.z[on_it], rcond=None)
+        return float(np.degrees(np.arctan(np.hypot(along, across)))), float(np.degrees(np.arctan2(across, along)))
 
     def section(self, share=0.5):
         """(n, 2) of x and z along the dig: at each x the height that `share` of the width is not above."""
@@ -235,7 +249,7 @@ def find_bench(columns, z, kept, to_rear):
     first = int(np.argmax(share >= min(TOE_SHARE, share.max())))
     last = len(columns.x) - 1
     if not to_rear:
-        last = int(np.flatnonzero(kept.mean(axis=1) >= SEEN_SHARE).max())
+        last = int(np.flatnonzero(kept.mean(axis=1) >= SEEN_SHARE).max(initial=0))
     before = kept[:first] & ~bench[:first]
     floor = float(np.median(z[:first][before])) if before.any() else float("nan")
     if last - first < 2:

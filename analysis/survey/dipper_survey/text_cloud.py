@@ -1,5 +1,6 @@
 """Point clouds as text: x y z, a point a line, with a header or without, as CSV or between blanks."""
 import io
+import re
 
 import numpy as np
 
@@ -13,6 +14,10 @@ NAMES = {"x": ("x", "e", "east", "easting", "rechtswert", "utmx"),
          "y": ("y", "n", "north", "northing", "hochwert", "utmy"),
          "z": ("z", "h", "height", "elev", "elevation", "rl", "level", "altitude", "alt", "hoehe")}
 NONE = ("nan", "-nan", "inf", "-inf", "+inf")  # as scanners write that nothing came back
+OTHER_UNITS = ("ft", "feet", "foot", "usft", "ftus", "us-ft", "ft-us", "mm", "cm", "km", "in", "inch", "deg", "dd")
+UNIT = re.compile(r"[(\[]\s*([a-z-]+)\.?\s*[)\]]|_([a-z-]+)$|\s([a-z-]+)$")  # E (ft), east_ft, Elev ft
+DEGREES = ("lon", "long", "longitude", "lat", "latitude")
+PARTED = re.compile(r"[+-]?\d{1,3}([,'\u2019\u00a0 ]\d{3})+(\.\d+)?", re.ASCII)  # thousands
 SHOWN = 60
 
 
@@ -66,6 +71,11 @@ def _find_table(path, found):
                       "export it as x y z, PLY or LAS in the mine's coordinates")
             return None
         return _table_from(path, lines, i, delimiter, cells, header or words, returns, found)
+    parted = next((c for d in ";\t|," for line in lines for c in cells_of(line, d) if PARTED.fullmatch(c)), None)
+    if parted:
+        found.add(path, 1, "numbers", f"'{parted}' has its thousands parted", "coordinates with nothing between their "
+                  "thousands")
+        return None
     found.add(path, 1, "file", f"no line of three numbers, it begins with '{text.strip()[:SHOWN]}'",
               "a point cloud: x y z a line, or a header and a CSV")
     return None
@@ -86,15 +96,41 @@ def _table_from(path, lines, first, delimiter, cells, names, returns, found):
         line, words = names
         columns = _columns(words)
         if None in columns:
+            degrees = any(w.lower().split("(")[0].strip() in DEGREES for w in words)
             found.add(path, line, "header", "has " + ", ".join(f"'{w[:20]}'" for w in words[:8]),
-                      "columns called x, y, z, or easting, northing, elevation")
+                      "columns called x, y, z, or easting, northing, elevation" +
+                      (", in metres of the mine's grid: project the degrees to it" if degrees else ""))
             return None
+        units = [cells_in(text.strip(), delimiter) for text in lines[line:first - 1]]
+        for at, row in [(line, words), *enumerate(units, line + 1)]:
+            other = next((unit for c in columns if c < len(row) and (unit := _other_unit(row[c], row is words))), None)
+            if other:
+                found.add(path, at, "header", f"says '{other}'", "coordinates in metres: convert them")
+                return None
         if len(words) != len(cells):
             found.add(path, first, "point", f"has {len(cells)} cells, the header {len(words)} names",
                       "a cell a name" + ("; with decimal commas, semicolons part the columns"
                                          if delimiter == "," else ""))
             return None
+    elif len(cells) > 3 and _counts_up(lines[first - 1:], delimiter):
+        found.add(path, first, "point", "the first column counts the points", "a header that says which columns are x, "
+                  "y and z, such as number,easting,northing,elevation")
+        return None
     return Table(delimiter, decimal, columns, first, len(cells), returns)
+
+
+def _other_unit(text, in_name):
+    """The unit in a column's name, or in the row below it, where that is not the metre; None else."""
+    text = text.lower().strip()
+    named = UNIT.search(text)
+    unit = next(filter(None, named.groups()), "") if named else "" if in_name else text
+    return unit if unit in OTHER_UNITS else None
+
+
+def _counts_up(lines, delimiter):
+    """Whether the first column is 0, 1, 2, ... or 1, 2, 3, ..."""
+    read = [number(cells_in(line.strip(), delimiter)[0]) for line in lines[:100] if line.strip()]
+    return len(read) > 2 and read[0] in (0, 1) and read == [read[0] + i for i in range(len(read))]
 
 
 def _columns(words):
@@ -175,6 +211,9 @@ def _tell_line(path, data, line, table):
         if len(cells) < max(table.columns) + 1:
             raise BadInput([f"{path}:{i}: point: has {len(cells)} cells, '{row[:SHOWN]}'; {table.cells}, as the first"])
         for c in table.columns:
+            if not cells[c]:
+                raise BadInput([f"{path}:{i}: point: a cell is empty, '{row[:SHOWN]}'; a coordinate, or nan, or no such "
+                                "row"])
             if decimal_number(cells[c], table.decimal) is None and cells[c].lower() not in NONE:
                 raise BadInput([f"{path}:{i}: point: '{cells[c][:SHOWN]}' is no number; a coordinate in m, with "
                                 "nothing between its thousands, and a header where x y z are not the first columns"])

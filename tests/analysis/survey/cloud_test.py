@@ -61,7 +61,7 @@ def test_rows_without_a_return_are_kept_as_such(tmp_path):
 @pytest.mark.parametrize("content, said", [
     (rows() + "512345.2 7443210.9\n", f":{len(POINTS) + 1}: point: has 2 cells"),
     (rows() + "512345.2 7443210.9 high\n", f":{len(POINTS) + 1}: point: 'high' is no number"),
-    ("512,345.2;7,443,210.9;182.4\n" * 9, ":1: file: no line of three numbers"),
+    ("512,345.2;7,443,210.9;182.4\n" * 9, ":1: numbers: '512,345.2' has its thousands parted"),
     ("512,345;443,210;182,123\n" * 9, ":1: numbers: every comma has three digits after it"),
     (rows(";") + "7,443,210.9;1;2\n", f":{len(POINTS) + 1}: point: '7,443,210.9' is no number"),
     ("x,y,z\n" + rows(",", ","), ":2: point: has 6 cells, the header 3 names"),
@@ -75,7 +75,11 @@ def test_rows_without_a_return_are_kept_as_such(tmp_path):
     ("", ": file: is empty"), (b"\x00\x01\x02" * 99, ": file: is neither text nor PLY nor LAS"),
     (rows().encode("utf-16"), ": file: is UTF-16"), (b"\x1f\x8b" + b"x" * 99, ": file: is compressed by gzip"),
     ("solid face\n", ": file: is an STL"), (b"ASTM-E57" + b"\0" * 99, ": file: is an E57"),
-    (b"PK\x03\x04" + b"\0" * 99, ": file: is a ZIP, or a spreadsheet")])
+    (b"PK\x03\x04" + b"\0" * 99, ": file: is a ZIP, or a spreadsheet"),
+    ("lon,lat,z\n" + rows(","), "in metres of the mine's grid: project the degrees to it"),
+    ("E (ft),N (ft),Z (ft)\n" + rows(","), ":1: header: says 'ft'; coordinates in metres: convert them"),
+    ("x,y,z\nm,m,ft\n" + rows(","), ":2: header: says 'ft'"),
+    ("".join(f"{i} {line}\n" for i, line in enumerate(rows().splitlines(), 1)), ":1: point: the first column counts")])
 def test_text_that_is_none(tmp_path, content, said):
     assert said in fault(text(tmp_path, content))
 

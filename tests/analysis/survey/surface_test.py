@@ -109,7 +109,7 @@ def test_a_cloud_elsewhere_says_where_it_is_and_what_may_be_wrong(tmp_path):
     mine = scanned_face.to_mine(points)
     file = tmp_path / "swapped.xyz"
     np.savetxt(file, mine[:, [1, 0, 2]], fmt="%.3f")
-    with pytest.raises(BadInput, match="with the first two columns exchanged"):
+    with pytest.raises(BadInput, match="with easting and northing exchanged"):
         survey(file, SITE, BOX)
     np.savetxt(file, 1e3 * points, fmt="%.1f")
     with pytest.raises(BadInput, match="is it in millimetres"):
@@ -142,3 +142,22 @@ def test_the_stl_is_the_surface(whole):
     facets = np.frombuffer(data, np.dtype([("n", "<f4", 3), ("p", "<f4", (3, 3)), ("w", "<u2")]), n, 84)
     assert (facets["n"][:, 2] > 0).all()
     assert facets["p"][..., 0].min() == np.float32(whole.surface.x[0]) and facets["p"][..., 1].max() == 6
+
+
+@pytest.mark.parametrize("change, said", [
+    (lambda p: p[:, [0, 2, 1]], "with the second and third column exchanged"),
+    (lambda p: np.column_stack([p[:, 0], p[:, 2], -p[:, 1]]), "with y up, as x, -z, y"),
+    (lambda p: p / 0.3048, "read as feet"), (lambda p: p - [500_000, 7_400_000, 0], "shifted by 500000, 7400000 m")])
+def test_a_cloud_elsewhere_is_tried_in_other_readings(tmp_path, change, said):
+    file = tmp_path / "other.xyz"
+    np.savetxt(file, change(scanned_face.to_mine(scanned_face.scene(3000))), fmt="%.3f")
+    with pytest.raises(BadInput, match=said):
+        survey(file, SITE, BOX)
+
+
+def test_a_turned_azimuth_is_doubted(tmp_path):
+    points = scanned_face.scene(30_000, shovel=False, dust=False)
+    east, north, up = scanned_face.ORIGIN
+    turned = survey_of(tmp_path, points, Site((east, north, up), 37 - 25))
+    assert any("is site.azimuth_deg clockwise from grid north?" in n for n in turned.notes)
+    assert not any("azimuth" in n for n in survey_of(tmp_path, points).notes)
