@@ -4,10 +4,10 @@
 usage: make.py FOLDER SECRET [RUNS]
 
 RUNS (default: runs beside this file) has the stored digs: RUNS/base/SEED, and RUNS/NAME_STRENGTH/SEED of what needs
-digs of its own. SECRET is a text that decides every draw. FOLDER gets measured/CASE, reference/CASE for every other
-case (the same instruments on earlier trucks, of when nothing was hidden), sealed.csv (the SHA-256 of each truth) and
-truth.zip. Limits are those of the model, docs/data/gap_limits.csv: strengths are drawn as multiples of them, and from
-the priors below where there is none.
+digs of its own. SECRET is a text that decides every draw. FOLDER gets measured/CASE, reference/CASE for half of the
+cases (the same instruments on earlier trucks, of when nothing was hidden), sealed.csv (the SHA-256 of each truth) and
+truth.zip. Strengths are drawn as multiples of the model's limits (docs/data/gap_limits.csv: four trucks, the face
+surveyed, with or without a reference), and are those of LAID where there is none.
 """
 import csv
 import hashlib
@@ -22,24 +22,24 @@ import numpy as np
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 from cycle import Dig  # noqa: E402
+from effects import CATALOGUE  # noqa: E402
 from instruments import Errors, write_folder  # noqa: E402
 from shovel import Motion  # noqa: E402
 
 ROOT = HERE.parents[1]
 TRUCKS, PASSES = 4, 3
 JITTER = 0.1                        # of a strength, so that it is no round multiple
-LIMITED = ("hoist_drive_loss", "crowd_friction", "truck_spillage", "logger_offset", "carry_back", "liners")
-BOUND = {"hoist_drive_loss": 0.27, "crowd_friction": 360.0, "truck_spillage": 0.45, "logger_offset": 2.7,
-         "carry_back": 0.54, "liners": 0.135, "standoff": 0.95, "rake_offset": 5.7, "grading": 0.45}
-# 2.5 of the prior's standard deviation: the model's table has no limit for them
-UNLIMITED = {"leaking_door": 0.125, "scale_gain": -0.12, "payload_bias": -7.5, "hoist_cell_drift": 0.2,
-             "crowd_cell_drift": 0.2}
+# what is laid over stored digs: (a plausible strength where the model has no limit, the largest that is drawn)
+LAID = {"hoist_drive_loss": (0.2, 0.27), "crowd_friction": (250.0, 360.0), "truck_spillage": (0.3, 0.45),
+        "logger_offset": (1.0, 2.7), "carry_back": (0.4, 0.54), "liners": (0.1, 0.135), "leaking_door": (0.125, 0.27),
+        "scale_gain": (-0.12, 0.27), "payload_bias": (-7.5, 13.5), "hoist_cell_drift": (0.2, 0.36),
+        "crowd_cell_drift": (0.2, 0.36)}
 PAIRS = (("crowd_friction", "truck_spillage"), ("hoist_drive_loss", "logger_offset"), ("carry_back", "crowd_friction"),
          ("hoist_drive_loss", "truck_spillage"), ("liners", "hoist_drive_loss"), ("crowd_friction", "logger_offset"))
 OUTSIDE = {"sticky_load": 0.12, "sloping_ground": 2.5, "tight_crowd": 40.0, "cable_drag": 110.0,
            "hoist_zero_drift": 180.0, "crowd_zero_drift": 150.0, "clipped_cell": 1600.0, "lazy_cell": 1.2}
 DECOYS = {"rock_density": 0.015}
-CONTROLS, DECOYED = 6, 2
+CONTROLS = 6
 
 
 @dataclass
@@ -47,6 +47,7 @@ class Plan:
     kind: str                # effect | pair | outside | control | decoy, as tests/analysis/gap/score.py has them
     hidden: dict             # {effect: strength}
     times: float             # of the detection limit
+    reference: bool          # earlier trucks are given
     runs: str = "base"       # whose digs
 
 
@@ -55,41 +56,49 @@ def rng_of(secret, what):
 
 
 def limits(file=ROOT / "docs/data/gap_limits.csv"):
-    rows = csv.DictReader(line for line in open(file) if not line.startswith("#"))
-    return {r["effect"]: float(r["after"]) if r["after"] else None for r in rows}
+    """{(effect, with a reference): limit of four trucks with surveyed faces, None where there is none}"""
+    rows = list(csv.DictReader(line for line in open(file) if not line.startswith("#")))
+    return {(r["effect"], before): float(r[column]) if r[column] else None
+            for r in rows for before, column in ((False, "face"), (True, "face_before"))}
 
 
 def strength(name, times, rng, limit):
-    """About `times` the limit, within bounds; either sign where a clock may be early."""
-    sign = rng.choice([-1, 1]) if name == "logger_offset" else 1
-    return float(sign * min(times * limit[name] * (1 + JITTER * rng.uniform(-1, 1)), BOUND[name]))
+    """(strength, in limits): about `times` the limit, within bounds; 0 limits where there is none within them."""
+    usual, most = LAID[name]
+    jitter = 1 + JITTER * rng.uniform(-1, 1)
+    if limit is None or limit > most:
+        return usual * jitter, 0.0
+    sign = rng.choice([-1, 1]) if name == "logger_offset" else np.sign(usual)
+    size = min(times * limit * jitter, most)
+    return float(sign * size), float(size / limit)
 
 
-def plans(rng, runs):
+def plans(rng, runs, limit):
     """All cases, in an order of chance."""
-    limit, out = limits(), []
-    for name in LIMITED:
-        for times in (1.0, 2.0):
-            out.append(Plan("effect", {name: strength(name, times, rng, limit)}, times))
-    for name, s in UNLIMITED.items():
-        out.append(Plan("effect", {name: s * (1 + JITTER * rng.uniform(-1, 1))}, 0.0))
-    for pair in PAIRS:
-        out.append(Plan("pair", {n: strength(n, 2.0, rng, limit) for n in pair}, 2.0))
-    for name, s in OUTSIDE.items():
-        out.append(Plan("outside", {name: s * (1 + JITTER * rng.uniform(-1, 1))}, 1.0))
-    for name, s in DECOYS.items():
-        out += [Plan("decoy", {name: s * sign}, 0.0) for sign in (-1, 1)][:DECOYED]
-    out += [Plan("control", {}, 0.0) for _ in range(CONTROLS)]
-    for folder in sorted(runs.iterdir()):   # those with digs of their own, as many as have been run
-        name, _, s = folder.name.rpartition("_")
-        if folder.name == "base" or len(complete(folder)) < 1:
+    out = []
+
+    def add(kind, names, times, reference):
+        drawn = {n: strength(n, times, rng, limit.get((n, reference))) for n in names}
+        out.append(Plan(kind, {n: s for n, (s, _) in drawn.items()}, min(x for _, x in drawn.values()), reference))
+
+    for k, name in enumerate(LAID):
+        seen = [limit.get((name, before)) is not None for before in (False, True)]
+        for times in (1.0, 2.0) if any(seen) else (1.0,):
+            add("effect", (name,), times, bool(seen[1] and (not seen[0] or (k + times) % 2)))
+    for k, pair in enumerate(PAIRS):
+        add("pair", pair, 2.0, k % 2 == 0)
+    for k, (name, s) in enumerate(OUTSIDE.items()):
+        out.append(Plan("outside", {name: s * (1 + JITTER * rng.uniform(-1, 1))}, 1.0, k % 2 == 0))
+    out += [Plan("decoy", {name: s * sign}, 0.0, sign > 0) for name, s in DECOYS.items() for sign in (-1, 1)]
+    out += [Plan("control", {}, 0.0, k % 2 == 0) for k in range(CONTROLS)]
+    for folder in sorted(runs.iterdir()):   # those with digs of their own, each with a reference and without
+        if folder.name == "base" or not complete(folder):
             continue
-        known = name in BOUND
-        out.append(Plan("effect" if known else "outside", {name: float(s)},
-                        float(s) / limit[name] if known and limit.get(name) else 1.0, folder.name))
-    for k, again in enumerate(("hoist_drive_loss", "crowd_friction", "truck_spillage", "logger_offset")):
-        if len(out) < 40 + 4:               # half the limit, as far as there is room
-            out.append(Plan("effect", {again: strength(again, 0.5, rng, limit)}, 0.5))
+        name, _, s = folder.name.rpartition("_")
+        for reference in (False, True):
+            size = limit.get((name, reference))
+            out.append(Plan("effect" if name in CATALOGUE else "outside", {name: float(s)},
+                            float(s) / size if size else 0.0, reference, folder.name))
     rng.shuffle(out)
     return out
 
@@ -115,7 +124,7 @@ def halves(folders, rng):
     return mixed[:len(mixed) // 2], mixed[len(mixed) // 2:]
 
 
-def write_case(folder, case, plan, runs, motion, secret, with_reference):
+def write_case(folder, case, plan, runs, motion, secret):
     """The truth of one case, after its folders are written."""
     rng, base = rng_of(secret, f"noise {case}"), complete(runs / "base")
     now, earlier = halves(base, rng) if plan.runs == "base" else (complete(runs / plan.runs), base)
@@ -124,12 +133,12 @@ def write_case(folder, case, plan, runs, motion, secret, with_reference):
     laid = {} if plan.runs != "base" else plan.hidden
     trucks = drawn_trucks(now, rng)
     write_folder(folder / "measured" / case, trucks, laid, motion, errors, rng, piles)
-    if with_reference:
+    if plan.reference:
         before = errors.moved(rng)
         write_folder(folder / "reference" / case, drawn_trucks(earlier, rng), {}, motion, before, rng, piles)
     return {"kind": plan.kind, "effects": plan.hidden if plan.kind in ("effect", "pair") else {},
             "implementation": plan.hidden, "times_limit": round(plan.times, 3), "runs": plan.runs,
-            "seeds": [[d.seed for d in t] for t in trucks], "reference": with_reference,
+            "seeds": [[d.seed for d in t] for t in trucks], "reference": plan.reference,
             "salt": hashlib.sha256(f"{secret} {case}".encode()).hexdigest()}
 
 
@@ -143,12 +152,12 @@ def main(words):
         print(f"make: {folder}/sealed.csv is there already: truths are sealed once", file=sys.stderr)
         return 2
     motion = Motion.read(ROOT / "cases/screening/motion.csv")
-    todo, seals = plans(rng_of(secret, "plans"), runs), []
+    todo, seals = plans(rng_of(secret, "plans"), runs, limits()), []
     folder.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(folder / "truth.zip", "w", zipfile.ZIP_DEFLATED) as box:
         for number, plan in enumerate(todo, 1):
             case = f"m{number:02d}"
-            truth = json.dumps(write_case(folder, case, plan, runs, motion, secret, number % 2 == 0), indent=1)
+            truth = json.dumps(write_case(folder, case, plan, runs, motion, secret), indent=1)
             info = zipfile.ZipInfo(f"truth/{case}.yaml", (2000, 1, 1, 0, 0, 0))  # JSON is YAML
             box.writestr(info, truth)
             seals.append(f"{case},{hashlib.sha256(truth.encode()).hexdigest()}")

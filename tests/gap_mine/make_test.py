@@ -38,22 +38,36 @@ def make_density():
     return Material().density
 
 
-def test_it_holds_what_the_issue_asks_for(runs):
-    plans = make.plans(make.rng_of("a secret", "plans"), runs)
+LIMITS = {(n, before): 0.2 * make.LAID[n][1] for n in make.LAID for before in (False, True)}
+
+
+def test_it_holds_every_kind(runs):
+    plans = make.plans(make.rng_of("a secret", "plans"), runs, LIMITS)
     kinds = Counter(p.kind for p in plans)
     assert len(plans) >= 40 and kinds["pair"] >= 6 and kinds["outside"] >= 8
     assert kinds["control"] + kinds["decoy"] >= 8
+    assert 0.4 * len(plans) < sum(p.reference for p in plans) < 0.6 * len(plans)
     for p in plans:
         known = {"effect": CATALOGUE, "pair": CATALOGUE, "outside": OUTSIDE, "decoy": NUISANCE, "control": ()}[p.kind]
         assert set(p.hidden) <= set(known)
-    limited = {(n, p.times) for p in plans if p.kind == "effect" for n in p.hidden}
-    assert {(n, t) for n in make.LIMITED for t in (1.0, 2.0)} <= limited
-    assert [p.runs for p in plans if "standoff" in p.hidden] == ["standoff_0.5"]
+    for name in make.LAID:
+        assert sorted(round(p.times) for p in plans if p.kind == "effect" and name in p.hidden) == [1, 2]
+    assert [(p.runs, p.reference) for p in plans if "standoff" in p.hidden and p.reference] == [("standoff_0.5", True)]
+
+
+def test_strengths_are_limits_times(runs):
+    rng = make.rng_of("a secret", "strengths")
+    s, times = make.strength("crowd_friction", 2.0, rng, 60.0)
+    assert s == pytest.approx(120, rel=0.1) and times == pytest.approx(s / 60)
+    assert make.strength("crowd_friction", 2.0, rng, 300.0) == (360.0, 1.2)                      # within its bounds
+    s, times = make.strength("crowd_friction", 1.0, rng, None)
+    assert s == pytest.approx(250, rel=0.1) and times == 0
 
 
 def test_what_is_sealed_is_what_is_true(runs, tmp_path, monkeypatch):
-    monkeypatch.setattr(make, "plans", lambda rng, runs: [make.Plan("effect", {"truck_spillage": 0.3}, 1.5),
-                                                          make.Plan("control", {}, 0.0)])
+    monkeypatch.setattr(make, "plans", lambda *_: [make.Plan("effect", {"truck_spillage": 0.3}, 1.5, False),
+                                                 make.Plan("control", {}, 0.0, True)])
+    monkeypatch.setattr(make, "limits", dict)
     assert make.main([str(tmp_path / "set"), "a secret", str(runs)]) == 0
     seals = dict(line.split(",") for line in (tmp_path / "set/sealed.csv").read_text().split()[1:])
     with zipfile.ZipFile(tmp_path / "set/truth.zip") as box:

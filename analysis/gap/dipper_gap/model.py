@@ -111,6 +111,8 @@ def learn(plan, folders, measured, before=None):
     mines = [measured] + ([before.seen_by(measured.channels)] if before else [])
     numbers = common_passes(measured, [*folders.values(), *mines[1:]])
     base = [folders[r] for r in plan.baseline]
+    if FACE in measured.channels and not all(FACE in m.channels for m in base):
+        raise ValueError(f"{FACE}: channels.yaml declares it, but runs of this case have no faces; leave it out there")
     vectors = Vectors(measured.channels, numbers, base)
     mine_cells, *others = (vectors.of_mine(m)[0] for m in mines)
     mine_cells = [c for c in mine_cells if all(c in of for of in others)]

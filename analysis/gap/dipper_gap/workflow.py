@@ -32,6 +32,7 @@ from .statistics.null import statistics
 
 EARLY_P = 0.2           # omnibus p from which no more runs are made
 SHARPENED = 2           # times an effect's strength is found anew, each with its signature at the last
+SHARPENING_SEEDS = 4    # of the baseline's that it is observed or replayed with
 MOTION_TOLERANCE_S = 1.0
 SCATTERS = 2.0          # variance of the trucks' passes, in the model's, from which the report says so
 TWO_SIDED_90 = 3.29     # a central 90 % interval of a Gaussian, in sd
@@ -108,17 +109,17 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
     say(f"gap: {statement(plan, simulator, first)}")
     runner = Runner(simulator, catalogue, say)
     if len(first.signatures) < len(plan.signatures):
-        known = _known(first, measured, before, runner)
+        known = learn_and_predict(first, measured, before, runner)
         if omnibus(known[1], *compare(*known, measured)) >= EARLY_P:
             left = len(plan.requests()) - len(first.requests())
             told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs "
                     "and the effects that need none show no gap to explain",)
             out = conclude(*known, measured, runner, before)
             return replace(out, early=True, warnings=(*out.warnings, *told))
-    return conclude(*_known(plan, measured, before, runner), measured, runner, before)
+    return conclude(*learn_and_predict(plan, measured, before, runner), measured, runner, before)
 
 
-def _known(plan, measured, before, runner):
+def learn_and_predict(plan, measured, before, runner):
     """(Model, Prediction) from the runs of a plan, which are made."""
     requests = plan.requests()
     model = learn(plan, dict(zip(requests, runner.simulator.run(requests, runner.say))), measured, before)
@@ -291,12 +292,13 @@ def _sharpened(model, prediction, training, matched, runner):
     """{effect: signature} of the effects that need no run, at the strength they seem to have: not all are linear."""
     lead = max((s.name for s in training.signatures), key=matched.presence)
     fit = matched.fits[matched.best_with(lead)]
-    index = tuple(range(prediction.baseline.seeds))
+    seeds = [r.seed for r in model.plan.baseline[:SHARPENING_SEEDS]]
     better = {}
     for name, strength in zip(fit.names, fit.best):
         if model.runs[name].same_rock:
-            values = model.of_runs(runner.run({name: strength}, [r.seed for r in model.plan.baseline]))
-            runs = SignatureRuns((strength,) * len(index), index, values, True)
+            strength = float(f"{strength:.2g}")  # so that the next round, or another mine, hardly asks for new runs
+            values = model.of_runs(runner.run({name: strength}, seeds))
+            runs = SignatureRuns((strength,) * len(seeds), tuple(range(len(seeds))), values, True)
             better[name] = signature(runner.catalogue[name], prediction.baseline, runs).inflated(prediction.inflation)
     return better
 

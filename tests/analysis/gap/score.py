@@ -2,17 +2,17 @@
 """Scores blind cases: what the workflow said against truths that were sealed before it looked.
 
     FOLDER/sealed.csv              case,sha256            of each truth file, written before any analysis
-    FOLDER/truth/CASE.yaml         {kind, effects: {NAME: strength or null}, times_limit, salt}
+    FOLDER/truth/CASE.yaml         {kind, effects: {NAME: strength or null}, times_limit, reference, salt}
     FOLDER/results/CASE/gap.json   what `dipper gap` said
     FOLDER/nulls.csv               case,verdict,omnibus_p: data sets in which nothing is hidden (optional)
 
-kind: effect (one of the catalogue), pair (two of it), outside (none of it), control (no effect, another twin),
-decoy (only nuisances or the operator differ), null (the model itself with fresh noise). A strength is null
+kind: effect (one of the catalogue), pair (two of it), outside (none of it), control (no effect),
+decoy (only nuisances differ), null (the model itself with fresh noise). A strength is null
 where the truth's implementation has no strength in the catalogue's unit; times_limit is the strength in
 detection limits of the model.
 
-usage: score.py seal FOLDER      writes sealed.csv (refuses to write it over)
-       score.py FOLDER [TABLE]   checks the seals, scores, prints the table, writes it to TABLE
+usage: score.py seal FOLDER            writes sealed.csv (refuses to write it over)
+       score.py FOLDER [TABLE [CSV]]   checks the seals, scores, prints the table, writes it to TABLE, rates to CSV
 """
 import csv
 import hashlib
@@ -26,11 +26,12 @@ import yaml
 from scipy.stats import binomtest
 
 KINDS = ("effect", "pair", "outside", "control", "decoy", "null")
-# name: (smallest or largest allowed, which of them)
-TARGETS = {"false alarms": (0.05, "most"), "a gap where nothing is": (0.05, "most"), "wrong name": (0.05, "most"),
-           "right name at the limit": (0.75, "least"), "right name at twice the limit": (0.90, "least"),
-           "right name or class": (0.95, "least"), "abstains outside": (0.80, "least"),
-           "interval coverage": (0.80, "least"), "hold-out closure 60 %": (0.50, "least")}
+# measure: (what it is called in the CSV, smallest and largest rate that meets the target)
+TARGETS = {"false alarms": ("false_alarm", 0.0, 0.05), "a gap where nothing is": ("null", 0.0, 0.05),
+           "wrong name": ("wrong_name", 0.0, 0.05), "right name at the limit": ("at_limit", 0.75, 1.0),
+           "right name at twice the limit": ("at_twice", 0.90, 1.0), "right name or class": ("name_or_class", 0.90, 1.0),
+           "abstains outside": ("outside", 0.80, 1.0), "interval coverage": ("coverage", 0.80, 0.97),
+           "hold-out closure 60 %": ("closure", 0.90, 1.0)}
 
 
 class SealBroken(ValueError):
@@ -48,6 +49,7 @@ class Row:
     covered: object    # True, False, or None where there is nothing to cover
     closure: object
     times: float = 1.0  # the truth's strength, in detection limits
+    reference: bool = False  # earlier trucks were given
 
 
 def sha256(file):
@@ -94,7 +96,7 @@ def score_case(folder, case):
         closure = a["gap"]["holdout_closure"]
     said = a["effect"] or ", ".join(a["class"])
     return Row(case, truth["kind"], ", ".join(effects) or "-", a["verdict"], said or "-", result, covered, closure,
-               float(truth.get("times_limit", 1.0)))
+               float(truth.get("times_limit", 1.0)), bool(truth.get("reference", False)))
 
 
 def null_rows(folder):
@@ -142,39 +144,64 @@ def rates(rows, nulls=(0, 0)):
             "hold-out closure 60 %": (sum(c >= 0.6 for c in closures), len(closures))}
 
 
+def goal(name):
+    low, high = TARGETS[name][1:]
+    return f"<= {high:g}" if low == 0 else f">= {low:g}" if high == 1 else f"{low:g} ... {high:g}"
+
+
+def missed(name, hits, of):
+    """Whether a rate is outside its target; not for nothing of nothing."""
+    low, high = TARGETS[name][1:]
+    return of > 0 and not low <= hits / of <= high
+
+
+def halves(rows):
+    """Rates of the cases with a reference, and of those without."""
+    return tuple(rates([r for r in rows if r.reference == before]) for before in (True, False))
+
+
 def table(rows, nulls=(0, 0)):
     """The scores in Markdown: rates with 95 % intervals beside the targets, then every case."""
-    out = ["| measure | hits | of | rate | 95 % interval | target |", "|---|---|---|---|---|---|"]
+    out = ["| measure | hits | of | rate | 95 % interval | target | with a reference | without |",
+           "|---|---|---|---|---|---|---|---|"]
+    before, alone = halves(rows)
     for name, (hits, of) in rates(rows, nulls).items():
-        limit, side = TARGETS[name]
-        goal = f"{'<=' if side == 'most' else '>='} {limit:g}"
+        parts = ["-" if of == 0 else f"{h} of {n}" for h, n in (before[name], alone[name])]
+        rate, interval = "-", "-"
         if of:
             ci = binomtest(hits, of).proportion_ci(method="wilson")
-            out.append(f"| {name} | {hits} | {of} | {hits / of:.2f} | {ci.low:.2f} ... {ci.high:.2f} | {goal} |")
-        else:
-            out.append(f"| {name} | 0 | 0 | - | - | {goal} |")
+            rate, interval = f"{hits / of:.2f}", f"{ci.low:.2f} ... {ci.high:.2f}"
+        out.append(f"| {name} | {hits} | {of} | {rate} | {interval} | {goal(name)} | {' | '.join(parts)} |")
     closures = [r.closure for r in rows if r.closure is not None]
     if closures:
         out.append(f"\nMedian hold-out closure of right names: {100 * np.median(closures):.0f} %.")
-    out += ["", "| case | kind | truth | times limit | verdict | said | outcome | covered | hold-out closure |",
-            "|---|---|---|---|---|---|---|---|---|"]
+    out += ["", "| case | kind | truth | times limit | reference | verdict | said | outcome | covered | hold-out closure |",
+            "|---|---|---|---|---|---|---|---|---|---|"]
     for r in rows:
         covered = {None: "-", True: "yes", False: "no"}[r.covered]
         closure = "-" if r.closure is None else f"{r.closure:.2f}"
-        out.append(f"| {r.case} | {r.kind} | {r.truth} | {r.times:.2g} | {r.verdict} | {r.said} | {r.outcome} | "
-                   f"{covered} | {closure} |")
+        out.append(f"| {r.case} | {r.kind} | {r.truth} | {r.times:.2g} | {'yes' if r.reference else 'no'} | {r.verdict} | "
+                   f"{r.said} | {r.outcome} | {covered} | {closure} |")
     return "\n".join(out) + "\n"
+
+
+def rates_csv(rows, nulls=(0, 0)):
+    """measure,hits,of,target and the same of the cases with a reference, a measure a line."""
+    before = halves(rows)[0]
+    return "measure,hits,of,target,hits_reference,of_reference\n" + "".join(
+        f"{TARGETS[name][0]},{hits},{of},{goal(name)},{before[name][0]},{before[name][1]}\n"
+        for name, (hits, of) in rates(rows, nulls).items())
 
 
 def main(words):
     try:
         if len(words) == 2 and words[0] == "seal":
             print(f"{seal(Path(words[1]))} truths sealed")
-        elif len(words) in (1, 2):
-            text = table(score(words[0]), null_rows(Path(words[0])))
-            print(text, end="")
-            if len(words) == 2:
-                Path(words[1]).write_text(text)
+        elif len(words) in (1, 2, 3):
+            scored = score(words[0]), null_rows(Path(words[0]))
+            print(table(*scored), end="")
+            for file, write in zip(words[1:], (table, rates_csv)):
+                Path(file).write_text(write(*scored))
         else:
             print(__doc__, file=sys.stderr)
             return 2

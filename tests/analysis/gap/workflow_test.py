@@ -214,3 +214,9 @@ def test_a_mine_may_log_less_than_the_model():
     assert {c.channel for c in out.look.training.baseline.cells} == {"truck_mass_t"}
     assert out.look.verdict.verdict == "no-gap"
     page(out, answer(out), SMALL, "synthetic")
+
+
+def test_a_survey_is_refused_where_the_runs_have_no_faces():
+    mine = synthetic.with_noise(synthetic.run(seed=905, faces=True), 5)
+    with pytest.raises(ValueError, match="face_m: channels.yaml declares it"):
+        analyse(mine, fake_mine.FakeSimulator(), SMALL, say=lambda text: None)

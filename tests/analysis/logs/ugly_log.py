@@ -17,7 +17,7 @@ sys.path[:0] = [str(ROOT / "analysis" / name) for name in ("logs", "gap", "runs"
 import dipper_run  # noqa: E402
 from dipper_import.fit import motion_curve  # noqa: E402
 
-MOTION = ROOT / "tests/analysis/gap/blind/screening/motion.csv"
+MOTION = Path(__file__).resolve().parent / "motion.csv"
 START = datetime(2026, 3, 14, 6, 12, 0)
 FEET, KIP, SHORT_TON = 0.3048, 4.4482216152605, 0.90718474
 CROWD_RANGE = (-1.7, 3.2)  # m at 0 and 100 %
