@@ -66,7 +66,7 @@ def test_strengths_are_limits_times(runs):
 
 def test_what_is_sealed_is_what_is_true(runs, tmp_path, monkeypatch):
     monkeypatch.setattr(make, "plans", lambda *_: [make.Plan("effect", {"truck_spillage": 0.3}, 1.5, False),
-                                                 make.Plan("control", {}, 0.0, True)])
+                                                   make.Plan("control", {}, 0.0, True)])
     monkeypatch.setattr(make, "limits", dict)
     assert make.main([str(tmp_path / "set"), "a secret", str(runs)]) == 0
     seals = dict(line.split(",") for line in (tmp_path / "set/sealed.csv").read_text().split()[1:])

@@ -15,8 +15,8 @@ def words(made, path):
            + (f"; {looked.none:,} rows without a reading" if looked.none else ""),
            f"surface: x {s.x[0]:.2f} to {s.x[-1]:.2f} m, y {s.y[0]:.2f} to {s.y[-1]:.2f} m, up to z = {s.z.max():.2f} "
            f"m, a height each {cell[0]:.2f} x {cell[1]:.2f} m",
-           f"face: {angle:.0f} degrees, its rise {abs(turned):.0f} degrees to the {'left' if turned > 0 else 'right'} of "
-           "the dig's direction",
+           f"face: {angle:.0f} degrees, its rise {abs(turned):.0f} degrees to the {'left' if turned > 0 else 'right'} "
+           "of the dig's direction",
            f"gaps: {100 * s.filled.mean():.1f} % of {area:.0f} m2 not seen, filled from what is round them"
            + (f"; the largest {s.hole_m2:.1f} m2" if s.filled.any() else "")]
     left = sum(i.points for i in s.islands)

@@ -155,8 +155,8 @@ def _nothing_there(path, cloud, looked, site, box):
 
 def _steps(looked):
     """What is told of coordinates in steps."""
-    return [f"{axis} stand{'s' * (axis != 'heights')} in steps of {step:g} m: a grid, or coordinates that an export has "
-            "rounded (single precision, too few digits)"
+    return [f"{axis} stand{'s' * (axis != 'heights')} in steps of {step:g} m: a grid, or coordinates that an export "
+            "has rounded (single precision, too few digits)"
             for axis, step in zip(("x", "y", "heights"), looked.steps) if step]
 
 

@@ -212,8 +212,8 @@ def _tell_line(path, data, line, table):
             raise BadInput([f"{path}:{i}: point: has {len(cells)} cells, '{row[:SHOWN]}'; {table.cells}, as the first"])
         for c in table.columns:
             if not cells[c]:
-                raise BadInput([f"{path}:{i}: point: a cell is empty, '{row[:SHOWN]}'; a coordinate, or nan, or no such "
-                                "row"])
+                raise BadInput([f"{path}:{i}: point: a cell is empty, '{row[:SHOWN]}'; a coordinate, or nan, or no "
+                                "such row"])
             if decimal_number(cells[c], table.decimal) is None and cells[c].lower() not in NONE:
                 raise BadInput([f"{path}:{i}: point: '{cells[c][:SHOWN]}' is no number; a coordinate in m, with "
                                 "nothing between its thousands, and a header where x y z are not the first columns"])
