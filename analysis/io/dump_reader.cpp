@@ -18,8 +18,8 @@ bool is_vtk(const std::filesystem::path& file) {
   return end == ".vtp" || end == ".vtk";
 }
 
-constexpr std::int64_t kLargestStep = std::int64_t{1}
-                                      << 53;  // a double represents whole numbers up to here
+// A double represents whole numbers up to here.
+constexpr std::int64_t kLargestStep = std::int64_t{1} << 53;
 
 /// Columns as `dump custom` names them: v is vx, vy, vz.
 std::vector<std::string> names_of(const VtkArray& a) {

@@ -16,8 +16,7 @@ struct LoadToFollow {
 
 struct LoadFate {
   double lifted_kg = 0;
-  double truck_kg = 0, carry_back_kg = 0, back_in_pile_kg = 0,
-         spillage_kg = 0;              ///< their sum is the load
+  double truck_kg = 0, carry_back_kg = 0, back_in_pile_kg = 0, spillage_kg = 0;  ///< sum: the load
   double truck_from_elsewhere_kg = 0;  ///< gained by the truck from other rock
   std::map<int, double> class_kg;      ///< lifted, by class
 };

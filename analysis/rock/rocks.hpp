@@ -15,8 +15,7 @@ struct Fragment {
   double mass_kg = 0;
   double density_kg_m3 = 0;                       ///< of solid rock; 0: not known
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< volume-weighted centre of its spheres
-  Eigen::Vector3d v_W =
-      Eigen::Vector3d::Zero();  ///< of that point; zero when the dump has no velocities
+  Eigen::Vector3d v_W = Eigen::Vector3d::Zero();  ///< of that point; zero without velocities
 };
 
 /// The masses of clumps: by size class, from a run's deck. Empty for other dumps.

@@ -23,8 +23,8 @@ struct LoadRegions {
   std::optional<Box> dipper;
   std::optional<Box> truck;
   Pose X_WT;
-  double lip_x_m =
-      0;  ///< end of the cavity in B; the region of the load extends beyond it, for the heap
+  /// End of the cavity in B; the region of the load extends beyond it, for the heap.
+  double lip_x_m = 0;
 };
 
 enum class Location { dipper, truck, elsewhere };

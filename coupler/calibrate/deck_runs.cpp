@@ -39,8 +39,8 @@ std::vector<fs::path> scripts(const DeckRun& run) {
 class WrittenDeck {
  public:
   explicit WrittenDeck(const DeckRun& run) {
-    fs::permissions(folder(),
-                    fs::perms(0755));  // the cache may be shared; a temporary folder is 0700
+    // The cache may be shared; a temporary folder is 0700.
+    fs::permissions(folder(), fs::perms(0755));
     deck::write_deck(run.c, run.c.rock.shape_folder, folder());
     // The case's pile is not used here.
     for (const char* unused : {"funnel.stl", "sides.stl", "outline.csv", "surface.stl", "walls"})

@@ -23,8 +23,8 @@ struct DeckRun {
 
 struct DeckResult {
   std::filesystem::path dump;
-  std::string
-      hash;  ///< of everything that the dump depends on: deck, tables, templates, variables, seed
+  /// Of everything that the dump depends on: deck, tables, templates, variables, seed.
+  std::string hash;
   bool cached = false;  ///< found in the cache
   double cpu_s = 0;     ///< of the run that made the dump
 };

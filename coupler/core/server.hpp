@@ -56,8 +56,8 @@ struct Order {
 /// A window of the machine.
 struct MachineStep {
   std::int64_t t_end_ns = 0;
-  std::vector<Wrench>
-      F_Bo_W;  ///< of the rock on each body, about the body's moving origin, world axes; constant
+  /// Of the rock on each body, about the body's moving origin, world axes; constant.
+  std::vector<Wrench> F_Bo_W;
   std::int64_t t_next_ns = 0;   ///< end of the next window; not after t_end_ns: there is none
   std::int64_t step_index = 0;  ///< windows completed earlier
   Order order = {};             ///< of a program that drives, given at the window's start

@@ -39,8 +39,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr double kSummaryTrim =
-    1e-3;  // m: resolution of the faces' points, as fine as a page draws
+constexpr double kSummaryTrim = 1e-3;  // m: of the faces' points, as fine as a page draws
 
 setup::PeerConfig machine_config(const cases::Case& c, const result::RunFolder& folder, bool told) {
   setup::PeerConfig config;

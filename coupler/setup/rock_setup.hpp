@@ -79,8 +79,7 @@ struct RockSetup {
   std::string screen;                                          ///< LIGGGHTS screen output
   std::vector<std::string> bodies;                             ///< fix ids of the moving walls
   std::vector<Scale> scales;
-  std::vector<std::string>
-      cleared;  ///< fix ids of the walls that rock may not overlap at the start
+  std::vector<std::string> cleared;  ///< fix ids of walls that rock may not overlap at the start
   std::optional<CrustZone> crust;
   std::optional<RockFall> fall;
   std::optional<HeldLayer> layer;

@@ -14,9 +14,10 @@ import numpy as np
 import pytest
 import yaml
 
+import synthetic
 from dipper_gap.decision.patch import write_patched_case
 from dipper_gap.gap_json import as_json, write_json
-from dipper_gap.readings.measured import Channel, read_measured
+from dipper_gap.readings.measured import read_measured
 from dipper_gap.simulation.effects import read_catalogue
 from dipper_gap.simulation.plan import FRESH_SEEDS, LEAST_SEEDS
 from dipper_gap.simulation.simulator import DipperSimulator, request
@@ -28,13 +29,6 @@ CASES = Path(__file__).resolve().parents[3] / "cases"
 NAMES = ("crowd_friction", "hoist_drive_loss", "scale_gain", "logger_offset")
 HIDDEN_KN = 200.0
 RATE_HZ = 20
-CHANNELS = {c.name: c for c in (
-    Channel("truck_mass_t", "t", "response", 0.8, 1.0),
-    Channel("hoist_m", "m", "driven", 0.005, 0.0),
-    Channel("crowd_m", "m", "driven", 0.005, 0.0),
-    Channel("swing_rad", "rad", "driven", 0.001, 0.0),
-    Channel("hoist_force_kN", "kN", "response", 25.0, 15.0),
-    Channel("crowd_force_kN", "kN", "response", 25.0, 15.0))}
 
 
 def two_passes(folder, changes):
@@ -52,7 +46,7 @@ def two_passes(folder, changes):
     return folder
 
 
-def logged(run, rng):
+def logged(run, seed):
     """A run with friction in its crowd as the mine logs it, once a second, through its instruments."""
     seen = run.parent / "seen"
     subprocess.run([program(), "observe", run, "--set", f"observation.rate_Hz={RATE_HZ}", "--out", seen], check=True,
@@ -62,14 +56,11 @@ def logged(run, rng):
     stribeck = (0.9 + 0.25 * np.exp(-(speed / 0.1) ** 2) + 0.15 * np.abs(speed)) * np.tanh(speed / 0.02)
     true = {**mine.signals, "crowd_force_kN": mine.signals["crowd_force_kN"] + HIDDEN_KN * stribeck}
     n = len(mine.time_s) // RATE_HZ * RATE_HZ
-    shared = {name: rng.normal(0, c.common_sigma) for name, c in CHANNELS.items()}
-    signals = {name: true[name][:n].reshape(-1, RATE_HZ).mean(axis=1) + shared[name]
-               + rng.normal(0, CHANNELS[name].sigma, n // RATE_HZ) for name in CHANNELS if name != "truck_mass_t"}
-    passes = tuple(replace(p, truck_mass_t=max(0.0, p.truck_mass_t + shared["truck_mass_t"]
-                                               + rng.normal(0, CHANNELS["truck_mass_t"].sigma)))
-                   for p in mine.passes if p.truck_mass_t > 0)
-    return replace(mine, channels=CHANNELS, passes=passes, time_s=mine.time_s[:n].reshape(-1, RATE_HZ)[:, -1],
-                   signals=signals, profiles={}, left={})
+    seconds = replace(mine, time_s=mine.time_s[:n].reshape(-1, RATE_HZ)[:, -1],
+                      signals={name: true[name][:n].reshape(-1, RATE_HZ).mean(axis=1)
+                               for name in synthetic.CHANNELS if name in true},
+                      passes=tuple(p for p in mine.passes if p.truck_mass_t > 0), profiles={}, left={})
+    return synthetic.with_noise(seconds, seed)
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +75,7 @@ def mine(tmp_path_factory):
     run = work / "run"
     subprocess.run([program(), "run", other, "--out", run, "--ranks", "1", "--seed", "77"], check=True,
                    stdout=subprocess.DEVNULL, env={**os.environ, "XDG_CACHE_HOME": str(work)})
-    return work, model, logged(run, np.random.default_rng(5))
+    return work, model, logged(run, 5)
 
 
 def test_a_hidden_effect_is_named_added_and_the_gap_shrinks(mine):

@@ -132,14 +132,14 @@ def test_broken_ply(tmp_path, words, said):
     assert said in fault(file)
 
 
-def las_file(tmp_path, version=(1, 2), form=3, flags=None, classes=None, cut=0):
+def las_file(tmp_path, version=(1, 2), form=3, flags=None, classes=None, cut=0, record=bytes(10)):
     header_size = 375 if version >= (1, 4) else 227
     length = las.SHORTEST[form] + 2  # with two bytes of a maker's own
     scale, offset = np.array([0.001, 0.001, 0.001]), np.array([512000.0, 7443000.0, 0.0])
     head = bytearray(header_size)
     head[:4] = b"LASF"
     head[24:26] = bytes(version)
-    struct.pack_into("<HI", head, 94, header_size, header_size + 10)
+    struct.pack_into("<HII", head, 94, header_size, header_size + len(record), int(any(record)))
     struct.pack_into("<BHI", head, 104, form, length, 0 if version >= (1, 4) else len(POINTS))
     struct.pack_into("<6d", head, 131, *scale, *offset)
     if version >= (1, 4):
@@ -151,7 +151,7 @@ def las_file(tmp_path, version=(1, 2), form=3, flags=None, classes=None, cut=0):
         body[:, 15] = flags
     if classes is not None:
         body[:, 15 if form < 6 else 16] = classes
-    data = bytes(head) + bytes(10) + body.tobytes()
+    data = bytes(head) + record + body.tobytes()
     return text(tmp_path, data[:len(data) - cut], "scan.las")
 
 
@@ -170,6 +170,27 @@ def test_noise_and_withheld_points_of_a_las_are_left_out(tmp_path, form, version
     flags = np.zeros(len(POINTS))
     flags[:20] = 0x80 if form < 6 else 0x04
     assert len(read(las_file(tmp_path, version, form, flags=flags))) == len(POINTS) - 20
+
+
+def las_record(kind, data):
+    head = bytearray(las.VLR)
+    struct.pack_into("<HH", head, 18, kind, len(data))
+    return bytes(head) + data
+
+
+@pytest.mark.parametrize("kind, data, said", [
+    (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.MODEL, 0, 1, las.GEOGRAPHIC), "degrees of longitude"),
+    (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.UNIT_OF_EASTING, 0, 1, 9003), "coordinates are US survey feet"),
+    (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.UNIT_OF_ELEVATION, 0, 1, 9002), "elevations are feet"),
+    (las.WKT, b'PROJCS["x",GEOGCS["y"],UNIT["US survey foot",0.3048006096]]', "unit is the US survey foot"),
+    (las.WKT, b'GEOGCS["y",UNIT["degree",0.0174533]]', "degrees of longitude")])
+def test_a_las_in_another_unit_is_refused(tmp_path, kind, data, said):
+    assert said in fault(las_file(tmp_path, record=las_record(kind, data)))
+
+
+def test_a_las_in_metres_is_read(tmp_path):
+    metres = struct.pack("<8H", 1, 1, 0, 1, las.UNIT_OF_EASTING, 0, 1, 9001)
+    assert len(read(las_file(tmp_path, record=las_record(las.GEO_KEYS, metres)))) == len(POINTS)
 
 
 def test_broken_las(tmp_path):

@@ -26,15 +26,15 @@ from dipper_run.run_cache import cache_folder  # noqa: E402
 from instruments import Errors, write_folder  # noqa: E402
 from shovel import Motion  # noqa: E402
 
-CASE = ROOT / "cases/screening"
+CASE = Path("cases/screening")  # in ROOT
 
 
 def run(folder, out, cases):
     for case in cases or sorted(p.name for p in (folder / "measured").iterdir()):
-        words = [program(), "gap", str(CASE), "--measured", str(folder / "measured" / case), "--out", str(out / case)]
+        words = [program(), "gap", CASE, "--measured", folder / "measured" / case, "--out", out / case]
         if (folder / "reference" / case).is_dir():
-            words += ["--reference", str(folder / "reference" / case)]
-        status = subprocess.run(words).returncode
+            words += ["--reference", folder / "reference" / case]
+        status = subprocess.run(words, cwd=ROOT).returncode  # messages then name no folder of this machine
         if status != 0:
             return status
         (folder / "results" / case).mkdir(parents=True, exist_ok=True)
@@ -43,10 +43,10 @@ def run(folder, out, cases):
 
 
 def nulls(count, file):
-    simulator = DipperSimulator(CASE, read_catalogue(CASE), program(), cache_folder("gap"))
+    simulator = DipperSimulator(ROOT / CASE, read_catalogue(ROOT / CASE), program(), cache_folder("gap"))
     catalogue, _ = usable(simulator.catalogue, simulator)
     plan, runner = make_plan(catalogue, make.TRUCKS, 1), Runner(simulator, catalogue, lambda text: None)
-    base, motion = make.complete(ROOT / "tests/gap_mine/runs/base"), Motion.read(CASE / "motion.csv")
+    base, motion = make.complete(ROOT / "tests/gap_mine/runs/base"), Motion.read(ROOT / CASE / "motion.csv")
     with open(file, "w") as f, tempfile.TemporaryDirectory() as work:
         f.write("case,verdict,omnibus_p\n")
         for k in range(count):
@@ -64,7 +64,7 @@ def nulls(count, file):
 
 def main(words):
     if words[:1] == ["run"] and len(words) >= 3:
-        return run(Path(words[1]), Path(words[2]), words[3:])
+        return run(Path(words[1]).resolve(), Path(words[2]).resolve(), words[3:])
     if words[:1] == ["nulls"] and len(words) == 3:
         nulls(int(words[1]), Path(words[2]))
         return 0
