@@ -71,8 +71,7 @@ TEST(PassPhases, ARunThatEndsAnywhereHasPhasesUpToItsEnd) {
       from = phase.t_end_s;
     }
     EXPECT_NEAR(from, cycle.pass.time_s.back(), 1e-9) << n;
-    if (passes[0].dig_phases_force_mean_N)
-      EXPECT_TRUE(std::isfinite(*passes[0].dig_phases_force_mean_N)) << n;
+    EXPECT_TRUE(std::isfinite(passes[0].dig_phases_force_mean_N.value_or(0))) << n;
   }
 }
 
