@@ -6,7 +6,6 @@ command goes on from the runs already made.
 import argparse
 import signal
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
@@ -53,21 +52,40 @@ def read_case(folder):
 
 
 def usable(catalogue, simulator):
-    """The effects this case can take at the strengths to be run, and a line for each that it cannot."""
-    def fault(effect):
-        told = (check(simulator.program, simulator.case, [(effect.name, s)]) for s in effect.strengths(False))
-        return next(filter(None, told), "")
+    """The effects this case can take at the strengths to be run, and a line for each that it cannot.
 
-    kept, left_out = {}, []
-    with ThreadPoolExecutor(JOBS) as pool:
-        faults = list(pool.map(fault, catalogue.values()))
-    for (name, effect), bad in zip(catalogue.items(), faults):
-        if bad:
-            left_out.append(f"effect {name} is left out, as the case cannot take it: {bad.splitlines()[0]}")
-            say(f"gap: {left_out[-1]}")
-        else:
-            kept[name] = effect
-    return kept, left_out
+    Effects are checked together, as far as they change other keys; those of a set that fails are checked half by half.
+    """
+    faults, left_out = {}, []
+    for some in _apart(catalogue):
+        faults.update(_faults([(n, s) for n, s in some if n not in faults], simulator))
+    for name in (n for n in catalogue if n in faults):
+        left_out.append(f"effect {name} is left out, as the case cannot take it: {faults[name].splitlines()[0]}")
+        say(f"gap: {left_out[-1]}")
+    return {n: e for n, e in catalogue.items() if n not in faults}, left_out
+
+
+def _apart(catalogue):
+    """Sets of (effect, strength), all of those to be run, in each of which no two change the same key."""
+    out = []
+    for name, effect in catalogue.items():
+        keys = {key for key, *_ in effect.overlay} | {name}
+        for strength in effect.strengths(False):
+            free = next((some for some in out if not keys & some[1]), None)
+            if free is None:
+                out.append(free := ([], set()))
+            free[0].append((name, strength))
+            free[1].update(keys)
+    return [some for some, _ in out]
+
+
+def _faults(some, simulator):
+    """{effect: what `dipper check` has against it} of a set of (effect, strength)."""
+    bad = check(simulator.program, simulator.case, some) if some else ""
+    if not bad or len(some) == 1:
+        return {some[0][0]: bad} if bad else {}
+    middle = len(some) // 2
+    return {**_faults(some[:middle], simulator), **_faults(some[middle:], simulator)}
 
 
 def say(text):
