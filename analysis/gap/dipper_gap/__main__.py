@@ -20,9 +20,11 @@ from dipper_run.text_file import read_text
 from .answer import write_answer
 from .forecast import as_lines, forecast, write_forecast
 from .readings.before import check_reference
+from .readings.fidelity import read_fidelity
 from .readings.measured import ASSUMED, read_channels, read_measured
 from .readings.motion import compare_motion, read_motion
 from .readings.passes import NEED_PASSES
+from .simulation.corrected import Corrected
 from .simulation.effects import read_catalogue
 from .simulation.simulator import JOBS, DipperSimulator, RunFailed, check
 from .workflow import analyse
@@ -103,6 +105,7 @@ def main(words=None):
         catalogue = read_catalogue(args.case)
         measured, before = (None, None) if args.plan else readings(args, data)
         channels = planned_channels(args) if args.plan else {}
+        fidelity = told_fidelity(args.case, bool(before))
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
         make_cache(run_cache.cache_folder("gap"))
@@ -115,6 +118,10 @@ def main(words=None):
     try:
         simulator = DipperSimulator(args.case, catalogue, program(), run_cache.cache_folder("gap"), args.jobs)
         catalogue, left_out = usable(catalogue, simulator)
+        if fidelity:
+            simulator = Corrected(simulator, fidelity)
+            channels = fidelity.compared(channels)
+            measured = measured and measured.seen_by(fidelity.compared(measured.channels))
         if args.plan:
             told = forecast(channels, simulator, catalogue, first_seed, say)
             folder.mkdir(parents=True, exist_ok=True)
@@ -156,6 +163,18 @@ def readings(args, data):
     for question in questions:
         say(f"gap: {question}")
     return measured, before
+
+
+def told_fidelity(case, with_reference):
+    """What the case's folder says of the model's errors; None where it says nothing, or a reference takes them out.
+    Throws BadInput."""
+    fidelity = read_fidelity(case)
+    if fidelity and with_reference:
+        say(f"gap: {fidelity.file} is not used: what model and mine differ by at all times is in the reference")
+        return None
+    if fidelity:
+        say(f"gap: {fidelity}")
+    return fidelity
 
 
 def planned_channels(args):

@@ -103,6 +103,7 @@ class Outcome:
     history: History = None  # truck by truck since the reference
     laws: tuple = ()        # decision.law.Law, one a force, where the catalogue has no name and the hold-out confirms
     added: object = None    # the Effect that they are
+    known: object = None    # readings.fidelity.KnownErrors of the model, by which its runs were corrected
     faces: tuple = ()       # readings.face.FaceChange of the surveys of both periods
     runs: int = 0
     seeds: dict = field(default_factory=dict)
@@ -149,7 +150,7 @@ def conclude(model, prediction, measured, runner, before=None):
                + (f": {', '.join(verdict.members)}" if verdict.members else ""))
     runs = sum(r.how == "run" for r in model.plan.requests())
     out = Outcome(seen, warnings=warnings(model, prediction, measured, before), inflation=model.inflation,
-                  trucks=len(measured.trucks()), runs=runs,
+                  trucks=len(measured.trucks()), runs=runs, known=runner.simulator.known,
                   seeds={"baseline": [r.seed for r in model.plan.baseline]})
     after = ()
     if verdict.verdict == "named":

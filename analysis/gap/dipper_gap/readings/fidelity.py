@@ -40,6 +40,9 @@ class Factor:
     low: float = 1.0
     high: float = 1.0
 
+    def __str__(self):
+        return f"{self.value:g} ({self.low:g} to {self.high:g})"
+
     @property
     def spread(self):
         """Relative sd."""
@@ -53,6 +56,12 @@ class Fidelity:
     payload: Factor = Factor()
     not_compared: tuple = ()
     file: str = FILE
+
+    def __str__(self):
+        told = [f"{self.file}: the model's runs are corrected: dig force times {self.dig_force}"]
+        told += [f"payload times {self.payload}"] if self.payload != Factor() else []
+        told += [f"{', '.join(self.not_compared)} not compared"] if self.not_compared else []
+        return "; ".join(told)
 
     def compared(self, channels):
         """The channels {name: ...} but those that the model is known not to show."""
@@ -165,13 +174,9 @@ def resistance_of(factor, empty, plain):
         return np.mean(means) / np.mean(usual) - factor
 
     if off(0.0) > 0:
-        raise ValueError(f"{fidelity_words(factor)}: dipper and load alone need {factor + off(0.0):.2f} of the dig "
-                         "force; a factor above that")
+        raise ValueError(f"{FILE}: dig_force: {factor:g} of the model's is not possible: dipper and load alone need "
+                         f"{factor + off(0.0):.2f} of it; a larger factor")
     return float(brentq(off, 0.0, MOST * max(1.0, factor), xtol=1e-6))
-
-
-def fidelity_words(factor):
-    return f"{FILE}: dig_force: {factor:g} of the model's dig force"
 
 
 def _in_dig(m, empty):
