@@ -9,6 +9,7 @@ import numpy as np
 
 from .readings.measured import FACE, MASS
 from .readings.passes import common_passes, split
+from .readings.rest import at_rest
 from .readings.vectors import Vectors, indices_of
 from .simulation.plan import Plan
 from .statistics.baseline import Baseline, make_baseline, scatter
@@ -129,6 +130,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
     at = indices_of(cells, vectors.cells)
     baseline, keep = make_baseline(cells, np.array([rows[r] for r in plan.baseline]), vectors.own[np.ix_(at, at)],
                                    vectors.common[:, at], numbers, len(measured.trucks()))
+    baseline = replace(baseline, rest=at_rest(base[0], baseline.cells))
     runs = {n: SignatureRuns(tuple(p.strength for p in planned), tuple(p.seed_index for p in planned),
                              np.array([rows[p.request][keep] for p in planned]), planned[0].request.how != "run")
             for n, planned in plan.signatures.items()}
