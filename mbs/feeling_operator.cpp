@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kWeighs_s = 0.5;
 constexpr double kMostLift_m = 1.5;
-constexpr double kMostDeeper_m = 0.6;
+constexpr double kClear_m = 1.5;    // of the crowd, drawn in on the way back
+constexpr double kDrawsIn_m_s = 0.6, kGoesIn_m_s = 0.5;
+constexpr double kSettled = 0.1;  // of a load, between what he weighs now and in the mean
 constexpr double kStands_rad_s = 1e-3;
 constexpr double kShut_rad = 1e-3;
 constexpr double kLevel_m_s = 0.02;  // of the hoist: still level
@@ -29,7 +31,10 @@ void FeelingOperator::reset(double t_s, const std::vector<double>& state) {
   const auto own = state.begin() + kPathNumbers;
   path_.reset(t_s, {state.begin(), own});
   updated_s_ = t_s;
-  then_ = {state.at(kPathNumbers), state.at(kPathNumbers + 1), state.at(kPathNumbers + 2)};
+  const auto number = [&](std::size_t i) { return state.at(kPathNumbers + i); };
+  then_ = {number(0), number(1), number(2)};
+  bites_ = {static_cast<Bites::Phase>(number(3)), static_cast<int>(number(4)), number(5),
+            number(6)};
   lift_slope_ = load_slope_ = 0;
 }
 
@@ -47,7 +52,7 @@ DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path, double cr
   f.overload = crowd_overload;
   f.load_kg = then_.load_kg;
   const double sent = m.position.crowd - path.relief;
-  f.room_m = path.relief > -kMostDeeper_m ? crowd_max_ - sent : 0;
+  f.room_m = path.relief > -bites_.deepest_m() ? crowd_max_ - sent : 0;
   load_slope_ = 0;
   try {
     const machine::Drives& at = felt.drives.position;
@@ -65,6 +70,31 @@ DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path, double cr
   return f;
 }
 
+DigWish FeelingOperator::bite(const DigFeel& f, const PathState& path) {
+  BiteSight sees;
+  sees.path_s = path.time;
+  sees.at_face = f.at_face;
+  sees.meets = meets_rock(f, limits_);
+  sees.caught = is_caught(f);
+  sees.weighs_true = std::abs(load_slope_) * kWeighs_s < kSettled * limits_.full_kg;
+  sees.handle_rise = f.handle_rise;
+  sees.overload = f.overload;
+  sees.relief_m = path.relief;
+  sees.load_kg = f.load_kg;
+  sees.full_kg = limits_.full_kg;
+  bites_ = bites_.next(sees);
+  if (bites_.phase == Bites::digs) return dig_wish(f, limits_);
+  DigWish wish;
+  if (bites_.phase == Bites::goes_back) {
+    wish.rate = -1;
+    wish.crowd_back = path.relief < kClear_m ? kDrawsIn_m_s : 0.0;
+  } else {
+    wish.rate = 0;
+    wish.crowd_back = -kGoesIn_m_s;
+  }
+  return wish;
+}
+
 void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
   then_ = at(t_s);
   updated_s_ = t_s;
@@ -74,7 +104,8 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
       [&] {
         const Felt felt = feels();
         const Overload r = felt.motors.overload();
-        wish = dig_wish(feel(felt, path_.at(t_s), r.crowd), limits_);
+        const PathState path = path_.at(t_s);
+        wish = bite(feel(felt, path, r.crowd), path);
         return r;
       },
       [&] {
@@ -89,7 +120,8 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
 std::vector<double> FeelingOperator::state(double t_s) const {
   std::vector<double> all = path_.state(t_s);
   const Bent now = at(t_s);
-  all.insert(all.end(), {now.lift, now.lift_rate, now.load_kg});
+  all.insert(all.end(), {now.lift, now.lift_rate, now.load_kg, static_cast<double>(bites_.phase),
+                         static_cast<double>(bites_.begun), bites_.from_s, bites_.brought});
   return all;
 }
 
@@ -104,14 +136,14 @@ machine::DriveState FeelingOperator::setpoint(double t_s) const {
 
 std::vector<core::Channel> FeelingOperator::channels() const {
   std::vector<core::Channel> all = path_.channels();
-  all.insert(all.end(), {{"hoist_lift", "m", "-"}, {"load_felt", "kg", "-"}});
+  all.insert(all.end(), {{"hoist_lift", "m", "-"}, {"load_felt", "kg", "-"}, {"bite", "1", "-"}});
   return all;
 }
 
 std::vector<double> FeelingOperator::values(double t_s, const DriveEfforts& motors) const {
   std::vector<double> all = path_.values(t_s, motors);
   const Bent now = at(t_s);
-  all.insert(all.end(), {now.lift, now.load_kg});
+  all.insert(all.end(), {now.lift, now.load_kg, static_cast<double>(bites_.begun)});
   return all;
 }
 
