@@ -19,7 +19,7 @@ constexpr double kWay_m = 0.15;      // of the teeth, between two places that ar
 constexpr double kMean_m = 1;        // of the way, over which a force counts
 constexpr double kBeside_m = 0.1;    // between dipper and side wall
 constexpr double kSide_m = 1;        // looked at beyond what is dug
-constexpr double kMostOverload = 2;  // of a drive, for a dig that stalls it
+constexpr double kMostOverload = 2;  // of a drive, for a dig in which he eases off
 constexpr double kOver_m = 0.5;      // between the dipper and the rock that it turns over
 
 /// The largest mean over a stretch of the way.
@@ -161,10 +161,11 @@ class Judge {
     c.cycle_s = t.end_s + std::max(0.0, lift_s - whole / choice_.teeth_m_s);
     const auto& drives = m_.drives;
     c.overload = std::max(c.crowd_peak_N / drives.crowd.stall, c.hoist_peak_N / drives.hoist.stall);
-    if (c.crowd_peak_N > drives.crowd.stall)
+    if (c.overload > 1) c.payload_kg /= c.overload;
+    if (c.crowd_peak_N > kMostOverload * drives.crowd.stall)
       c.refused = fmt::format("the crowd needs {:.2f} MN and has {:.2f}", c.crowd_peak_N * 1e-6,
                               drives.crowd.stall * 1e-6);
-    else if (c.hoist_peak_N > drives.hoist.stall)
+    else if (c.hoist_peak_N > kMostOverload * drives.hoist.stall)
       c.refused = fmt::format("the hoist needs {:.2f} MN and has {:.2f}", c.hoist_peak_N * 1e-6,
                               drives.hoist.stall * 1e-6);
   }
@@ -229,14 +230,15 @@ std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
   const DigCandidate& c = decision.candidates[static_cast<std::size_t>(decision.chosen)];
   const bool time = goal == DigGoal::time;
   return fmt::format(
-      "{}the most payload for {}, {:.4g} {}, of the {} digs that {} ({} looked at): at {:.0f} deg, "
+      "the most payload for {}, {:.4g} {}, of the {} digs that the machine can do ({} looked at): at {:.0f} deg, "
       "{:.2f} m deep, floor rising by {:.2f}, out at {:.1f} m; {:.0f} t expected, "
-      "with {:.2f} MN on the crowd and {:.2f} MN on the hoist at most",
-      c.overload > 1 ? "no dig stays within the drives; " : "", time ? "time" : "energy",
+      "with {:.2f} MN on the crowd and {:.2f} MN on the hoist at most{}",
+      time ? "time" : "energy",
       c.score * (time ? 1 : 1e3), time ? "kg/s" : "kg/kJ", diggable,
-      c.overload > 1 ? "stall them" : "the machine can do", decision.candidates.size(),
+      decision.candidates.size(),
       degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m, c.payload_kg * 1e-3,
-      c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6);
+      c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6,
+      c.overload > 1 ? ", more than they give: he will ease off" : "");
 }
 
 }  // namespace
@@ -272,7 +274,7 @@ HeightGrid DigPlanner::grid() const {
 }
 
 /// The best first, until one is found whose motion the machine can follow.
-bool DigPlanner::choose(DigDecision& decision, const HeightMap& face, const PassStart& from,
+void DigPlanner::choose(DigDecision& decision, const HeightMap& face, const PassStart& from,
                         double least_kg) const {
   const auto worth = [&](const DigCandidate& c) {
     return c.refused.empty() && c.payload_kg >= least_kg ? c.score : -1.0;
@@ -281,14 +283,13 @@ bool DigPlanner::choose(DigDecision& decision, const HeightMap& face, const Pass
     const auto best = std::max_element(
         decision.candidates.begin(), decision.candidates.end(),
         [&](const DigCandidate& a, const DigCandidate& b) { return worth(a) < worth(b); });
-    if (best == decision.candidates.end() || worth(*best) < 0) return false;
+    if (best == decision.candidates.end() || worth(*best) < 0) return;
     const PlannedPass pass{best->dig, best->heading_rad};
     const double over_m = rock_over_m(face);
     const std::string rows = pass_rows(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
     const auto beyond = shovel_.check(Motion::parse(kMotionHead + rows, "the pass"));
     if (!beyond.empty()) {
       best->refused = beyond.front();
-      best->overload = 0;
       continue;
     }
     decision.chosen = static_cast<int>(best - decision.candidates.begin());
@@ -297,7 +298,7 @@ bool DigPlanner::choose(DigDecision& decision, const HeightMap& face, const Pass
     const double set_off_s = decision.times.dig_s + cycle_.dig.ramp_s / 2;
     decision.rock_from_s = set_off_s + best->rock_from_m / choice_.teeth_m_s;
     decision.rock_to_s = set_off_s + best->rock_to_m / choice_.teeth_m_s;
-    return true;
+    return;
   }
 }
 
@@ -323,15 +324,7 @@ DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, dou
   };
   for (DigCandidate& c : decision.candidates)
     if (c.refused.empty()) score(c);
-  if (!choose(decision, face, from, least_kg)) {
-    for (DigCandidate& c : decision.candidates) {
-      if (c.overload <= 1 || c.overload > kMostOverload) continue;
-      c.refused.clear();
-      c.payload_kg /= c.overload;
-      score(c);
-    }
-    choose(decision, face, from, least_kg);
-  }
+  choose(decision, face, from, least_kg);
   decision.reason = reason(decision, goal_, least_kg);
   return decision;
 }

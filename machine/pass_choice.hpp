@@ -43,7 +43,7 @@ struct DigCandidate {
   TeethPath dig;            ///< control polygon of the teeth's way
   double swept_m3 = 0;      ///< taken out of the face
   double swept_kg = 0;      ///< of rock as it lies in a dipper
-  double payload_kg = 0;    ///< of that, what the dipper holds
+  double payload_kg = 0;    ///< of that, what the dipper holds; over `overload` where that is > 1
   double crowd_peak_N = 0;  ///< means over a metre of the teeth's way
   double hoist_peak_N = 0;
   double overload = 0;      ///< the larger of the two over what its drive gives; 0: not known
@@ -56,9 +56,8 @@ struct DigCandidate {
   double score = 0;                       ///< kg/s or kg/J
 };
 
-/// Candidates, and which is the best: the largest score of those that stay within the drives. Where
-/// none does, the best of those that stall them, whose payload is what is expected over `overload`.
-/// None: there is none of at least the payload asked for.
+/// Candidates, and which is the best: that with the largest score. None: there is none of at least
+/// the payload asked for.
 struct DigDecision {
   std::vector<DigCandidate> candidates;
   int chosen = -1;
@@ -72,8 +71,9 @@ struct DigDecision {
 double rock_over_m(const HeightMap& face);
 
 /// Judges every dig of the choice on a face: geometry, the least forces at rest in each place of
-/// the way (weights, and the rock by Dombrovskij's formula), and the drives' limits. Rock that
-/// comes down while he digs is not foreseen.
+/// the way (weights, and the rock by Dombrovskij's formula), and the drives' limits: where it takes
+/// up to twice what they give, he eases off in the dig and loads less. Rock that comes down while he
+/// digs is not foreseen.
 class DigPlanner {
  public:
   /// \param base_m  the swing axis at ground level, in W
@@ -93,7 +93,7 @@ class DigPlanner {
   HeightGrid grid() const;
 
  private:
-  bool choose(DigDecision& decision, const HeightMap& face, const PassStart& from,
+  void choose(DigDecision& decision, const HeightMap& face, const PassStart& from,
               double least_kg) const;
 
   DigChoice choice_;

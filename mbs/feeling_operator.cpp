@@ -11,6 +11,8 @@ constexpr double kWeighs_s = 0.5;
 constexpr double kMostLift_m = 1.5;
 constexpr double kClear_m = 1.5;    // of the crowd, drawn in on the way back
 constexpr double kDrawsIn_m_s = 0.6, kGoesIn_m_s = 0.5;
+// By which the rate is wished another when he turns: 0.6 1/s, so that the ropes stay taut.
+constexpr double kTurns = 0.6 * PathFollower::kReaction_s;
 constexpr double kSettled = 0.1;  // of a load, between what he weighs now and in the mean
 constexpr double kStands_rad_s = 1e-3;
 constexpr double kShut_rad = 1e-3;
@@ -86,10 +88,10 @@ DigWish FeelingOperator::bite(const DigFeel& f, const PathState& path) {
   if (bites_.phase == Bites::digs) return dig_wish(f, limits_);
   DigWish wish;
   if (bites_.phase == Bites::goes_back) {
-    wish.rate = -1;
+    wish.rate = std::max(-1.0, path.rate - kTurns);
     wish.crowd_back = path.relief < kClear_m ? kDrawsIn_m_s : 0.0;
   } else {
-    wish.rate = 0;
+    wish.rate = std::min(0.0, path.rate + kTurns);
     wish.crowd_back = -kGoesIn_m_s;
   }
   return wish;

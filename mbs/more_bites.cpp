@@ -6,7 +6,7 @@ namespace {
 constexpr int kMost = 3;
 constexpr double kFilled = 0.95;          // of what the dipper takes
 constexpr double kPays = 0.05;          // of that
-constexpr double kBelow = -0.766;    // sine of the handle's angle: 50 degrees down
+constexpr double kBelow = -0.7071;   // sine of the handle's angle: 45 degrees down
 constexpr double kShortest_s = 3;       // of the motion: a bite
 constexpr double kHeldAt = 0.9;          // overload of a crowd that the face holds
 

@@ -20,7 +20,7 @@ struct BiteSight {
 /// Bites of one dig. The first is the motion's. When the teeth have come out of the face and the
 /// dipper is less than 0.95 full, he takes another, up to three in all, as long as the last one has
 /// brought a twentieth of what the dipper takes: goes back on his way with the crowd drawn in, to
-/// where the teeth first met rock with the handle at most 50 degrees below the horizontal, crowds
+/// where the teeth first met rock with the handle at most 45 degrees below the horizontal, crowds
 /// until the face holds him, and lifts again along the way, up to 0.6 m deeper with each bite.
 struct Bites {
   enum Phase { digs = 0, goes_back = 1, goes_in = 2 };

@@ -125,19 +125,19 @@ TEST_F(PassChoice, RefusesWhatTheDrivesCannotDo) {
   EXPECT_TRUE(none.rows.empty());
 }
 
-TEST_F(PassChoice, StallsTheDrivesOnlyWhereNoDigStaysWithinThem) {
-  choice.depth_m = {0.3, 0.8};
-  const DigDecision strong = decide(bench());
-  const DigCandidate &shallow = strong.candidates[0], &deep = strong.candidates[1];
-  data.drives.crowd.stall = 0.5 * (shallow.crowd_peak_N + deep.crowd_peak_N);
-  EXPECT_EQ(decide(bench()).chosen, 0);
-  data.drives.crowd.stall = deep.crowd_peak_N / 1.4;
-  choice.depth_m = {0.8};
-  const DigDecision stalled = decide(bench());
-  ASSERT_EQ(stalled.chosen, 0) << stalled.reason;
-  EXPECT_NE(stalled.reason.find("no dig stays within"), std::string::npos) << stalled.reason;
-  EXPECT_NEAR(stalled.candidates[0].payload_kg, deep.payload_kg / 1.4, 1e-6 * deep.payload_kg);
-  EXPECT_EQ(decide(bench(), deep.payload_kg).chosen, -1);
+TEST_F(PassChoice, ExpectsLessOfADigInWhichHeHasToEaseOff) {
+  const DigCandidate strong = decide(bench()).candidates[0];
+  data.drives.crowd.stall = strong.crowd_peak_N / 1.4;
+  const DigDecision eased = decide(bench());
+  ASSERT_EQ(eased.chosen, 0) << eased.reason;
+  EXPECT_NE(eased.reason.find("he will ease off"), std::string::npos) << eased.reason;
+  EXPECT_NEAR(eased.candidates[0].payload_kg, strong.payload_kg / 1.4, 1e-6 * strong.payload_kg);
+  EXPECT_EQ(decide(bench(), strong.payload_kg).chosen, -1);
+  data.drives.crowd.stall = strong.crowd_peak_N / 2.1;
+  const DigDecision none = decide(bench());
+  EXPECT_EQ(none.chosen, -1);
+  EXPECT_NE(none.candidates[0].refused.find("the crowd needs"), std::string::npos);
+  EXPECT_NE(none.reason.find("can do 0 of the 1"), std::string::npos) << none.reason;
 }
 
 TEST_F(PassChoice, TurnsToWhereTheRockIs) {
