@@ -230,14 +230,13 @@ std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
   const DigCandidate& c = decision.candidates[static_cast<std::size_t>(decision.chosen)];
   const bool time = goal == DigGoal::time;
   return fmt::format(
-      "the most payload for {}, {:.4g} {}, of the {} digs that the machine can do ({} looked at): at {:.0f} deg, "
+      "the most payload for {}, {:.4g} {}, of the {} digs that the machine can do ({} looked at): "
+      "at {:.0f} deg, "
       "{:.2f} m deep, floor rising by {:.2f}, out at {:.1f} m; {:.0f} t expected, "
       "with {:.2f} MN on the crowd and {:.2f} MN on the hoist at most{}",
-      time ? "time" : "energy",
-      c.score * (time ? 1 : 1e3), time ? "kg/s" : "kg/kJ", diggable,
-      decision.candidates.size(),
-      degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m, c.payload_kg * 1e-3,
-      c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6,
+      time ? "time" : "energy", c.score * (time ? 1 : 1e3), time ? "kg/s" : "kg/kJ", diggable,
+      decision.candidates.size(), degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m,
+      c.payload_kg * 1e-3, c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6,
       c.overload > 1 ? ", more than they give: he will ease off" : "");
 }
 

@@ -72,8 +72,8 @@ double rock_over_m(const HeightMap& face);
 
 /// Judges every dig of the choice on a face: geometry, the least forces at rest in each place of
 /// the way (weights, and the rock by Dombrovskij's formula), and the drives' limits: where it takes
-/// up to twice what they give, he eases off in the dig and loads less. Rock that comes down while he
-/// digs is not foreseen.
+/// up to twice what they give, he eases off in the dig and loads less. Rock that comes down while
+/// he digs is not foreseen.
 class DigPlanner {
  public:
   /// \param base_m  the swing axis at ground level, in W

@@ -30,21 +30,18 @@ struct DigLimits {
   double crowd_stall_N = 0;  ///< of the crowd's motor
 };
 
-/// Whether the teeth meet rock: from a twentieth of the crowd's stall force on.
-bool meets_rock(const DigFeel& feel, const DigLimits& limits);
-
-/// Whether heel or lip stands on rock: the ropes hold less than half of the empty dipper's moment.
-bool is_caught(const DigFeel& feel);
-
 /// The rules, the first that holds:
-///   caught: he draws rope in and the crowd back, 0.3 m/s each, and waits on his way (a quarter of
-///     the rate).
+///   caught: the ropes hold less than half of the empty dipper, so heel or lip stands on rock. He
+///     draws rope in and the crowd back, 0.3 m/s each, and waits on his way (a quarter of the
+///     rate).
 ///   full: the load is what the dipper takes. He breaks out: the crowd comes back by 0.3 m/s while
 ///     the teeth meet rock, and stays there.
-///   in rock: the crowd is held at nine tenths of its force, and the hoist goes on. It goes out or
-///     comes back at 2.5 m/s by the overload's difference from 0.9: out by at most 0.2 m/s, and
+///   in rock: the crowd is held at its stall force, and the hoist goes on. It goes out or comes
+///   back
+///     at 2.5 m/s by the overload's difference from 1: out by at most 0.2 m/s, and
 ///     only with less than nine tenths of a load and the handle at most 45 degrees below the
 ///     horizontal (further down it would push the dipper into the ground); back by at most 0.5 m/s.
+/// Teeth meet rock from a twentieth of the crowd's stall force on.
 DigWish dig_wish(const DigFeel& feel, const DigLimits& limits);
 
 }  // namespace dipper::mbs

@@ -9,11 +9,7 @@ namespace {
 
 constexpr double kWeighs_s = 0.5;
 constexpr double kMostLift_m = 1.5;
-constexpr double kClear_m = 1.5;    // of the crowd, drawn in on the way back
-constexpr double kDrawsIn_m_s = 0.6, kGoesIn_m_s = 0.5;
-// By which the rate is wished another when he turns: 0.6 1/s, so that the ropes stay taut.
-constexpr double kTurns = 0.6 * PathFollower::kReaction_s;
-constexpr double kSettled = 0.1;  // of a load, between what he weighs now and in the mean
+constexpr double kMostDeeper_m = 0.6;
 constexpr double kStands_rad_s = 1e-3;
 constexpr double kShut_rad = 1e-3;
 constexpr double kLevel_m_s = 0.02;  // of the hoist: still level
@@ -33,10 +29,7 @@ void FeelingOperator::reset(double t_s, const std::vector<double>& state) {
   const auto own = state.begin() + kPathNumbers;
   path_.reset(t_s, {state.begin(), own});
   updated_s_ = t_s;
-  const auto number = [&](std::size_t i) { return state.at(kPathNumbers + i); };
-  then_ = {number(0), number(1), number(2)};
-  bites_ = {static_cast<Bites::Phase>(number(3)), static_cast<int>(number(4)), number(5),
-            number(6)};
+  then_ = {state.at(kPathNumbers), state.at(kPathNumbers + 1), state.at(kPathNumbers + 2)};
   lift_slope_ = load_slope_ = 0;
 }
 
@@ -54,7 +47,7 @@ DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path, double cr
   f.overload = crowd_overload;
   f.load_kg = then_.load_kg;
   const double sent = m.position.crowd - path.relief;
-  f.room_m = path.relief > -bites_.deepest_m() ? crowd_max_ - sent : 0;
+  f.room_m = path.relief > -kMostDeeper_m ? crowd_max_ - sent : 0;
   load_slope_ = 0;
   try {
     const machine::Drives& at = felt.drives.position;
@@ -72,31 +65,6 @@ DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path, double cr
   return f;
 }
 
-DigWish FeelingOperator::bite(const DigFeel& f, const PathState& path) {
-  BiteSight sees;
-  sees.path_s = path.time;
-  sees.at_face = f.at_face;
-  sees.meets = meets_rock(f, limits_);
-  sees.caught = is_caught(f);
-  sees.weighs_true = std::abs(load_slope_) * kWeighs_s < kSettled * limits_.full_kg;
-  sees.handle_rise = f.handle_rise;
-  sees.overload = f.overload;
-  sees.relief_m = path.relief;
-  sees.load_kg = f.load_kg;
-  sees.full_kg = limits_.full_kg;
-  bites_ = bites_.next(sees);
-  if (bites_.phase == Bites::digs) return dig_wish(f, limits_);
-  DigWish wish;
-  if (bites_.phase == Bites::goes_back) {
-    wish.rate = std::max(-1.0, path.rate - kTurns);
-    wish.crowd_back = path.relief < kClear_m ? kDrawsIn_m_s : 0.0;
-  } else {
-    wish.rate = std::min(0.0, path.rate + kTurns);
-    wish.crowd_back = -kGoesIn_m_s;
-  }
-  return wish;
-}
-
 void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
   then_ = at(t_s);
   updated_s_ = t_s;
@@ -106,8 +74,7 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
       [&] {
         const Felt felt = feels();
         const Overload r = felt.motors.overload();
-        const PathState path = path_.at(t_s);
-        wish = bite(feel(felt, path, r.crowd), path);
+        wish = dig_wish(feel(felt, path_.at(t_s), r.crowd), limits_);
         return r;
       },
       [&] {
@@ -122,8 +89,7 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
 std::vector<double> FeelingOperator::state(double t_s) const {
   std::vector<double> all = path_.state(t_s);
   const Bent now = at(t_s);
-  all.insert(all.end(), {now.lift, now.lift_rate, now.load_kg, static_cast<double>(bites_.phase),
-                         static_cast<double>(bites_.begun), bites_.from_s, bites_.brought});
+  all.insert(all.end(), {now.lift, now.lift_rate, now.load_kg});
   return all;
 }
 
@@ -138,14 +104,14 @@ machine::DriveState FeelingOperator::setpoint(double t_s) const {
 
 std::vector<core::Channel> FeelingOperator::channels() const {
   std::vector<core::Channel> all = path_.channels();
-  all.insert(all.end(), {{"hoist_lift", "m", "-"}, {"load_felt", "kg", "-"}, {"bite", "1", "-"}});
+  all.insert(all.end(), {{"hoist_lift", "m", "-"}, {"load_felt", "kg", "-"}});
   return all;
 }
 
 std::vector<double> FeelingOperator::values(double t_s, const DriveEfforts& motors) const {
   std::vector<double> all = path_.values(t_s, motors);
   const Bent now = at(t_s);
-  all.insert(all.end(), {now.lift, now.load_kg, static_cast<double>(bites_.begun)});
+  all.insert(all.end(), {now.lift, now.load_kg});
   return all;
 }
 

@@ -5,7 +5,6 @@
 
 #include "machine/handle_statics.hpp"
 #include "mbs/dig_rules.hpp"
-#include "mbs/more_bites.hpp"
 #include "mbs/path_follower.hpp"
 
 namespace dipper::mbs {
@@ -13,15 +12,14 @@ namespace dipper::mbs {
 /// Follows the motion as a PathFollower, and bends it by the rules of dig_rules.hpp. He weighs by
 /// hoist and crowd together, as if the machine stood still, with a time constant of 0.5 s, and not
 /// while the crowd stalls: then the face pushes back on more than the teeth. What he has bent the
-/// motion by he gives back with a time constant of 2 s, and goes at most 0.6 m deeper than it in a
-/// dig's first bite; what further bites are: mbs/more_bites.hpp.
+/// motion by he gives back with a time constant of 2 s, and goes at most 0.6 m deeper than it.
 class FeelingOperator final : public Operator {
  public:
   /// \param full_kg  what the dipper takes
   FeelingOperator(std::shared_ptr<const machine::Motion> motion,
                   const machine::MachineData& machine, double rake, double full_kg);
 
-  /// \param state  of the path follower, then lift, its rate, the load, and the bites
+  /// \param state  of the path follower, then lift, its rate, and the load
   void reset(double t_s, const std::vector<double>& state) override;
   void update(double t_s, const std::function<Felt()>& feel) override;
   std::vector<double> state(double t_s) const override;
@@ -39,8 +37,6 @@ class FeelingOperator final : public Operator {
   Bent at(double t_s) const;
   /// \param crowd_overload  of the motors, as they are
   DigFeel feel(const Felt& felt, const PathState& path, double crowd_overload);
-  /// Takes the next bite, or goes on with this one.
-  DigWish bite(const DigFeel& feel, const PathState& path);
 
   std::shared_ptr<const machine::Motion> motion_;
   machine::HandleStatics statics_;
@@ -49,7 +45,6 @@ class FeelingOperator final : public Operator {
   PathFollower path_;
   double updated_s_ = 0;
   Bent then_;
-  Bites bites_;
   double lift_slope_ = 0, load_slope_ = 0;  ///< m/s^2, kg/s, since then
 };
 

@@ -43,8 +43,7 @@ void PathFollower::ease(double t_s, const std::function<Overload()>& overload,
   const double wanted = std::min({wish.rate, 1 - eased(r.others), 1 - (1 - kStalledCrowd) * crowd});
   rate_slope_ = (wanted - then_.rate) / kReaction_s;
   const double along = std::clamp((r.crowd - kComesAlong) / (kFull - kComesAlong), 0.0, 1.0);
-  const bool is_to_go_on = wish.rate > kNearlyStopped;
-  const double back = is_to_go_on ? std::max(0.0, 1 - then_.rate / kNearlyStopped) : 0.0;
+  const double back = std::max(0.0, 1 - then_.rate / kNearlyStopped);
   const double let_back = std::max(kAlong_m_s * along, kLetBack_m_s * back);
   const bool at_stop = motion_->at(then_.time).position.crowd - then_.relief <= crowd_min_;
   double relief_rate = at_stop ? 0.0 : let_back;

@@ -17,7 +17,7 @@ struct PathState {
 
 /// What is asked of a follower besides.
 struct PathWish {
-  double rate = 1;                   ///< at most; below 0: back along the motion
+  double rate = 1;                   ///< at most
   std::optional<double> crowd_back;  ///< rate of the relief where the crowd does not stall, m/s; a
                                      ///< larger one that a stall asks for counts
 };
@@ -35,8 +35,8 @@ struct PathWish {
 /// Where the motion nearly stops all the same (rate < 0.2), he retracts the crowd for a shallower
 /// cut,
 ///   relief_rate = 0.1 m/s (1 - rate / 0.2),
-/// and otherwise extends it again, relief_rate = -(1 - e_crowd) relief / 2 s. The motion does not
-/// run backwards unless that is wished, and the crowd does not retract beyond its stop.
+/// and otherwise extends it again, relief_rate = -(1 - e_crowd) relief / 2 s. The motion never runs
+/// backwards, and the crowd does not retract beyond its stop.
 class PathFollower final : public Operator {
  public:
   static constexpr double kReaction_s = 0.2;  ///< of a hand on a lever

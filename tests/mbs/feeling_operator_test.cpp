@@ -60,29 +60,8 @@ TEST_F(FeelingOperatorTest, GoesDeeperWhileTheDipperIsLightByAtMostSixTenths) {
   go(one, 2, 12, held(40e3, 1e6));
   EXPECT_NEAR(number(one, 12, 2), -0.6, 0.05);
   EXPECT_NEAR(one.setpoint(12).position.crowd, 1 - number(one, 12, 2), 1e-12);
-  go(one, 12, 15, held(78e3, 1e6));  // full enough: 2 s for an e-th
-  go(one, 15, 17, held(78e3, 0));
-  EXPECT_NEAR(number(one, 17, 2), -0.6 * std::exp(-2.2), 0.03);
-}
-
-TEST_F(FeelingOperatorTest, DigsOnceMoreFromWhereTheTeethMetRock) {
-  go(one, 0, 6, held(40e3, 1e6));
-  go(one, 6, 8.5, held(40e3, 0));
-  const double turned_s = number(one, 8.5, 0);
-  EXPECT_LT(number(one, 8.5, 1), 0) << "back on his way";
-  go(one, 8.5, 12, held(40e3, 0));
-  EXPECT_EQ(number(one, 12, 7), Bites::goes_back);
-  EXPECT_LT(number(one, 12, 0), turned_s - 2);
-  EXPECT_NEAR(number(one, 12, 2), 1.5, 0.15) << "the crowd drawn in";
-  go(one, 12, 17.5, held(40e3, 0));
-  EXPECT_EQ(number(one, 17.5, 7), Bites::goes_in);
-  EXPECT_NEAR(number(one, 17.5, 1), 0, 0.01);
-  EXPECT_LT(number(one, 17.5, 2), 1);
-  go(one, 17.5, 17.6, held(40e3, 1e6, 1, 0.95));
-  EXPECT_EQ(number(one, 17.6, 7), Bites::digs);
-  EXPECT_EQ(number(one, 17.6, 8), 2) << "the second";
-  go(one, 17.6, 30, held(40e3, 1e6));
-  EXPECT_NEAR(number(one, 30, 2), -1.2, 0.05) << "deeper than the first";
+  go(one, 12, 16, held(40e3, 0));  // the face has ended: 2 s for an e-th
+  EXPECT_NEAR(number(one, 16, 2), -0.6 * std::exp(-2), 0.03);
 }
 
 TEST_F(FeelingOperatorTest, BreaksOutWhenFullAndStaysOut) {
