@@ -30,7 +30,7 @@ void each_number(Pass& p, Experience& e, F f) {
   f("rock_from_s", p.rock_from_s);
   f("rock_to_s", p.rock_to_s);
   f("crowd_N", p.crowd_N);
-  f("swept_kg", p.swept_kg);
+  f("payload_kg", p.payload_kg);
   f("along_s", p.along_s);
   f("crowd_sum", p.crowd_sum);
   f("sum_s", p.sum_s);
@@ -142,8 +142,9 @@ void PassDesk::learn(double loaded_kg) {
     before_.resistance =
         std::clamp(before_.resistance * pass_.crowd_sum / pass_.sum_s / pass_.crowd_N,
                    kLeastResistance, kMostResistance);
-  if (pass_.swept_kg > 0)
-    before_.loaded = std::clamp(loaded_kg / pass_.swept_kg, kLeastLoaded, kMostLoaded);
+  if (pass_.payload_kg > 0)
+    before_.loaded = std::clamp(before_.loaded * loaded_kg / pass_.payload_kg, kLeastLoaded,
+                                kMostLoaded);
 }
 
 std::string PassDesk::reason_to_stop(double truck_kg) const {
@@ -202,7 +203,7 @@ void PassDesk::plan(const core::Window& w) {
   end_s_ = decision.times.end_s;
   const auto& best = decision.candidates[static_cast<std::size_t>(decision.chosen)];
   pass_ = {
-      decision.rock_from_s, decision.rock_to_s, best.crowd_mean_N, best.swept_kg, along_s(w), 0, 0};
+      decision.rock_from_s, decision.rock_to_s, best.crowd_mean_N, best.payload_kg, along_s(w), 0, 0};
   reporter_.line(fmt::format("operator, {:.1f} s, pass {}: {}",
                              static_cast<double>(w.rock.t_ns) * 1e-9, passes_, decision.reason));
 }

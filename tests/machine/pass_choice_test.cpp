@@ -85,7 +85,7 @@ TEST_F(PassChoice, ADigTakesItsDepthOutOfTheFaceAndMeetsItsResistance) {
   // About the way up the face by depth by the dipper's width.
   const double way_m = 7 / std::sin(radians(35));
   EXPECT_NEAR(c.swept_m3, way_m * 0.8 * data.dipper.inside.y(), 0.3 * c.swept_m3);
-  EXPECT_NEAR(c.payload_kg, std::min(80e3, 1900 * c.swept_m3), 1);
+  EXPECT_NEAR(c.payload_kg, std::min(80e3, DigExperience().loaded * 1900 * c.swept_m3), 1);
   const double cut_N = 0.38e6 * 0.8 * data.dipper.inside.y();
   EXPECT_GT(c.crowd_peak_N, 0.4 * cut_N);
   EXPECT_LT(c.crowd_peak_N, 3 * cut_N);
