@@ -33,7 +33,7 @@ void FeelingOperator::reset(double t_s, const std::vector<double>& state) {
   lift_slope_ = load_slope_ = 0;
 }
 
-FeelingOperator::Bent FeelingOperator::at(double t_s) const {
+FeelingOperator::Change FeelingOperator::at(double t_s) const {
   const double since = t_s - updated_s_;
   return {then_.lift + since * (then_.lift_rate + 0.5 * since * lift_slope_),
           then_.lift_rate + since * lift_slope_, then_.load_kg + since * load_slope_};
@@ -88,14 +88,14 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
 
 std::vector<double> FeelingOperator::state(double t_s) const {
   std::vector<double> all = path_.state(t_s);
-  const Bent now = at(t_s);
+  const Change now = at(t_s);
   all.insert(all.end(), {now.lift, now.lift_rate, now.load_kg});
   return all;
 }
 
 machine::DriveState FeelingOperator::setpoint(double t_s) const {
   machine::DriveState s = path_.setpoint(t_s);
-  const Bent now = at(t_s);
+  const Change now = at(t_s);
   s.position.hoist -= now.lift;
   s.rate.hoist -= now.lift_rate;
   s.acceleration.hoist -= lift_slope_;
@@ -110,7 +110,7 @@ std::vector<core::Channel> FeelingOperator::channels() const {
 
 std::vector<double> FeelingOperator::values(double t_s, const DriveEfforts& motors) const {
   std::vector<double> all = path_.values(t_s, motors);
-  const Bent now = at(t_s);
+  const Change now = at(t_s);
   all.insert(all.end(), {now.lift, now.load_kg});
   return all;
 }

@@ -125,19 +125,19 @@ TEST_F(PassChoice, RefusesWhatTheDrivesCannotDo) {
   EXPECT_TRUE(none.rows.empty());
 }
 
-TEST_F(PassChoice, ExpectsLessOfADigInWhichHeHasToEaseOff) {
+TEST_F(PassChoice, ExpectsLessLoadBeyondTheDrivesLimits) {
   const DigCandidate strong = decide(bench()).candidates[0];
   data.drives.crowd.stall = strong.crowd_peak_N / 1.4;
   const DigDecision eased = decide(bench());
   ASSERT_EQ(eased.chosen, 0) << eased.reason;
-  EXPECT_NE(eased.reason.find("he will ease off"), std::string::npos) << eased.reason;
+  EXPECT_NE(eased.reason.find("beyond a drive's limit"), std::string::npos) << eased.reason;
   EXPECT_NEAR(eased.candidates[0].payload_kg, strong.payload_kg / 1.4, 1e-6 * strong.payload_kg);
   EXPECT_EQ(decide(bench(), strong.payload_kg).chosen, -1);
   data.drives.crowd.stall = strong.crowd_peak_N / 2.1;
   const DigDecision none = decide(bench());
   EXPECT_EQ(none.chosen, -1);
   EXPECT_NE(none.candidates[0].refused.find("the crowd needs"), std::string::npos);
-  EXPECT_NE(none.reason.find("can do 0 of the 1"), std::string::npos) << none.reason;
+  EXPECT_NE(none.reason.find("of 1 digs 0 are feasible"), std::string::npos) << none.reason;
 }
 
 TEST_F(PassChoice, TurnsToWhereTheRockIs) {
@@ -149,7 +149,7 @@ TEST_F(PassChoice, TurnsToWhereTheRockIs) {
   EXPECT_NE(decide(bench()).candidates[0].refused.find("side of the bench"), std::string::npos);
 }
 
-TEST_F(PassChoice, DoesNotDigWhatDoesNotPayNorWhatTheTruckDoesNotTake) {
+TEST_F(PassChoice, LeavesDigsThatDoNotPayAndThatTheTruckCannotTake) {
   EXPECT_EQ(decide(bench(), 100e3).chosen, -1);
   choice.depth_m = {0.3, 0.9};
   const DigDecision all = decide(bench()), rest = decide(bench(), 0, 5e3);
@@ -158,14 +158,15 @@ TEST_F(PassChoice, DoesNotDigWhatDoesNotPayNorWhatTheTruckDoesNotTake) {
   EXPECT_EQ(rest.chosen, 0) << "5 t are as soon dug with little";
 }
 
-TEST_F(PassChoice, ReckonsWithWhatThePassBeforeHasShown) {
+TEST_F(PassChoice, UsesResistanceAndLoadOfThePassesBefore) {
   const DigPlanner p = planner();
   const auto with = [&](const DigExperience& before) {
     return p.decide(bench(), p.start(), 0, kNoEnd, before).candidates[0];
   };
-  const DigCandidate plain = with({}), hard = with({1.5, 1}), poor = with({1, 0.6});
+  const double loaded = DigExperience().loaded;
+  const DigCandidate plain = with({}), hard = with({1.5, loaded}), poor = with({1, 0.6});
   // Crowd is linear in the rock's resistance: what half as much more adds, as much more adds twice.
-  const DigCandidate harder = with({2, 1});
+  const DigCandidate harder = with({2, loaded});
   EXPECT_NEAR(harder.crowd_mean_N - plain.crowd_mean_N,
               2 * (hard.crowd_mean_N - plain.crowd_mean_N), 1e-6 * plain.crowd_mean_N);
   EXPECT_GT(hard.crowd_mean_N, 1.2 * plain.crowd_mean_N);
