@@ -14,6 +14,8 @@ struct DigFeel {
   double resistance_N = 0;
   double handle_rise = 0;  ///< sine of the handle's angle over the horizontal
   double overload = 0;     ///< of the crowd
+  double hoist_overload = 0;
+  double behind_m = 0;     ///< of the crowd: how far the planned path is further out
   double room_m = 0;       ///< of the crowd to its outer stop
 };
 
@@ -35,10 +37,14 @@ struct DigLimits {
 ///     rock. Rope is drawn in and the crowd retracts, 0.3 m/s each, at a quarter of the rate.
 ///   full: the load is the dipper's capacity. The crowd retracts by 0.3 m/s while the teeth meet
 ///     rock, and stays there.
-///   in rock: the crowd's overload is held at 0.9 while the hoist continues: the crowd moves by
-///     2.5 m/s times the difference, back by at most 0.5 m/s, out by at most 0.2 m/s. Out only with
-///     less than nine tenths of the capacity, and with the handle at most 45 degrees below the
-///     horizontal: below that it would push the dipper into the ground.
+///   stalling: the crowd's overload is above 0.9 in rock. The crowd retracts by 2.5 m/s times the
+///     difference, by at most 0.5 m/s, and where the hoist has force to spare, rope is drawn in by
+///     0.8 of that speed: the teeth rise through the rock that the crowd cannot push into.
+///   light: less than nine tenths of the capacity. Where the crowd is behind the planned path, it
+///     goes out by at most 0.5 m/s at a quarter of the rate until it is there. In rock it goes
+///     beyond the path by at most 0.2 m/s, with the handle at most 45 degrees below the horizontal:
+///     below that it would push the dipper into the ground. Both with 2.5 m/s times the difference
+///     of the overload from 0.9.
 /// The teeth meet rock where the resistance is above a twentieth of the crowd's stall force.
 DigWish dig_wish(const DigFeel& feel, const DigLimits& limits);
 

@@ -35,8 +35,7 @@ class FeelingOperator final : public Operator {
     double load_kg = 0;
   };
   Change at(double t_s) const;
-  /// \param crowd_overload  of the motors, as they are
-  DigFeel feel(const Felt& felt, const PathState& path, double crowd_overload);
+  DigFeel feel(const Felt& felt, const PathState& path);
 
   std::shared_ptr<const machine::Motion> motion_;
   machine::HandleStatics statics_;

@@ -62,6 +62,31 @@ TEST_F(DigRules, TheCrowdIsHeldAtNineTenthsOfItsForceInRockFullOrNot) {
   EXPECT_EQ(wish().crowd_back, 0.3);
 }
 
+TEST_F(DigRules, AStallingCrowdLetsTheTeethRiseWhereTheHoistHasForceToSpare) {
+  feel.overload = 1.0;
+  EXPECT_NEAR(wish().lift.value(), 0.8 * 0.25, 1e-12);
+  feel.hoist_overload = 0.95;
+  EXPECT_FALSE(wish().lift);
+  feel.hoist_overload = 0;
+  feel.overload = 0.85;
+  EXPECT_FALSE(wish().lift);
+}
+
+TEST_F(DigRules, ACrowdBehindThePathGoesOutBeforeTheDigContinues) {
+  feel.behind_m = 0.5;
+  feel.handle_rise = -0.9;  // the path is above the ground
+  feel.resistance_N = 0;
+  EXPECT_NEAR(wish().crowd_back.value(), -0.25, 1e-12);
+  EXPECT_EQ(wish().rate, 0.25);
+  feel.overload = 0.5;
+  EXPECT_EQ(wish().crowd_back, -0.5);
+  feel.load_kg = 0.9 * 80e3;
+  EXPECT_TRUE(as_the_motion_says());
+  feel.load_kg = 40e3;
+  feel.behind_m = 0.05;
+  EXPECT_TRUE(as_the_motion_says());
+}
+
 TEST_F(DigRules, NearItsForceTheCrowdGoesOutMoreSlowly) {
   feel.overload = 0.88;
   EXPECT_NEAR(wish().crowd_back.value(), -0.05, 1e-12);
