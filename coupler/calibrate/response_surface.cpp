@@ -1,6 +1,6 @@
 #include "coupler/calibrate/response_surface.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
 
@@ -54,7 +54,7 @@ ResponseSurface::ResponseSurface(const std::vector<Point>& x, const std::vector<
   degrees_of_freedom_ = static_cast<int>(n - m);
   residual_sigma_ = (A * coefficients_ - b).norm() / std::sqrt(static_cast<double>(n - m));
   covariance_ = residual_sigma_ * residual_sigma_ *
-                (A.transpose() * A).ldlt().solve(Eigen::MatrixXd::Identity(m, m));
+                Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(A.transpose() * A).inverse();
 }
 
 Prediction ResponseSurface::at(const Point& x) const {
@@ -116,10 +116,15 @@ std::optional<Point> nearest_with(const ResponseSurface& s, double target, const
 std::vector<Point> neutral_directions(const ResponseSurface& s, const Point& x) {
   const Point g = s.gradient(x);
   if (g.norm() < 1e-9) return {};
-  const Eigen::MatrixXd column = g;
-  const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(column).householderQ();
+  // The mirror image (Householder) that lays g along the first axis lays the others across g.
+  Point v = g;
+  v[0] += std::copysign(g.norm(), g[0]);
   std::vector<Point> out;
-  for (Eigen::Index i = 1; i < Q.cols(); ++i) out.push_back(Q.col(i));
+  for (Eigen::Index i = 1; i < g.size(); ++i) {
+    Point across = v * (-2 * v[i] / v.squaredNorm());
+    across[i] += 1;
+    out.push_back(across);
+  }
   return out;
 }
 
