@@ -151,9 +151,9 @@ void RockDump::write() {
     throw std::runtime_error(fmt::format(
         "{}: a rank's part of it is {} bytes, and MPI sends 2^31; more ranks have less each",
         file_now(), mine.bytes.size()));
-  const Part told{mine.bytes.size(), mine.length, mine.crc};
+  const Part part{mine.bytes.size(), mine.length, mine.crc};
   std::vector<Part> parts(static_cast<std::size_t>(nprocs));
-  MPI_Gather(&told, sizeof told, MPI_BYTE, parts.data(), sizeof told, MPI_BYTE, 0, world);
+  MPI_Gather(&part, sizeof part, MPI_BYTE, parts.data(), sizeof part, MPI_BYTE, 0, world);
   if (me != 0) {
     MPI_Send(mine.bytes.data(), static_cast<int>(mine.bytes.size()), MPI_BYTE, 0, 0, world);
     return;

@@ -42,14 +42,15 @@ std::vector<Point> composite_design(int k) {
 }
 
 ResponseSurface::ResponseSurface(const std::vector<Point>& x, const std::vector<double>& y) {
-  if (x.empty() || x.size() != y.size()) throw std::invalid_argument("a value for every point");
+  if (x.empty() || x.size() != y.size())
+    throw std::invalid_argument("points and values differ in number");
   const Eigen::Index n = static_cast<Eigen::Index>(x.size()), m = terms(x[0]).size();
   if (n <= m) throw std::invalid_argument("a surface needs more samples than terms");
   Eigen::MatrixXd A(n, m);
   for (Eigen::Index i = 0; i < n; ++i) A.row(i) = terms(x[static_cast<std::size_t>(i)]);
   const Eigen::Map<const Eigen::VectorXd> b(y.data(), n);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
-  if (qr.rank() < m) throw std::invalid_argument("the samples do not tell the terms apart");
+  if (qr.rank() < m) throw std::invalid_argument("the samples do not determine the terms");
   coefficients_ = qr.solve(b);
   degrees_of_freedom_ = static_cast<int>(n - m);
   residual_sigma_ = (A * coefficients_ - b).norm() / std::sqrt(static_cast<double>(n - m));

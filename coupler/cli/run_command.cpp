@@ -150,7 +150,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   if (o.seed) set.push_back({"seed", std::to_string(*o.seed)});
   const std::optional<cases::Case> c = check::checked_case(o.folder, set, reporter);
   if (!c) return 2;
-  if (o.no_rock.empty()) check::tell_full_disk(*c, out, reporter);
+  if (o.no_rock.empty()) check::report_full_disk(*c, out, reporter);
   if (const int cores = static_cast<int>(std::thread::hardware_concurrency());
       o.no_rock.empty() && mpirun.empty() && cores > 0 && c->dem.ranks > cores)
     reporter.line(

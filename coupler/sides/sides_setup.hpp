@@ -35,6 +35,6 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts,
 
 /// The input of dipper-mbs. `told`: a program drives (coupler/operate).
 setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers,
-                                  bool told = false);
+                                  bool program_drives = false);
 
 }  // namespace dipper::sides
