@@ -148,9 +148,9 @@ void RockDump::write() {
   buf = kept;
   const Deflated mine = deflated((me == 0 ? header(all) : "") + text_->of(packed), kLevel);
   if (mine.bytes.size() > std::numeric_limits<int>::max())
-    throw std::runtime_error(fmt::format(
-        "{}: a rank's part of it is {} bytes, and MPI sends 2^31; more ranks have less each",
-        file_now(), mine.bytes.size()));
+    throw std::runtime_error(
+        fmt::format("{}: a rank's part of it is {} bytes, and MPI sends 2^31; use more ranks",
+                    file_now(), mine.bytes.size()));
   const Part part{mine.bytes.size(), mine.length, mine.crc};
   std::vector<Part> parts(static_cast<std::size_t>(nprocs));
   MPI_Gather(&part, sizeof part, MPI_BYTE, parts.data(), sizeof part, MPI_BYTE, 0, world);

@@ -214,8 +214,9 @@ class PileCalibration {
       out["set"][set[i].first] = {{"value", set[i].second},
                                   {"deg_per_unit", slope},
                                   {"sigma_alone", sigma / std::abs(slope)}};
-      reporter_.line(fmt::format("  {} = {:.4g} (+- {:.2g} if the rest stays: {:.3g} deg a unit)",
-                                 set[i].first, set[i].second, sigma / std::abs(slope), slope));
+      reporter_.line(
+          fmt::format("  {} = {:.4g} (+- {:.2g} with the others fixed: {:.3g} deg a unit)",
+                      set[i].first, set[i].second, sigma / std::abs(slope), slope));
     }
     out["unique"] = false;
     const std::vector<Point> lines = neutral_directions(s, x);

@@ -225,7 +225,7 @@ Command add_run_command(CLI::App& app, Reporter& reporter) {
                   "PROGRAM that drives the machine in place of the motion, by lines of JSON: "
                   "--operator 'python3 mine.py'");
   sub->add_flag("--operator-truth", o->truth,
-                "show it the simulation's truth too, which no instrument of a machine has");
+                "give the program the simulation's true state too, which no instrument measures");
   sub->add_flag(
          "--no-rock{none}", o->no_rock,
          "the machine alone, in seconds; --no-rock=estimate: against an estimate of the rock")

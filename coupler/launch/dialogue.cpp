@@ -61,7 +61,7 @@ void Dialogue::close_files() {
 void Dialogue::report_end() {
   process_->wait(std::chrono::milliseconds(1000));
   throw std::runtime_error(process_->ended() ? failure_message(*process_, log_)
-                                             : "closed its stdin or stdout but goes on");
+                                             : "closed its stdin or stdout but keeps running");
 }
 
 void Dialogue::wait_for(int file, short event, const char* doing, Clock::time_point began,

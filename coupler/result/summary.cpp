@@ -106,7 +106,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
   if (profile) {
     summary["pile"] = describe(*profile);
     reporter.line(fmt::format(
-        "pile: {:.2f} m below its profile in the mean, {:.2f} m at x = {:.1f} m; its face at "
+        "pile: {:.2f} m below its profile on average, {:.2f} m at x = {:.1f} m; its face at "
         "{:.0f} deg",
         profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
   }
