@@ -113,7 +113,7 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
 
   const RunEnd end = run_end(c, program_drives);
   const std::int64_t steps = end.step;
-  reporter.line(fmt::format("{}: {}{:.2f} s, {} windows of {} steps, {} rank{}", c.name,
+  reporter.line(fmt::format("{}: {}{:.2f} s, {} sync steps of {} DEM steps, {} rank{}", c.name,
                             end.path_s || (program_drives && c.end_s == 0) ? "at most " : "",
                             static_cast<double>(steps) * c.dem.timestep_s,
                             (steps + c.coupling.sync_steps - 1) / c.coupling.sync_steps,

@@ -52,7 +52,7 @@ void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
 
 /// Writes deck and identity into the run's folder, finds the pile in the cache or settles it, and
 /// reports this. \param from  the checkpoint of a resumed run; none: a new run. \param places
-/// hosts of the ranks. \param told  a program drives the machine. Throws as settled_pile
+/// hosts of the ranks. \param program_drives  a program drives the machine. Throws as settled_pile
 /// does, also launch::Interrupted.
 sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
