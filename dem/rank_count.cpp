@@ -30,8 +30,8 @@ void check_rank_count(int asked) {
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   if (ranks == asked) return;
   throw std::runtime_error(fmt::format(
-      "{} rank{} started, but {} expected: {} belongs to another MPI than this program, which "
-      "needs Open MPI's mpirun; put its folder first in PATH",
+      "{} rank{} came up where {} belong: {} is of another MPI than this program, which "
+      "takes Open MPI's; put that one's folder first in PATH",
       ranks, ranks == 1 ? "" : "s", asked, on_path("mpirun")));
 }
 

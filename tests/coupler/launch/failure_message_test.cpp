@@ -53,9 +53,9 @@ TEST_F(FailureMessage, WhatAProgramSaidBeatsWhatMpirunSaysOfAnAbort) {
 
 TEST_F(FailureMessage, OpenMpisTroubleWithAMessageIsNotTheCause) {
   const auto log = write("log",
-                         "dipper-liggghts: 1 rank started, but 2 expected\n"
+                         "dipper-liggghts: 1 rank came up where 2 belong\n"
                          "[h1:1] [[2,0],0] ORTE_ERROR_LOG: Data unpack would read past end\n");
-  EXPECT_EQ(error_line(log), "dipper-liggghts: 1 rank started, but 2 expected");
+  EXPECT_EQ(error_line(log), "dipper-liggghts: 1 rank came up where 2 belong");
 }
 
 TEST_F(FailureMessage, LiggghtsLineIsFoundAmongWhatMpiSaysAfterIt) {

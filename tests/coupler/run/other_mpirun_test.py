@@ -41,13 +41,13 @@ class OtherMpirun(RunTest):
         status, said = self.dipper("run", TINY, *SHORT, "--out", self.folder / "a", PATH=path,
                                    XDG_CACHE_HOME=str(cache))
         self.assertEqual(status, 3, said)
-        self.assertIn(f"1 rank started, but 2 expected: {mpirun} belongs to another MPI", said)
+        self.assertIn(f"1 rank came up where 2 belong: {mpirun} is of another MPI", said)
         self.assertEqual([p for p in (cache / "dipper/piles").glob("*") if p.is_dir()], [])
         status, said = self.dipper("run", TINY, *SHORT, "--out", self.folder / "b")  # settles the pile
         self.assertEqual(status, 0, said)
         status, said = self.dipper("run", TINY, *SHORT, "--out", self.folder / "c", PATH=path)
         self.assertEqual(status, 3, said)
-        self.assertIn(f"dipper-dem: 1 rank started, but 2 expected: {mpirun} belongs to another MPI", said)
+        self.assertIn(f"dipper-dem: 1 rank came up where 2 belong: {mpirun} is of another MPI", said)
 
     def test_a_run_within_another_mpirun(self):
         outer = [shutil.which("mpirun"), "--allow-run-as-root", "--oversubscribe", "-np"]
