@@ -126,7 +126,8 @@ std::vector<std::string> mpirun_options(const std::string& text) {
     std::string& file = options[k + 1];
     file = fs::absolute(file).string();  // mpirun is started in the run's folder
     if (!std::ifstream(file) || fs::is_directory(file))
-      refuse(file + ": cannot be read; a file with a line a host, as `mpirun --hostfile` takes it");
+      refuse(file +
+             ": cannot be read; a file with one line per host, as `mpirun --hostfile` takes it");
   }
   return options;
 }

@@ -1,7 +1,7 @@
 """dipper study STUDY.yaml [--out DIR]
 
 Exit status: 0 done; 2 bad input, nothing started; 3 a run failed (the others are made and reported); 4 interrupted: the
-same command goes on from the runs already made.
+same command continues from the finished runs.
 """
 import argparse
 import json
@@ -151,7 +151,7 @@ def conduct(session, points, args):
         return 0
     except KeyboardInterrupt:
         session.write()
-        print("study: interrupted; the same command goes on from the runs already made", file=sys.stderr)
+        print("study: interrupted; the same command continues from the finished runs", file=sys.stderr)
         return 4
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)

@@ -235,9 +235,9 @@ def _optimise(top):
     if set(optimise.confirm_seeds) & set(_seeds(top, "seeds")):
         section.wrong("confirm_seeds", "has seeds of the search", "fresh ones: others than in seeds")
     if len(optimise.confirm_seeds) < 2 and section.get("confirm_seeds") is not None:
-        section.wrong("confirm_seeds", "fewer than 2", "two or more: their spread is what the answer is held against")
+        section.wrong("confirm_seeds", "fewer than 2", "two or more: the answer is compared with their spread")
     if len(_seeds(top, "seeds")) < 2:
-        top.wrong("seeds", "fewer than 2", "two or more where optimise is: the noise is known from them")
+        top.wrong("seeds", "fewer than 2", "two or more with optimise, which estimates the noise from them")
     return optimise
 
 

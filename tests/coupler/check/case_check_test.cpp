@@ -287,7 +287,7 @@ TEST(CheckCase, MotionFileWithTimeRunningBackwards) {
              "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,0,0,0,0\n2,0,0,0,0\n1,0,0,0,0\n"
              "3,0,zero,0,0\n");
   expect_findings(check(checkout),
-                  {{motion, 4, "machine.motion", "time_s is 1, not after the row before (2 s)"},
+                  {{motion, 4, "machine.motion", "time_s is 1, not after the previous row (2 s)"},
                    {motion, 5, "machine.motion", "crowd_m is \"zero\""}});
 }
 
