@@ -60,8 +60,8 @@ def _doubt_size(name, rows, what, notes):
                      "no reading (file.missing)?")
     largest = np.nanmax(np.abs(value), initial=0.0, where=np.isfinite(value))
     if name in FORCES and 0 < largest < LEAST_OF_STALL * most / BEYOND_STALL:
-        notes.append(f"warning: {name}: no reading is beyond {largest:.4g} {unit}, less than an empty dipper takes: wrong "
-                     "unit, scale or mark of decimals?")
+        notes.append(f"warning: {name}: no reading is beyond {largest:.4g} {unit}, less than an empty dipper takes: "
+                     "wrong unit, scale or mark of decimals?")
 
 
 def _doubt_zeros(name, rows, notes):
@@ -79,6 +79,6 @@ def _doubt_zeros(name, rows, notes):
     fallen = between & (beside > DROP * usual)
     if fallen.sum() >= FEW:
         unit = CHANNELS[name].unit
-        notes.append(f"warning: {name}: {some_rows(rows.lines[zeros[fallen]], 'reading')} of 0 {unit} between others of "
-                     f"{beside[fallen].min():.4g} {unit} and more: no readings? Leave such cells empty, or name "
+        notes.append(f"warning: {name}: {some_rows(rows.lines[zeros[fallen]], 'reading')} of 0 {unit} between others "
+                     f"of {beside[fallen].min():.4g} {unit} and more: no readings? Leave such cells empty, or name "
                      f"the column that says which readings are good (channels.{name}.quality)")
