@@ -26,6 +26,8 @@ namespace {
 // LIGGGHTS's own limit of a facet's angles (surface_mesh_I.h, minAngle_hardLimit_), and a little.
 const double kThinnestFacet = 1.01 * std::acos(0.9999995);
 
+constexpr double kLeast_mm = 1000;  // of a mesh's longest side: a shorter one is no body's
+
 constexpr std::size_t faults_shown = 10;  // per file: the first few show what is wrong with it
 
 // "reaches y = 28.3 m, 0.3 m beyond the domain's 28", once a side of the box that is passed.
@@ -108,16 +110,27 @@ void check_tooth_wear(const cases::Case& c, const mesh::TriangleMesh& dipper, Fi
 
 bool check_unit(const cases::Case& c, const std::string& key, const mesh::TriangleMesh& mesh,
                 Findings& findings) {
-  const double longest = mesh::bounding_box(mesh).sides_m().maxCoeff();
+  const Box box = mesh::bounding_box(mesh);
+  const double longest = box.sides_m().maxCoeff();
+  const double away = std::max(box.min_m.cwiseAbs().maxCoeff(), box.max_m.cwiseAbs().maxCoeff());
   const double domain = (c.domain.max_m - c.domain.min_m).maxCoeff();
-  if (longest <= domain) return true;
-  findings.push_back(cases::finding_at(
-      c, key,
-      fmt::format(
-          "the mesh is {:.4g} m long, and the whole domain {:.4g} m: in mm, perhaps? An STL "
-          "file has no unit and is read in m; {:.4g} mm are {:.4g} m, scale it by 0.001",
-          longest, domain, longest, 1e-3 * longest)));
-  return false;
+  const auto say = [&](const std::string& what) {
+    findings.push_back(cases::finding_at(c, key, what));
+    return false;
+  };
+  if (longest > domain)
+    return say(fmt::format(
+        "the mesh is {:.4g} m long, and the whole domain {:.4g} m: in {}, perhaps? An STL file has "
+        "no unit and is read in m; {:.4g} mm are {:.4g} m, scale it by 0.001 (cm: {:.4g} m, 0.01; "
+        "inches: {:.4g} m, 0.0254)",
+        longest, domain, longest > kLeast_mm ? "mm" : "cm or inches", longest, 1e-3 * longest,
+        1e-2 * longest, 0.0254 * longest));
+  if (away > domain + longest)
+    return say(fmt::format(
+        "the mesh lies up to {:.8g} m from its own origin, and is {:.4g} m long: in the mine's "
+        "coordinates, perhaps? It belongs into its own frame (docs/frames.md): move it there",
+        away, longest));
+  return true;
 }
 
 mesh::TriangleMesh placed_truck(const cases::Case& c, mesh::TriangleMesh truck) {

@@ -26,8 +26,8 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
                                                   const std::filesystem::path& file,
                                                   Findings& findings);
 
-/// False, and a finding, when a mesh is longer than the domain: it is in another unit. Further
-/// findings about it would add nothing.
+/// False, and a finding, when a mesh is longer than the domain, in another unit, or lies farther
+/// from its origin, in a mine's coordinates. Further findings about it would add nothing.
 bool check_unit(const cases::Case& c, const std::string& key, const mesh::TriangleMesh& mesh,
                 Findings& findings);
 

@@ -167,7 +167,8 @@ TEST(CheckCase, BrokenMeshes) {
         "facet 3: not closed: the edge (0, 1, 0) to (0, 0, 1) has no second facet"},
        {door, line, "bodies.door", "is not a number"},
        {checkout.file(), checkout.line("mesh:"), "truck.mesh",
-        truck.string() + ": at byte 80: the header says 2 facets, and the file has 0: it was not written"}});
+        truck.string() +
+            ": at byte 80: the header says 2 facets, and the file has 0: it was not written"}});
 }
 
 TEST(CheckCase, NothingBesideTheMeshes) {
@@ -364,15 +365,25 @@ TEST(CheckCase, StepOfAFractionOfANanosecond) {
                                      "is not a whole number of nanoseconds; write 0.000123456"}});
 }
 
-TEST(CheckCase, AMeshInMillimetresIsToldAndNothingElseOfIt) {
-  Checkout checkout;
-  mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
-  for (auto& v : door.vertices) v *= 1000;
-  const auto file = std::filesystem::path(testing::TempDir()) / "door_mm.stl";
-  std::ofstream(file) << mesh::to_stl("door", door);
-  expect_findings(check(checkout, {{"bodies.door", file.string()}}),
-                  {{"--set", 0, "bodies.door",
-                    "and the whole domain 56 m: in mm, perhaps? An STL file has no"}});
+TEST(CheckCase, AMeshElsewhereIsToldAndNothingElseOfIt) {
+  const Checkout checkout;
+  const mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
+  const auto file = std::filesystem::path(testing::TempDir()) / "door_elsewhere.stl";
+  struct Elsewhere {
+    double scale;
+    Eigen::Vector3d shift;
+    std::string message;
+  };
+  for (const Elsewhere& e :
+       {Elsewhere{1000, {0, 0, 0}, "and the whole domain 56 m: in mm, perhaps? An STL file has no"},
+        Elsewhere{1 / 0.0254, {0, 0, 0}, "and the whole domain 56 m: in cm or inches, perhaps?"},
+        Elsewhere{1, {345.2371, 210.9, 82.4}, "from its own origin, and is"}}) {
+    mesh::TriangleMesh moved = door;
+    for (auto& v : moved.vertices) v = e.scale * v + e.shift;
+    std::ofstream(file) << mesh::to_stl("door", moved);
+    expect_findings(check(checkout, {{"bodies.door", file.string()}}),
+                    {{"--set", 0, "bodies.door", e.message}});
+  }
 }
 
 TEST(CheckCase, AFacetTooThinForLiggghtsIsTold) {
