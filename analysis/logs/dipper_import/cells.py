@@ -65,6 +65,8 @@ class CellReader:
         if channel.unit == SWITCH:
             return "0 or 1, or words such as open and closed, on and off, true and false"
         mark = parted_by(_bare(text, {channel.unit}), self._decimal)
+        if not mark and text.count(self._decimal) > 1:
+            mark = self._decimal
         if mark:
             return f"file.thousands: \"{mark}\", if that parts its thousands"
         unit = WITH_UNIT.fullmatch(text)

@@ -11,6 +11,9 @@ PASS_S = (5.0, 300.0)      # of one pass; 20 to 60 s are usual
 LEAST_LOAD_T = 2.0         # the fullest of all passes: less than a boulder
 BEYOND_RATED = 1.3         # times the dipper's rated load: more than a heaped dipper's
 MOSTLY_EMPTY = 0.5         # of the rows without a reading
+LEAST_OF_STALL = 0.02      # of what a drive can pull: an empty dipper's weight alone is more
+FEW = 3                    # readings
+DROP = 0.2                 # of the usual force: a fall to 0 and back from more is no load's
 
 
 def doubt(rows, spans, what, notes):
@@ -18,6 +21,8 @@ def doubt(rows, spans, what, notes):
         if name in what.channels:
             _doubt_size(name, rows, what, notes)
             _doubt_empty(name, rows, notes)
+        if name in what.channels and name in FORCES:
+            _doubt_zeros(name, rows, notes)
     lengths = [b - a for a, b in spans]
     if lengths and not (PASS_S[0] <= np.median(lengths) <= PASS_S[1]):
         notes.append(f"warning: a pass takes {np.median(lengths):.4g} s, where 20 to 60 s are usual: is "
@@ -53,3 +58,27 @@ def _doubt_size(name, rows, what, notes):
         notes.append(f"warning: {name}: {some_rows(rows.lines[beyond], 'reading')} beyond {least:.4g} to {most:.4g} "
                      f"{unit} ({source}); the first is {value[beyond][0]:.6g} {unit}: wrong unit, sign or scale, or "
                      "no reading (file.missing)?")
+    largest = np.nanmax(np.abs(value), initial=0.0, where=np.isfinite(value))
+    if name in FORCES and 0 < largest < LEAST_OF_STALL * most / BEYOND_STALL:
+        notes.append(f"warning: {name}: no reading is beyond {largest:.4g} {unit}, less than an empty dipper takes: "
+                     "wrong unit, scale or mark of decimals?")
+
+
+def _doubt_zeros(name, rows, notes):
+    """Of a force that is 0 between readings of large forces: what loggers write while an instrument is away."""
+    value = rows.values[name]
+    there = np.flatnonzero(np.isfinite(value))
+    zeros, others = there[value[there] == 0], there[value[there] != 0]
+    if len(zeros) < FEW or len(others) < FEW:
+        return
+    at = np.searchsorted(others, zeros)
+    between = (at > 0) & (at < len(others))
+    at = np.clip(at, 1, len(others) - 1)
+    beside = np.minimum(np.abs(value[others[at - 1]]), np.abs(value[others[at]]))
+    usual = np.percentile(np.abs(value[others]), 95)
+    fallen = between & (beside > DROP * usual)
+    if fallen.sum() >= FEW:
+        unit = CHANNELS[name].unit
+        notes.append(f"warning: {name}: {some_rows(rows.lines[zeros[fallen]], 'reading')} of 0 {unit} between others "
+                     f"of {beside[fallen].min():.4g} {unit} and more: no readings? Leave such cells empty, or name "
+                     f"the column that says which readings are good (channels.{name}.quality)")

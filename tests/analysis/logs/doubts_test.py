@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from dipper_import.build import _doubt_tare, _masses
-from dipper_import.doubts import _doubt_empty, doubt_masses
+from dipper_import.doubts import _doubt_empty, _doubt_size, _doubt_zeros, doubt_masses
 from dipper_run.findings import Findings
 
 SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5)
@@ -52,3 +52,28 @@ def test_a_force_that_most_rows_lack():
     _doubt_empty("hoist_force", SimpleNamespace(values={"hoist_force": force}), notes)
     assert notes == ["warning: hoist_force: 257 of 300 rows have no reading: channels.hoist_force.held: true, if it is "
                      "written only as it changes"]
+
+
+@pytest.mark.parametrize("name, gone, told", [
+    ("hoist_force", range(60, 75), "15 readings (lines 62, 63, 64, 65, 66 and 10 more)"),
+    ("crowd_force", range(5, 290, 20), "15 readings (lines 7, 27, 47, 67, 87 and 10 more)"),
+    ("hoist_force", (60, 61), None), ("hoist_force", (), None), ("hoist_force", range(15), None)])
+def test_a_force_that_falls_to_nothing_and_back(name, gone, told):
+    """Zeros as loggers write them while a cell is away; not a force that passes through zero, or begins with it."""
+    force = 900 + 300 * np.sin(TIME)
+    force[list(gone)] = 0
+    notes = []
+    _doubt_zeros(name, SimpleNamespace(lines=2 + np.arange(300), values={name: force}), notes)
+    assert [told in n for n in notes] == ([True] if told else []), notes
+    through = np.round(np.linspace(-1000, 1000, 300) / 100) * 100  # steps of an instrument
+    _doubt_zeros(name, SimpleNamespace(lines=2 + np.arange(300), values={name: through}), empty := [])
+    assert not empty
+
+
+@pytest.mark.parametrize("scale, warns", [(1, False), (1e-3, True), (0, False)])
+def test_forces_smaller_than_an_empty_dipper_s(scale, warns):
+    what = SimpleNamespace(stall_kN={"hoist_force": 4800.0})
+    rows = SimpleNamespace(lines=2 + np.arange(300), values={"hoist_force": scale * (900 + 300 * np.sin(TIME))})
+    _doubt_size("hoist_force", rows, what, notes := [])
+    assert bool(notes) == warns
+    assert not warns or "no reading is beyond 1.2 kN, less than an empty dipper takes" in notes[0]
