@@ -147,7 +147,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
     if not known:
         return model
     shared = np.vstack([baseline.common, known.directions(base, model.of_runs, baseline.cells)])
-    return replace(model, baseline=replace(model.baseline, common=shared))
+    return replace(model, baseline=replace(model.baseline, common=shared, altered=known.altered(base, model.of_runs)))
 
 
 def predict(model, catalogue, trucks_scatter):
