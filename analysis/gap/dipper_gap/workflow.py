@@ -16,7 +16,7 @@ import numpy as np
 
 from .decision.confirm import confirm, drawn
 from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
-from .decision.law import find_laws
+from .decision.law import find_laws, rival_law
 from .decision.law_effect import law_effect
 from .decision.next_experiment import propose
 from .history import History, history, within_the_shift
@@ -154,7 +154,7 @@ def conclude(model, prediction, measured, runner, before=None):
                   seeds={"baseline": [r.seed for r in model.plan.baseline]})
     after = ()
     if verdict.verdict == "named":
-        named = add_and_confirm(model, prediction, seen, runner)
+        named = add_and_confirm(model, prediction, seen, runner, measured, before)
         fresh, after = named.confirmation, named.confirmation.folders
         out = replace(out, look=replace(seen, verdict=named.verdict), effects=named.effects,
                       intervals=named.intervals, stability=named.stability, second=named.second,
@@ -316,7 +316,7 @@ def _with_signatures(part, better):
     return replace(part, signatures=made)
 
 
-def add_and_confirm(model, prediction, seen, runner):
+def add_and_confirm(model, prediction, seen, runner, measured, before=None):
     """Adds what is named to the case, confirms it on the hold-out, and looks for a second effect."""
     m, verdict, signatures = seen.matched, seen.verdict, seen.training.signatures
     lead = verdict.effect
@@ -326,7 +326,9 @@ def add_and_confirm(model, prediction, seen, runner):
     intervals = {n: interval(m, n, signatures, fit.names) for n in names}
     stable = stability(m, lead, seen.training.covariance, signatures)
     runner.say(f"gap: {FRESH_SEEDS} fresh runs with {as_text(strengths)}")
-    fresh = confirm(model, seen.training, seen.holdout, m, strengths, runner)
+    # A force that follows from the motion otherwise than the named effect has it does better than the name.
+    law = rival_law(model, seen.holdout.passes, measured, before) if model.runs[lead].same_rock else None
+    fresh = confirm(model, seen.training, seen.holdout, m, strengths, runner, law)
     objections = fresh.holdout.objections()
     if objections:
         runner.say("gap: not confirmed: " + "; ".join(objections))
