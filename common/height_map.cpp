@@ -143,7 +143,7 @@ HeightMap height_map_from(const std::string& json_text) {
   HeightMap map(grid_from(j));
   const json& z = j.at("z_cm");
   if (z.size() != map.heights().size())
-    throw std::runtime_error("a map of heights has not as many as its grid has cells");
+    throw std::runtime_error("the number of heights differs from the number of the grid's cells");
   for (std::size_t k = 0; k < z.size(); ++k)
     map.heights()[k] = static_cast<double>(z[k].get<long>()) * kLayer_m;
   return map;

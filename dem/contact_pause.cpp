@@ -80,7 +80,7 @@ void ContactPause::clear() {
   floor_kg_ += on_floor.mass_kg;
   if (lmp_.comm->me == 0)
     fmt::print(
-        "the dipper is back: {:.0f} rocks, {:.0f} kg, in its steel and {:.0f} rocks, {:.0f} "
+        "the dipper is back: {:.0f} rocks, {:.0f} kg, inside its plates and {:.0f} rocks, {:.0f} "
         "kg, on the floor were removed\n",
         in_steel.rocks, in_steel.mass_kg, on_floor.rocks, on_floor.mass_kg);
 }

@@ -46,7 +46,7 @@ std::string share(std::string bytes) {
 }
 
 /// In the format of launch::read_places.
-void tell_hosts() {
+void report_hosts() {
   int rank = 0, ranks = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
     MPI_Abort(MPI_COMM_WORLD, 2);
   }
   try {
-    std::string(argv[1]) == "--hosts" ? dipper::dem::tell_hosts() : dipper::dem::run(argv[1]);
+    std::string(argv[1]) == "--hosts" ? dipper::dem::report_hosts() : dipper::dem::run(argv[1]);
   } catch (const std::exception& e) {
     fmt::print(stderr, "dipper-dem: {}\n", e.what());
     MPI_Abort(MPI_COMM_WORLD, 3);

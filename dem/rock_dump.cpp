@@ -148,12 +148,12 @@ void RockDump::write() {
   buf = kept;
   const Deflated mine = deflated((me == 0 ? header(all) : "") + text_->of(packed), kLevel);
   if (mine.bytes.size() > std::numeric_limits<int>::max())
-    throw std::runtime_error(fmt::format(
-        "{}: a rank's part of it is {} bytes, and MPI sends 2^31; more ranks have less each",
-        file_now(), mine.bytes.size()));
-  const Part told{mine.bytes.size(), mine.length, mine.crc};
+    throw std::runtime_error(
+        fmt::format("{}: a rank's part of it is {} bytes, and MPI sends 2^31; use more ranks",
+                    file_now(), mine.bytes.size()));
+  const Part part{mine.bytes.size(), mine.length, mine.crc};
   std::vector<Part> parts(static_cast<std::size_t>(nprocs));
-  MPI_Gather(&told, sizeof told, MPI_BYTE, parts.data(), sizeof told, MPI_BYTE, 0, world);
+  MPI_Gather(&part, sizeof part, MPI_BYTE, parts.data(), sizeof part, MPI_BYTE, 0, world);
   if (me != 0) {
     MPI_Send(mine.bytes.data(), static_cast<int>(mine.bytes.size()), MPI_BYTE, 0, 0, world);
     return;

@@ -137,8 +137,7 @@ void write_image(const std::filesystem::path& file, LAMMPS_NS::LAMMPS& lmp,
   put(mine);
   if (mine.bytes().size() > std::numeric_limits<int>::max())
     throw std::runtime_error(
-        fmt::format("{}: a rank's part of it is {} bytes, and MPI sends 2^31; "
-                    "more ranks have less each",
+        fmt::format("{}: a rank's part of it is {} bytes, and MPI sends 2^31; use more ranks",
                     file.string(), mine.bytes().size()));
   const int ranks = lmp.comm->nprocs;
   const Deflated packed = deflated(mine.bytes(), 1);

@@ -64,7 +64,7 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
     if (!t_ns_.empty() && t_ns <= t_ns_.back()) {
       if (++not_later == 1) {
         first_not_later = faults.size();
-        fault(row.line, fmt::format("time_s is {}, not after the row before ({} s)", v[0],
+        fault(row.line, fmt::format("time_s is {}, not after the previous row ({} s)", v[0],
                                     seconds(t_ns_.back())));
       }
       continue;
@@ -80,8 +80,9 @@ Motion::Motion(const std::vector<CsvRow>& rows, const std::filesystem::path& fil
         {file, 0, "", fmt::format("{} row(s); a motion needs at least 2", t_ns_.size())});
   if (faults.empty())
     if (const double row_s = median_interval_s(t_ns_); row_s > kUsualRow_s)
-      fault(rows[1].line, fmt::format("time_s has a row each {:g} s; up to {:g} s: in ms, perhaps?",
-                                      row_s, kUsualRow_s));
+      fault(rows[1].line,
+            fmt::format("time_s has a row every {:g} s; up to {:g} s: in ms, perhaps?", row_s,
+                        kUsualRow_s));
   if (!faults.empty()) {
     sort_by_line(faults);
     throw InputError(std::move(faults));

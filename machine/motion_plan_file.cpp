@@ -30,7 +30,7 @@ class PlanReader {
     YamlSection y(tree, "", findings_);
     PlanFile file;
     MotionPlan& p = file.plan;
-    file.source = y.text("source", "a text: the source of the curves");
+    file.source = y.text("source", "a string: the source of the curves");
     p.sample_s = y.number("sample_s", "a number in s", kPlanPositive);
     p.cycle_s = y.number("cycle_s", "a number in s", kPlanPositive);
     p.dig = move(y, "dig");

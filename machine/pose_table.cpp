@@ -51,11 +51,12 @@ PoseTable PoseTable::load(const std::filesystem::path& file) {
     if (std::abs(v[0]) > kFarthest || p.cwiseAbs().maxCoeff() > kFarthest) {
       fault(row.line, fmt::format("times and positions must be within {:g} s and m", kFarthest));
     } else if (std::abs(R.norm() - 1) > kUnitNorm) {
-      fault(row.line, fmt::format("qw,qx,qy,qz is no rotation: its length is {:.4g}; it must be 1",
-                                  R.norm()));
+      fault(row.line,
+            fmt::format("qw,qx,qy,qz is not a rotation: its length is {:.4g}; it must be 1",
+                        R.norm()));
     } else if (const std::int64_t t = std::llround(v[0] * 1e9);
                !track.t_ns.empty() && t <= track.t_ns.back()) {
-      fault(row.line, fmt::format("time_s is {:g}, not after the row before of {} ({:g} s)", v[0],
+      fault(row.line, fmt::format("time_s is {:g}, not after the previous row of {} ({:g} s)", v[0],
                                   row.name, seconds(track.t_ns.back())));
     } else {
       track.t_ns.push_back(t);

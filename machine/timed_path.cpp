@@ -31,17 +31,17 @@ std::string fault_of(const std::vector<CsvRow>& rows, std::size_t i) {
   if (wait < 0) return fmt::format("wait_s is {}; write 0 or more", wait);
   if ((i == 0 || i + 1 == rows.size()) && speed > 0)
     return fmt::format("speed_m_s is {}; a motion begins and ends at rest, write 0", speed);
-  if (i == 0) return wait > 0 ? "wait_s is for a row that repeats the point before; write 0" : "";
+  if (i == 0) return wait > 0 ? "wait_s is for a row that repeats the previous point; write 0" : "";
   const double before = rows[i - 1].values[2];
   if (!stands(rows[i], rows[i - 1])) {
     if (wait > 0)
       return fmt::format("wait_s is {}, but the teeth move; repeat the point to wait there", wait);
     if (speed + before <= 0)
-      return "speed_m_s is 0 here and in the row before; the teeth would never arrive";
+      return "speed_m_s is 0 here and in the previous row; the teeth would never arrive";
     return "";
   }
   if (speed + before > 0)
-    return "repeats the point; speed_m_s must be 0 here and in the row before";
+    return "repeats the point; speed_m_s must be 0 here and in the previous row";
   return wait > 0 ? "" : "repeats the point; write the waiting time in wait_s";
 }
 

@@ -39,8 +39,8 @@ core::MachineState LedBodies::state(std::int64_t t_next_ns) {
 core::MachineState LedBodies::step(const core::MachineStep& step) {
   if (step.t_end_ns <= t_ns_)
     throw std::invalid_argument(
-        fmt::format("poses: a window must go forward; the time is {} ns, the window's end {} ns",
-                    t_ns_, step.t_end_ns));
+        fmt::format("poses: a sync step must go forward; the time is {} ns, its end {} ns", t_ns_,
+                    step.t_end_ns));
   t_ns_ = step.t_end_ns;
   return state(step.t_next_ns);
 }

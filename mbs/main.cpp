@@ -15,8 +15,8 @@
 #include "mbs/feeling_operator.hpp"
 #include "mbs/led_bodies.hpp"
 #include "mbs/path_follower.hpp"
+#include "mbs/program_operator.hpp"
 #include "mbs/shovel.hpp"
-#include "mbs/told_operator.hpp"
 
 namespace dipper::mbs {
 namespace {
@@ -29,8 +29,8 @@ std::unique_ptr<core::Machine> make(const setup::ShovelSetup& s) {
   const machine::Motion whole = machine::Motion::load(s.motion);
   const auto motion = std::make_shared<machine::Motion>(s.planned ? whole.standing() : whole);
   std::unique_ptr<Operator> from;
-  if (s.told)
-    from = std::make_unique<ToldOperator>(motion->value(0));
+  if (s.program_drives)
+    from = std::make_unique<ProgramOperator>(motion->value(0));
   else if (s.drives == machine::DriveMode::limited && s.planned)
     from = std::make_unique<FeelingOperator>(motion, data, radians(s.rake_angle_deg), s.full_kg);
   else if (s.drives == machine::DriveMode::limited)

@@ -26,30 +26,30 @@ class Operator {
  public:
   virtual ~Operator() = default;
 
-  /// Goes on at a time, s, from a state that `state` gave then.
+  /// Continues at a time, s, from a state that `state` returned at that time.
   virtual void reset(double t_s, const std::vector<double>& state) = 0;
 
-  /// Decides what to do from now on. \param feel  tells what he feels at that time, once it is
-  /// asked
+  /// Decides the set points from now on. \param feel  what he feels at that time, computed when
+  /// called
   virtual void update(double t_s, const std::function<Felt()>& feel) = 0;
 
-  /// Is told what to do, at the start of a window. Throws std::invalid_argument: most are told
-  /// nothing.
+  /// Takes an order at the start of a sync step. Throws std::invalid_argument unless a program
+  /// drives.
   virtual void take(double, const core::Order&) {
     throw std::invalid_argument("an order for drives that follow their motion");
   }
 
-  /// All that he will decide by, besides what he sees; always as many numbers.
+  /// All that his later decisions depend on, except measurements; always the same count of numbers.
   virtual std::vector<double> state(double t_s) const = 0;
 
   /// The drives' set points at a time after the last update, at most a sub-step later: positions
   /// [m, rad], rates and accelerations per second.
   virtual machine::DriveState setpoint(double t_s) const = 0;
 
-  /// Where on the case's motion he is, s; none when he follows another way.
+  /// His time on the case's motion, s; none when he does not follow it.
   virtual std::optional<double> motion_s(double t_s) const = 0;
 
-  /// What the record tells of him, and its values at a time.
+  /// His channels of the record, and their values at a time.
   virtual std::vector<core::Channel> channels() const = 0;
   virtual std::vector<double> values(double t_s, const DriveEfforts& motors) const = 0;
 };

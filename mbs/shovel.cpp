@@ -232,8 +232,8 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
   const std::int64_t t0_ns = impl_->committed.t_ns;
   if (step.t_end_ns <= t0_ns) {
     throw std::invalid_argument(
-        fmt::format("shovel: a window must go forward; the time is {} ns, the window's end {} ns",
-                    t0_ns, step.t_end_ns));
+        fmt::format("shovel: a sync step must go forward; the time is {} ns, its end {} ns", t0_ns,
+                    step.t_end_ns));
   }
   if (step.F_Bo_W.size() != kBodies) {
     throw std::invalid_argument(fmt::format("shovel: {} wrenches; there must be {}: dipper, door",

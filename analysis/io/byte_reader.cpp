@@ -20,7 +20,7 @@ ByteReader::ByteReader(std::filesystem::path file, std::int64_t offset, long lin
       stream_(open_file(file_)),
       base_(offset) {
   if (gzseek(stream_.get(), offset, SEEK_SET) < 0)
-    throw input_error(file_, line, "cannot be read at this place");
+    throw input_error(file_, line, "cannot be read here");
 }
 
 bool ByteReader::refill() {

@@ -51,7 +51,7 @@ const Groups::value_type& only(const Groups& groups, const fs::path& folder) {
   for (const auto& [name, files] : groups) names += (names.empty() ? "" : ", ") + name;
   throw input_error(
       folder, 0,
-      fmt::format("particles of several dumps ({}); leave the files of one of them", names));
+      fmt::format("particles of several dumps ({}); keep the files of one of them", names));
 }
 
 struct Found {
@@ -185,8 +185,8 @@ DumpFolder open_dump_folder(const fs::path& folder, std::optional<double> timest
   Found found = find_dumps(d.folder);
   if (found.text.empty() && found.vtk.empty())
     throw input_error(d.folder, 0,
-                      "no particle dumps; text dumps of `dump custom`, or .vtp or .vtk files of "
-                      "`dump custom/vtk`, belong there");
+                      "no particle dumps; expected text dumps of `dump custom`, or .vtp or .vtk "
+                      "files of `dump custom/vtk`");
   const auto& group = only(found.text.empty() ? found.vtk : found.text, d.folder);
   d.particles = group.first;
   d.walls = std::move(found.walls);

@@ -156,9 +156,8 @@ DumpReader::DumpReader(const std::vector<std::filesystem::path>& files) {
   for (std::size_t i = 1; i < frames_.size(); ++i) {
     const DumpFrame &a = frames_[i - 1], &b = frames_[i];
     if (a.step == b.step)
-      throw input_error(
-          b.file, b.line,
-          fmt::format("step {} is in {} already", b.step, a.file.filename().string()));
+      throw input_error(b.file, b.line,
+                        fmt::format("step {} is also in {}", b.step, a.file.filename().string()));
   }
 }
 

@@ -36,7 +36,8 @@ Box box_bounds(LineReader& in) {
     std::string_view text = header_line(in, "a box bound");
     if (!parse_number(take_word(text), box.min_m[i]) ||
         !parse_number(take_word(text), box.max_m[i]) || box.min_m[i] > box.max_m[i])
-      throw input_error(in.file(), in.line(), "not a box bound; two numbers, the lower one first");
+      throw input_error(in.file(), in.line(),
+                        "not a box bound; write two numbers, the lower one first");
   }
   return box;
 }
@@ -67,7 +68,7 @@ DumpFrame read_header(LineReader& in, std::string_view text) {
       const std::string_view units = take_word(text = header_line(in, "the units"));
       if (units != "si")
         throw input_error(in.file(), in.line(),
-                          fmt::format("units are '{}'; a dump in 'si' (m, kg, s)", units));
+                          fmt::format("units are '{}'; expected 'si' (m, kg, s)", units));
     } else if (starts(text, "ITEM: ATOMS")) {
       if (!has_step || !has_count)
         throw input_error(in.file(), in.line(),
@@ -82,7 +83,7 @@ DumpFrame read_header(LineReader& in, std::string_view text) {
       return frame;
     } else {
       throw input_error(in.file(), in.line(),
-                        fmt::format("'{}' is no line of a dump's header; a text dump starts "
+                        fmt::format("'{}' is not a line of a dump's header; a text dump starts "
                                     "with ITEM: TIMESTEP",
                                     text.substr(0, 40)));
     }
@@ -108,7 +109,8 @@ std::vector<DumpFrame> index_text_dump(const std::filesystem::path& file) {
                                       frames.back().step, i, n));
     }
   }
-  if (frames.empty()) throw input_error(file, 1, "empty; a text dump starts with ITEM: TIMESTEP");
+  if (frames.empty())
+    throw input_error(file, 1, "empty file; a text dump starts with ITEM: TIMESTEP");
   return frames;
 }
 

@@ -116,7 +116,7 @@ VtkCursor::VtkCursor(const VtkFile& file, const VtkArray& array)
       static_cast<double>(array_.tuples * array_.components * vtk_detail::bytes(array_.type));
   if (size != due)
     throw input_error(file.file, array.line,
-                      fmt::format("array '{}' has {:.0f} bytes where {:.0f} belong (compressed? "
+                      fmt::format("array '{}' has {:.0f} bytes instead of {:.0f} (compressed? "
                                   "write it with `dump_modify ID compressor none`)",
                                   array.name, size, due));
 }
@@ -188,8 +188,8 @@ class Cells {
       from_counts();
     }
     if (first_.size() != file.polygon_count + 1)
-      fail(file.points.line, fmt::format("{} polygons where there should be {}", first_.size() - 1,
-                                         file.polygon_count));
+      fail(file.points.line,
+           fmt::format("{} polygons instead of {}", first_.size() - 1, file.polygon_count));
   }
 
   std::size_t count() const { return first_.size() - 1; }

@@ -21,10 +21,10 @@ class LegacyIndex {
 
   VtkFile run() {
     if (in_.rest_of_line().rfind("# vtk DataFile", 0) != 0)
-      fail("not a VTK file: the first line of one is '# vtk DataFile Version ...'");
+      fail("not a VTK file: its first line must be '# vtk DataFile Version ...'");
     in_.rest_of_line();  // title
     const std::string form = in_.rest_of_line();
-    if (form != "ASCII" && form != "BINARY") fail("the third line is ASCII or BINARY");
+    if (form != "ASCII" && form != "BINARY") fail("the third line must be ASCII or BINARY");
     ascii_ = form == "ASCII";
     std::string word;
     for (in_.word(word); !word.empty(); in_.word(word)) section(word);
@@ -48,7 +48,7 @@ class LegacyIndex {
     std::int64_t n = 0;
     const std::string w = word(what);
     if (!parse_number(w, n) || n < 0)
-      fail(fmt::format("'{}' where {} should be", w.substr(0, 40), what));
+      fail(fmt::format("'{}' instead of {}", w.substr(0, 40), what));
     return static_cast<std::size_t>(n);
   }
 
@@ -107,7 +107,7 @@ class LegacyIndex {
     }
     word("OFFSETS");
     VtkArray offsets = values("OFFSETS", type(word("a type")), 1, n);
-    if (word("CONNECTIVITY") != "CONNECTIVITY") fail("CONNECTIVITY belongs after OFFSETS");
+    if (word("CONNECTIVITY") != "CONNECTIVITY") fail("CONNECTIVITY must follow OFFSETS");
     VtkArray connectivity = values("CONNECTIVITY", type(word("a type")), 1, size);
     if (!wanted) return;
     if (n > 0) out_.polygon_count = n - 1;
@@ -140,8 +140,9 @@ class LegacyIndex {
     if (key == "DATASET") {
       const std::string kind = word("the kind of data set");
       if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
-        fail(fmt::format("DATASET {} holds no particles or walls; POLYDATA or UNSTRUCTURED_GRID",
-                         kind.substr(0, 40)));
+        fail(fmt::format(
+            "DATASET {} holds no particles or walls; expected POLYDATA or UNSTRUCTURED_GRID",
+            kind.substr(0, 40)));
     } else if (key == "POINTS") {
       const std::size_t n = count("the number of points");
       out_.points = values("POINTS", type(word("a type")), 3, n);
@@ -188,7 +189,7 @@ class LegacyIndex {
     } else if (key == "METADATA") {
       skip_metadata();
     } else {
-      fail(fmt::format("'{}' is no section of a VTK file", key.substr(0, 40)));
+      fail(fmt::format("'{}' is not a section of a VTK file", key.substr(0, 40)));
     }
   }
 

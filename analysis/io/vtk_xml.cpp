@@ -119,8 +119,7 @@ class XmlIndex {
   void read_root(const pugi::xml_node& root) {
     const std::string type = root.attribute("type").value();
     if (type != "PolyData")
-      fail(line(root),
-           fmt::format("a VTK file of type '{}'; particles and walls are PolyData", type));
+      fail(line(root), fmt::format("a VTK file of type '{}'; expected PolyData", type));
     if (root.attribute("compressor"))
       fail(line(root), "compressed: write it with `dump_modify ID compressor none`");
     swapped_ = std::strcmp(root.attribute("byte_order").value(), "BigEndian") == 0;
@@ -149,7 +148,7 @@ class XmlIndex {
       if (auto a = array(node, polygons)) out_.cell_data.push_back(*a);
     const auto xyz = array(piece.child("Points").child("DataArray"), points);
     if (!xyz) fail(line(piece), "there are no <Points>");
-    if (xyz->components != 3) fail(xyz->line, "points are x, y, z");
+    if (xyz->components != 3) fail(xyz->line, "points must be x, y, z");
     out_.points = *xyz;
     if (polygons > 0) read_polygons(piece.child("Polys"), polygons);
   }
@@ -164,7 +163,7 @@ class XmlIndex {
     const double last = read_array(out_, *out_.offsets).back();
     if (!(last >= 0 && last <= static_cast<double>(markup_.end_offset())))
       fail(out_.offsets->line,
-           fmt::format("the last polygon ends at corner {}; the file has no room for them", last));
+           fmt::format("the last polygon ends at corner {}; the file is too short for that", last));
     out_.connectivity = array(named("connectivity"), static_cast<std::size_t>(last));
   }
 

@@ -25,7 +25,7 @@ const char* name_of(Type type) {
     case Type::f32:
       return "Float32";
     default:
-      throw std::invalid_argument("a type that is not written");
+      throw std::invalid_argument("a type that cannot be written");
   }
 }
 

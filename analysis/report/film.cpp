@@ -70,7 +70,7 @@ class Ffmpeg {
 
  private:
   [[noreturn]] void fail() const {
-    throw std::runtime_error(film_.string() + ": ffmpeg cannot write it; it says why above");
+    throw std::runtime_error(film_.string() + ": ffmpeg cannot write it; its message is above");
   }
 
   fs::path film_;

@@ -38,7 +38,8 @@ std::string html_text(const std::string& text) {
 
 std::string text_of(const json& data, const char* key) {
   if (!data.is_object() || !data.contains(key) || !data[key].is_string())
-    throw std::invalid_argument(fmt::format("{}: missing; a page's data has it, as text", key));
+    throw std::invalid_argument(
+        fmt::format("{}: missing; the data of a page must have it, as a string", key));
   return data[key].get<std::string>();
 }
 

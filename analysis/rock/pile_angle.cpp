@@ -109,8 +109,8 @@ PileAngle pile_angle(const SurfaceProfile& profile, double grain_m,
       std::distance(smooth.begin(), std::max_element(smooth.begin(), smooth.end())));
   PileAngle out;
   out.height_m = smooth[crest] - options.floor_m;
-  const double lower = options.floor_m + options.lower_share * out.height_m;
-  const double upper = options.floor_m + options.upper_share * out.height_m;
+  const double lower = options.floor_m + options.lower_fraction * out.height_m;
+  const double upper = options.floor_m + options.upper_fraction * out.height_m;
   const Flank left = flank(smooth, crest, -1, lower, upper);
   const Flank right = flank(smooth, crest, +1, lower, upper);
   const Flank f = left.count >= right.count ? left : right;

@@ -15,8 +15,8 @@ struct PileAngleOptions {
   double floor_m = 0;  ///< ground level
   // The flank is the part between these fractions of the height: the toe is flat, the crest
   // rounded.
-  double lower_share = 0.2;
-  double upper_share = 0.8;
+  double lower_fraction = 0.2;
+  double upper_fraction = 0.8;
 };
 
 /// A straight line through the flank, z = z0 + slope (x - x0).

@@ -10,7 +10,7 @@ PoseTrack::PoseTrack(std::vector<double> time_s, std::vector<Pose> X_WB, std::ve
   if (X_WB_.size() != time_s_.size() || (!V_WB_W_.empty() && V_WB_W_.size() != time_s_.size()))
     throw std::invalid_argument("poses and times of different lengths");
   if (!std::is_sorted(time_s_.begin(), time_s_.end()))
-    throw std::invalid_argument("times of poses do not rise");
+    throw std::invalid_argument("times of poses must increase");
 }
 
 BodyState PoseTrack::at(double t) const {

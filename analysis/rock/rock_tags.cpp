@@ -51,8 +51,8 @@ std::vector<ShapeRadii> read_shapes(const fs::path& deck) {
       double radius = 0;
       for (int k = 0; k < 4; ++k)  // x y z radius
         if (!parse_number(io::take_word(text), radius))
-          throw io::input_error(file, in.line(), "not x y z radius");
-      if (!(radius > 0)) throw io::input_error(file, in.line(), "a radius is larger than 0");
+          throw io::input_error(file, in.line(), "expected x y z radius");
+      if (!(radius > 0)) throw io::input_error(file, in.line(), "a radius must be larger than 0");
       radii.push_back(radius);
     }
     if (!radii.empty()) shapes.push_back(shares_of_largest(std::move(radii)));

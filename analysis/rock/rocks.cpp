@@ -100,7 +100,7 @@ class Columns {
                            double value) const {
     throw io::input_error(
         frame_.file, frame_.line,
-        fmt::format("particle {:.17g} has {} {:.6g}: no rock is like that; is the "
+        fmt::format("particle {:.17g} has {} {:.6g}: impossible for a rock; is the "
                     "dump damaged, or of the other byte order?",
                     at(c, id_, i, 0), what, value));
   }

@@ -9,10 +9,11 @@ namespace dipper::analysis::rock {
 
 double mass_inside(const std::vector<Sphere>& balls, const std::vector<double>& density_kg_m3,
                    const Box& box, double cell_m) {
-  if (balls.size() != density_kg_m3.size()) throw std::invalid_argument("a density for every ball");
+  if (balls.size() != density_kg_m3.size())
+    throw std::invalid_argument("balls and densities differ in number");
   if ((box.sides_m().array() <= 0).any()) throw std::invalid_argument("the box is empty");
-  if (!(cell_m > 0)) throw std::invalid_argument("a cell needs a side > 0");
-  // Whole cells along each side, so that their middles are evenly inside.
+  if (!(cell_m > 0)) throw std::invalid_argument("a cell's side must be > 0");
+  // Whole cells along each side, so that their centres are evenly inside.
   std::array<std::size_t, 3> n{};
   Eigen::Vector3d cell;
   for (int a = 0; a < 3; ++a) {

@@ -20,7 +20,7 @@ Extent extent(const std::vector<Sphere>& balls) {
   Extent e;
   for (const Sphere& b : balls) {
     if (!b.centre_m.allFinite() || !(b.radius_m > 0) || !std::isfinite(b.radius_m))
-      throw std::invalid_argument("a ball needs a finite centre and a radius > 0");
+      throw std::invalid_argument("a ball must have a finite centre and a radius > 0");
     e.x0 = std::min(e.x0, b.centre_m.x() - b.radius_m);
     e.x1 = std::max(e.x1, b.centre_m.x() + b.radius_m);
     e.y0 = std::min(e.y0, b.centre_m.y());

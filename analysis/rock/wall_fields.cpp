@@ -83,7 +83,7 @@ std::vector<WallField> read_wall_fields(const io::DumpFolder& dumps) {
         WallField& f = of[name];
         if (!f.last.empty() && f.last.size() != values.size())
           throw io::input_error(file, wall.line[name],
-                                fmt::format("{} has {} triangles, the frame before had {}", body,
+                                fmt::format("{} has {} triangles, the previous frame had {}", body,
                                             values.size(), f.last.size()));
         add_frame(f, values);
         f.time_s = static_cast<double>(step) * dumps.timestep_s;

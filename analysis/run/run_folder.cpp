@@ -81,11 +81,11 @@ json read_summary(const fs::path& file) {
   const json number = 0.0;
   if (!summary.value("status", json()).is_string() ||
       !summary.value("cpu_s_per_sim_s", number).is_number())
-    throw io::input_error(file, 0, "status is a text and cpu_s_per_sim_s a number");
+    throw io::input_error(file, 0, "status must be a string and cpu_s_per_sim_s a number");
   const json warnings = summary.value("warnings", json::array());
   if (!warnings.is_array() || !std::all_of(warnings.begin(), warnings.end(),
                                            [](const json& text) { return text.is_string(); }))
-    throw io::input_error(file, 0, "warnings is a list of texts");
+    throw io::input_error(file, 0, "warnings must be a list of strings");
   const json truck = summary.value("truck", json::object());  // outlives its items
   for (const auto& [key, value] : truck.items())
     if (!value.is_number()) throw io::input_error(file, 0, "truck." + key + " is a number");
@@ -252,7 +252,7 @@ rock::PoseTrack read_poses(const fs::path& file) {
     if (std::abs(R.norm() - 1) > 1e-3)
       faults.push_back(
           {file, row.line, "",
-           fmt::format("qw ... qz is no rotation: its length is {:.4g}, not 1", R.norm())});
+           fmt::format("qw ... qz is not a rotation: its length is {:.4g}, not 1", R.norm())});
     time_s.push_back(v[0]);
     X_WB.push_back({R.normalized(), {v[1], v[2], v[3]}});
   }

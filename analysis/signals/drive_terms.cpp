@@ -81,7 +81,7 @@ std::vector<std::array<double, kDriveTerms.size()>> drive_terms(
 double force_kN(const ForceLaw& law, const std::array<double, kDriveTerms.size()>& terms) {
   double sum = 0;
   for (const auto& [name, number] : law) {
-    if (!is_drive_term(name)) throw std::invalid_argument(name + " is no term of the motion");
+    if (!is_drive_term(name)) throw std::invalid_argument(name + " is not a term of the motion");
     sum += number * terms[index_of(name)];
   }
   return sum;

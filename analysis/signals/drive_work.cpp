@@ -11,7 +11,7 @@ namespace {
 DriveWork work_between(const std::vector<double>& time_s, const std::vector<double>& power_W,
                        double t_start_s, double t_end_s) {
   if (power_W.size() != time_s.size())
-    throw std::invalid_argument("a drive's powers are not as many as the times");
+    throw std::invalid_argument("powers and times differ in number");
   const auto rows = rows_within(time_s, t_start_s, t_end_s);
   DriveWork w;
   if (!rows) return w;

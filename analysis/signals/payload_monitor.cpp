@@ -8,10 +8,10 @@ namespace dipper::analysis::signals {
 namespace {
 
 constexpr double kStands_m_s = 0.1;
-constexpr double kShortest_s = 0.5;      // if shorter, the drives never stood still
-constexpr double kHalf_s = 0.25;         // half of the time over which speeds are taken
-constexpr double kLatched_rad = 1e-5;    // at larger angles the door is opening
-constexpr double kFewest_share = 1e-12;  // of g^2: below, neither balance shows the load
+constexpr double kShortest_s = 0.5;       // if shorter, the drives never stood still
+constexpr double kHalf_s = 0.25;          // half of the time over which speeds are taken
+constexpr double kLatched_rad = 1e-5;     // at larger angles the door is opening
+constexpr double kLeastFraction = 1e-12;  // of g^2: below, neither balance shows the load
 
 /// The rate of change of a signal at a reading.
 double speed_at(const std::vector<double>& time_s, const std::vector<double>& x, std::size_t i) {
@@ -72,7 +72,7 @@ std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
     } catch (const std::domain_error&) {  // the ropes hang slack: taut ones would not reach
     }
   }
-  if (weight <= kFewest_share) return std::nullopt;
+  if (weight <= kLeastFraction) return std::nullopt;
   reading.mass_kg = sum / weight;
   reading.from_s = t[reading.rows.front()];
   reading.to_s = t[reading.rows.back()];

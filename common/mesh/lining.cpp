@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -15,14 +15,25 @@ Eigen::Vector3d unit_normal(const Triangle& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]).normalized();
 }
 
-/// The move that brings every face at a vertex forward by `thickness`: least squares, as the faces
-/// of a flat plate give one equation several times.
+/// The shortest move that brings every face at a vertex forward by `thickness`: least squares, as
+/// the faces of a flat plate give one equation several times. Solved in the principal axes of the
+/// normals (the pseudo-inverse of their 3 x 3 matrix), without those along which no normal points.
 Eigen::Vector3d offset(const std::vector<Eigen::Vector3d>& normals, double thickness) {
-  Eigen::MatrixXd n(normals.size(), 3);
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    n.row(static_cast<Eigen::Index>(i)) = normals[i].transpose();
+  constexpr double kNoNormal = 1e-10;  // squared sine of an angle
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& n : normals) {
+    products += n * n.transpose();
+    sum += n;
   }
-  return n.completeOrthogonalDecomposition().solve(Eigen::VectorXd::Constant(n.rows(), thickness));
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(products);
+  Eigen::Vector3d move = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d axis = axes.eigenvectors().col(i);
+    const double weight = axes.eigenvalues()[i];
+    if (weight > kNoNormal) move += thickness * axis.dot(sum) / weight * axis;
+  }
+  return move;
 }
 
 /// Mass properties of `whole` without `part`, both at density 1.

@@ -194,7 +194,7 @@ std::string read_attribute(const std::filesystem::path& file, const std::string&
                        H5Sget_simple_extent_npoints(space.id()) == 1;
   std::string text(is_text ? H5Tget_size(type.id()) : 0, '\0');
   if (!is_text || H5Aread(attribute.id(), type.id(), text.data()) < 0)
-    throw InputError({{file, 0, name, "cannot be read as a text"}});
+    throw InputError({{file, 0, name, "cannot be read as a string"}});
   return text.substr(0, text.find('\0'));
 }
 

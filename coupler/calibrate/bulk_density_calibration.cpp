@@ -33,14 +33,16 @@ class BoxCalibration {
 
   int run() {
     if (case_.rock.fines_fraction > 0) {
-      reporter_.line("rock.fines_fraction: the box weighs rock alone; --set rock.fines_fraction=0");
+      reporter_.line(
+          "rock.fines_fraction: the box is weighed without fines; write --set "
+          "rock.fines_fraction=0");
       return 2;
     }
     const double own = case_.rock.density_kg_m3;
     const cases::Case same = changed_case(request_, {{kKey, own}}, case_.seed);
     if (std::abs(same.rock.density_kg_m3 / own - 1) > 1e-6) {
-      reporter_.line(
-          fmt::format("{}: an effect changes it; calibrate the case without that effect", kKey));
+      reporter_.line(fmt::format(
+          "{}: an effect changes this key; calibrate the case without that effect", kKey));
       return 2;
     }
     const double d = largest_rock(case_);
@@ -48,7 +50,7 @@ class BoxCalibration {
     const std::string missing = missing_classes(case_, rocks);
     if (rig_.edge_m < kSmallestBox * d - 1e-9 || !missing.empty()) {
       reporter_.line(fmt::format(
-          "--size {:g} m is too small{}: the box is to be at least {:g} of the largest rocks "
+          "--size {:g} m is too small{}: the box must be at least {:g} of the largest rocks "
           "wide, {:.3g} m",
           rig_.edge_m, missing.empty() ? "" : ", it has " + missing, kSmallestBox,
           kSmallestBox * d));

@@ -137,7 +137,7 @@ std::vector<DeckResult> run_decks(
       failure = std::current_exception();
       if (active.size() > 1)
         reporter.error(
-            fmt::format("{}\nthose at work are finished first, Ctrl-C ends them", e.what()));
+            fmt::format("{}\nruns in progress are finished first; Ctrl-C ends them", e.what()));
     }
   };
   while ((next < runs.size() && !failure) || !active.empty()) {

@@ -45,7 +45,7 @@ class PileCalibration {
     const std::string missing = missing_classes(case_, rocks);
     if (!missing.empty() || rig_.size_m < 3 * largest_rock(case_)) {
       reporter_.line(fmt::format(
-          "--size {:g} m is too small{}: the pile is to be at least 3 of the largest rocks "
+          "--size {:g} m is too small{}: the pile must be at least 3 of the largest rocks "
           "({:.3g} m) high",
           rig_.size_m, missing.empty() ? "" : ", it has " + missing, 3 * largest_rock(case_)));
       return 2;
@@ -162,7 +162,7 @@ class PileCalibration {
     if (!found) {
       const auto [least, most] = std::minmax_element(y.begin(), y.end());
       reporter_.line(fmt::format(
-          "no set in these ranges gives {:g} deg: the runs lie between {:.1f} and {:.1f}; "
+          "no values in these ranges give {:g} deg: the runs gave {:.1f} to {:.1f} deg; "
           "search wider, or another key",
           request_.target, *least, *most));
       json["found"] = nullptr;
@@ -214,15 +214,16 @@ class PileCalibration {
       out["set"][set[i].first] = {{"value", set[i].second},
                                   {"deg_per_unit", slope},
                                   {"sigma_alone", sigma / std::abs(slope)}};
-      reporter_.line(fmt::format("  {} = {:.4g} (+- {:.2g} if the rest stays: {:.3g} deg a unit)",
-                                 set[i].first, set[i].second, sigma / std::abs(slope), slope));
+      reporter_.line(
+          fmt::format("  {} = {:.4g} (+- {:.2g} with the others fixed: {:.3g} deg a unit)",
+                      set[i].first, set[i].second, sigma / std::abs(slope), slope));
     }
     out["unique"] = false;
     const std::vector<Point> lines = neutral_directions(s, x);
     if (lines.empty()) {
       reporter_.line(
-          "one angle fixes one number: with any other key changed, another value would fit. "
-          "Search two keys to see along which line");
+          "one angle determines one value: with another key changed, another value would fit. "
+          "Search two keys to see which pairs fit");
       out["note"] = "one key searched: unique in it alone, not among sets of several keys";
       return out;
     }

@@ -32,14 +32,15 @@ bool starts_with(const std::string& text, const std::string& begin) {
 /// Refuses a key that has no effect in these decks.
 std::string fault_of(const SearchRange& r) {
   if (!starts_with(r.key, "contact.") && !starts_with(r.key, "rock."))
-    return "the pile does not depend on it; search keys of contact or rock";
+    return "the pile does not depend on this key; search keys of contact or rock";
   for (const char* wall : {"friction_dipper", "rolling_friction_dipper", "friction_truck",
                            "friction_truck_sphere", "rolling_friction_truck", "adhesion_Pa"})
     if (r.key == std::string("contact.") + wall)
-      return "there is no dipper and no truck at the pile; search a key of the ground or the rocks";
+      return "the calibration has no dipper and no truck; search a key of the ground or the rocks";
   if (r.key == "rock.bulk_density_kg_m3") return "it is measured, not searched";
   if (!(r.low < r.high))
-    return fmt::format("{:g}:{:g} is no range; write LOW:HIGH with LOW below HIGH", r.low, r.high);
+    return fmt::format("{:g}:{:g} is not a range; write LOW:HIGH with LOW below HIGH", r.low,
+                       r.high);
   return "";
 }
 
@@ -81,8 +82,8 @@ std::optional<cases::Case> checked_request(const CalibrationRequest& request, Re
   if (request.search.size() == 1 && request.seeds == 1)
     faults.push_back("--seeds 1 is too few to search one key; take 2 or more");
   if (std::filesystem::exists(request.out))
-    faults.push_back(request.out.string() + " is there already; choose another --out");
-  if (!deck::liggghts_takes(data_folder()))  // the deck and its sheet are there
+    faults.push_back(request.out.string() + " exists; choose another --out");
+  if (!deck::liggghts_takes(data_folder()))  // the deck and its sheet are in this folder
     faults.push_back(data_folder().string() + ": " + deck::kLiggghtsRefuses);
   try {
     require_writable(request.out);
@@ -100,7 +101,7 @@ std::optional<cases::Case> checked_request(const CalibrationRequest& request, Re
   }
   for (const SearchRange& r : request.search)
     if (faults.empty() && !value_of(*c, r.key))
-      faults.push_back(fmt::format("--search: {}: is not a number of this case", r.key));
+      faults.push_back(fmt::format("--search: {}: has no numeric value in this case", r.key));
   for (const std::string& fault : faults) reporter.line(fault);
   return faults.empty() ? c : std::nullopt;
 }

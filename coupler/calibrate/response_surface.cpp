@@ -1,6 +1,6 @@
 #include "coupler/calibrate/response_surface.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
 
@@ -42,19 +42,20 @@ std::vector<Point> composite_design(int k) {
 }
 
 ResponseSurface::ResponseSurface(const std::vector<Point>& x, const std::vector<double>& y) {
-  if (x.empty() || x.size() != y.size()) throw std::invalid_argument("a value for every point");
+  if (x.empty() || x.size() != y.size())
+    throw std::invalid_argument("points and values differ in number");
   const Eigen::Index n = static_cast<Eigen::Index>(x.size()), m = terms(x[0]).size();
   if (n <= m) throw std::invalid_argument("a surface needs more samples than terms");
   Eigen::MatrixXd A(n, m);
   for (Eigen::Index i = 0; i < n; ++i) A.row(i) = terms(x[static_cast<std::size_t>(i)]);
   const Eigen::Map<const Eigen::VectorXd> b(y.data(), n);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
-  if (qr.rank() < m) throw std::invalid_argument("the samples do not tell the terms apart");
+  if (qr.rank() < m) throw std::invalid_argument("the samples do not determine the terms");
   coefficients_ = qr.solve(b);
   degrees_of_freedom_ = static_cast<int>(n - m);
   residual_sigma_ = (A * coefficients_ - b).norm() / std::sqrt(static_cast<double>(n - m));
   covariance_ = residual_sigma_ * residual_sigma_ *
-                (A.transpose() * A).ldlt().solve(Eigen::MatrixXd::Identity(m, m));
+                Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(A.transpose() * A).inverse();
 }
 
 Prediction ResponseSurface::at(const Point& x) const {
@@ -116,10 +117,15 @@ std::optional<Point> nearest_with(const ResponseSurface& s, double target, const
 std::vector<Point> neutral_directions(const ResponseSurface& s, const Point& x) {
   const Point g = s.gradient(x);
   if (g.norm() < 1e-9) return {};
-  const Eigen::MatrixXd column = g;
-  const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(column).householderQ();
+  // The mirror image (Householder) that lays g along the first axis lays the others across g.
+  Point v = g;
+  v[0] += std::copysign(g.norm(), g[0]);
   std::vector<Point> out;
-  for (Eigen::Index i = 1; i < Q.cols(); ++i) out.push_back(Q.col(i));
+  for (Eigen::Index i = 1; i < g.size(); ++i) {
+    Point across = v * (-2 * v[i] / v.squaredNorm());
+    across[i] += 1;
+    out.push_back(across);
+  }
   return out;
 }
 

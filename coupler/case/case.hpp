@@ -216,8 +216,8 @@ struct ObservationCase {
   double scale_gain = 0;  ///< the truck scale reads 1 + this times the mass
   double truck_spillage =
       0;  ///< part of the last pass that falls off the truck before it is weighed
-  double scale_offset_t = 0;   ///< the truck scale reads so much too much for each pass
-  double hoist_cell_gain = 0;  ///< the hoist's force is read as 1 + this times what it is
+  double scale_offset_t = 0;   ///< added to the truck scale's reading of each pass
+  double hoist_cell_gain = 0;  ///< the hoist's force reads 1 + this times its value
   double crowd_cell_gain = 0;  ///< likewise the crowd's
   double door_leak = 0;        ///< share of each load that is lost before the dump
   /// Force that the drives show besides: {term: number}, analysis/signals/drive_terms.hpp.

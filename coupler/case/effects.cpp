@@ -95,7 +95,7 @@ Effect read_effect(const fs::path& file, std::vector<Finding>& findings) {
   e.source = p.text("source", "where bounds and prior come from");
   p.refuse_others();
   if (p.is_there() && (e.low > 0 || e.high < 0 || e.low >= e.high))
-    p.fault(p.node(), "", "low ... high must hold 0, which is off");
+    p.fault(p.node(), "", "low ... high must contain 0, which means off");
   YamlSection overlay = root.section("overlay", "KEY: {add|scale|set: factor}");
   for (std::size_t k = 0; overlay.is_there() && k < overlay.node().children.size(); ++k) {
     const auto& [key, node] = overlay.node().children[k];

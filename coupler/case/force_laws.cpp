@@ -15,7 +15,7 @@ bool is_law(const KeySpec& spec) {
 std::string no_term(const std::string& name) {
   const auto& terms = analysis::signals::kDriveTerms;
   const std::string near = nearest_word(name, {terms.begin(), terms.end()});
-  return fmt::format("is no term of the motion{}; known are {}",
+  return fmt::format("is not a term of the motion{}; known are {}",
                      near.empty() ? "" : fmt::format("; did you mean {}?", near),
                      fmt::join(terms, ", "));
 }

@@ -67,11 +67,11 @@ void check_operator(const cases::Case& c, const machine::MachineData& machine,
         });
     if (!plan.choice)
       findings.push_back({c.machine.plan, 0, "machine.plan",
-                          "has passes; an operator who plans needs `choose` in their place "
+                          "has passes; operator plan needs `choose` in their place "
                           "(docs/operator.md)"});
     else if (!plan.plan.returns)
       findings.push_back({c.machine.plan, 0, "machine.plan",
-                          "has no way back from the truck; an operator who plans needs back, "
+                          "has no return from the truck; operator plan needs back, "
                           "swing_back, door_close and lower_deg_m"});
   } catch (const InputError& e) {
     cases::add_file_findings(c, "machine.plan", e, findings);

@@ -61,7 +61,7 @@ std::string summary(const cases::Case& c) {
 
 /// The volume that the teeth sweep under the bench's nominal surface in each pass, and whether it
 /// fills the dipper.
-void tell_digs(const cases::Case& c, Reporter& reporter) {
+void report_digs(const cases::Case& c, Reporter& reporter) {
   const machine::MachineData data = machine::load_machine(c.machine.model);
   const machine::ShovelKinematics shovel(data, Pose{}, radians(c.machine.rake_angle_deg));
   const auto face = [&](double heading_rad) { return deck::bench_along_boom(c, heading_rad); };
@@ -128,7 +128,7 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
   }
   reporter.line(c.name + " is sound: " + summary(c));
   reporter.line(to_string(cost_estimate(c)));
-  if (c.machine.kind == cases::MachineKind::shovel) tell_digs(c, reporter);
+  if (c.machine.kind == cases::MachineKind::shovel) report_digs(c, reporter);
   for (const Finding& warning : warnings(c)) reporter.line("warning: " + to_string(warning));
   return c;
 }

@@ -86,7 +86,8 @@ std::string to_string(const CostEstimate& e) {
       bytes(e.memory_B), bytes(e.disk_B));
 }
 
-void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, Reporter& reporter) {
+void report_full_disk(const cases::Case& c, const std::filesystem::path& folder,
+                      Reporter& reporter) {
   std::filesystem::path there = std::filesystem::absolute(folder);
   std::error_code unknown;  // a folder without read permission is refused elsewhere
   while (!std::filesystem::exists(there, unknown) && there.has_relative_path())

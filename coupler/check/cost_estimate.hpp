@@ -28,6 +28,7 @@ CostEstimate cost_estimate(const cases::Case& c);
 std::string to_string(const CostEstimate& cost);
 
 /// Warns when a run in `folder`, which need not exist yet, would fill the disk.
-void tell_full_disk(const cases::Case& c, const std::filesystem::path& folder, Reporter& reporter);
+void report_full_disk(const cases::Case& c, const std::filesystem::path& folder,
+                      Reporter& reporter);
 
 }  // namespace dipper::check

@@ -35,7 +35,7 @@ Command add_check_command(CLI::App& app, Reporter& reporter) {
               return check::check_as_json(o->folder, set, source_hash(), reporter) ? 0 : 2;
             const auto c = check::checked_case(o->folder, set, reporter);
             if (!c) return 2;
-            check::tell_full_disk(*c, "runs", reporter);
+            check::report_full_disk(*c, "runs", reporter);
             return 0;
           }};
 }

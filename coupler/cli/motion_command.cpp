@@ -78,7 +78,7 @@ bool beyond_limits(const machine::Motion& motion, const machine::ShovelKinematic
   return !beyond.empty();
 }
 
-void tell_times(const machine::TimedPath& path, Reporter& reporter) {
+void report_times(const machine::TimedPath& path, Reporter& reporter) {
   std::string times;
   for (const machine::PathPoint& p : path.points) times += fmt::format(" {:.1f}", p.t_s);
   reporter.line(fmt::format("the points are reached at{} s", times));
@@ -101,7 +101,7 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
     text = planned_rows(o, c, data, shovel, reporter);
   } else {
     const machine::TimedPath path = machine::read_timed_path(o.path);
-    tell_times(path, reporter);
+    report_times(path, reporter);
     text = rows_along(path, o.path, shovel);
   }
   const fs::path out = o.out.empty() ? c.machine.motion : fs::path(o.out);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "common/installation.hpp"
+#include "coupler/cli/environment.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -26,12 +27,19 @@ int run_python(const std::string& package, const std::vector<std::string>& words
   std::string path;
   for (const char* folder : kFolders)
     path += (path.empty() ? "" : ":") + (data_folder() / folder).string();
+  // Before what a user has installed for the whole system: another numpy than the one that Debian's
+  // packages are built with.
+  path += ":/usr/lib/python3/dist-packages";
+  // The user's settings are for other programs: PYTHONINSPECT waits for him after the end,
+  // PYTHONOPTIMIZE removes texts, MPLBACKEND is a notebook's.
+  unset_variables("PYTHON");
+  unset_variables("MPLBACKEND");
   setenv("PYTHONPATH", path.c_str(), 1);
   // Excludes the current folder's modules and the user's packages: a csv.py there would be run. Set
   // in the environment, so that programs started by this one do the same.
   setenv("PYTHONSAFEPATH", "1", 1);
   setenv("PYTHONNOUSERSITE", "1", 1);
-  unsetenv("PYTHONHOME");
+  setenv("PYTHONUTF8", "1", 1);  // whatever the locale
   setenv("DIPPER", installed_program("dipper").c_str(), 1);
   // The runs use all cores; threads in the linear algebra would only slow them down.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
@@ -112,12 +120,12 @@ Command add_gap_command(CLI::App& app, const std::vector<std::string>& words) {
   add_word(sub, "CASE", "DIR", "a folder with a case.yaml")->required();
   add_word(sub, "--measured", "DIR", "channels.yaml, passes.csv and signals.csv of the mine");
   add_word(sub, "--reference", "DIR",
-           "the same of earlier trucks, when all was well: what has changed since?");
+           "the same for earlier trucks, before the problem: what has changed since?");
   sub->add_flag("--plan",
                 "before data are taken: the smallest effect that 2, 4 and 8 trucks would show");
   add_word(sub, "--jobs", "N", "runs at a time (default: 2)")->check(CLI::Range(1, 256));
   sub->add_flag("--masses-only",
-                "compare masses where the folder has no forces, which seldom names an effect");
+                "compare masses where the folder has no forces; they rarely identify an effect");
   add_word(sub, "--out", "DIR", "folder of the results (default: runs/gap-CASE)");
   return python_command(sub, "dipper_gap", words);
 }

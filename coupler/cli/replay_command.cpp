@@ -36,8 +36,9 @@ std::vector<Finding> weigh_changes(const std::string& folder, const cases::Case&
     if (affects == cases::Affects::settling)
       findings.push_back({folder, 0, line.key, "changes the pile, which takes a new run"});
     else if (affects == cases::Affects::dig)
-      reporter.line(
-          fmt::format("{} also changes what the rock meets: the answer is first-order", line.key));
+      reporter.line(fmt::format(
+          "{} also changes the surface that the rock touches: the answer is first-order",
+          line.key));
   }
   return findings;
 }
@@ -78,7 +79,7 @@ int replay(const ReplayOptions& o, Reporter& reporter) {
                   o.side, r.requests, r.segments, r.segments == 1 ? "" : "s", r.wall_s,
                   r.recorded_wall_s, r.recorded_wall_s / r.wall_s));
   reporter.line(r.different == 0
-                    ? "every answer is the recorded one to the bit"
+                    ? "every answer equals the recorded one, bit for bit"
                     : fmt::format("{} answers differ: force by up to {:.3g} N, position by up to "
                                   "{:.3g} m",
                                   r.different, r.force_N, r.position_m));

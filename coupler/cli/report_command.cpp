@@ -56,7 +56,7 @@ void refuse_what_would_be_lost(const fs::path& folder, const fs::path& source) {
                      "folder with --out"}});
 }
 
-void tell_passes(const nlohmann::ordered_json& metrics, Reporter& reporter) {
+void report_passes(const nlohmann::ordered_json& metrics, Reporter& reporter) {
   if (!metrics.contains("passes")) return;
   const auto in_MN = [](double newton) { return newton / 1e6; };
   for (const auto& p : metrics["passes"]) {
@@ -103,7 +103,7 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
       analysis::report::write_run_page(run, dumps, metrics.values, figure, made / "report.html");
       analysis::metrics::write_paraview_files(run, dumps, figure, made);
     });
-    tell_passes(metrics.values, reporter);
+    report_passes(metrics.values, reporter);
     reporter.line((folder / "report.html").string());
     if (options.film.any())
       analysis::report::write_film(folder / "report.html", options.film, reporter);

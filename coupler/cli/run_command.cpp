@@ -150,7 +150,7 @@ int run(const RunOptions& o, Reporter& reporter) {
   if (o.seed) set.push_back({"seed", std::to_string(*o.seed)});
   const std::optional<cases::Case> c = check::checked_case(o.folder, set, reporter);
   if (!c) return 2;
-  if (o.no_rock.empty()) check::tell_full_disk(*c, out, reporter);
+  if (o.no_rock.empty()) check::report_full_disk(*c, out, reporter);
   if (const int cores = static_cast<int>(std::thread::hardware_concurrency());
       o.no_rock.empty() && mpirun.empty() && cores > 0 && c->dem.ranks > cores)
     reporter.line(
@@ -225,7 +225,7 @@ Command add_run_command(CLI::App& app, Reporter& reporter) {
                   "PROGRAM that drives the machine in place of the motion, by lines of JSON: "
                   "--operator 'python3 mine.py'");
   sub->add_flag("--operator-truth", o->truth,
-                "show it the simulation's truth too, which no instrument of a machine has");
+                "give the program the simulation's true state too, which no instrument measures");
   sub->add_flag(
          "--no-rock{none}", o->no_rock,
          "the machine alone, in seconds; --no-rock=estimate: against an estimate of the rock")

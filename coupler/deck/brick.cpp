@@ -94,7 +94,7 @@ std::vector<int> numbers_of(const std::vector<RockKind>& kinds, double mass_kg) 
   std::vector<int> numbers;
   double owed_kg = 0;
   for (const RockKind& kind : kinds) {
-    owed_kg += mass_kg * kind.mass_share;
+    owed_kg += mass_kg * kind.mass_fraction;
     numbers.push_back(std::max(0, static_cast<int>(std::lround(owed_kg / kind.mass_kg))));
     owed_kg -= numbers.back() * kind.mass_kg;
   }

@@ -207,7 +207,7 @@ std::string material_in(const cases::Case& c) {
 
 struct Template {
   std::string fix;
-  double mass_share;
+  double mass_fraction;
 };
 
 std::string rocks_in(const cases::Case& c, const std::map<std::string, RockShape>& shapes) {
@@ -247,7 +247,7 @@ std::string rocks_in(const cases::Case& c, const std::map<std::string, RockShape
   }
   out += fmt::format("\nfix grading all particledistribution/discrete/massbased {} {}",
                      prime_seed(c.seed, 1 + static_cast<int>(templates.size())), templates.size());
-  for (const Template& t : templates) out += fmt::format(" &\n  {} {:.9g}", t.fix, t.mass_share);
+  for (const Template& t : templates) out += fmt::format(" &\n  {} {:.9g}", t.fix, t.mass_fraction);
   return out + "\n";
 }
 

@@ -43,7 +43,7 @@ class Bench {
 };
 
 struct Grid {
-  double largest_share = 0, cut_m2 = 0;
+  double largest_fraction = 0, cut_m2 = 0;
 };
 
 Grid measure(const cases::Case& c, const Bench& bench, const std::array<int, 3>& parts) {
@@ -62,7 +62,7 @@ Grid measure(const cases::Case& c, const Bench& bench, const std::array<int, 3>&
   for (std::size_t i = 0; i + 1 < x.size(); ++i)
     for (std::size_t k = 0; k + 1 < z.size(); ++k)
       fullest = std::max(fullest, bench.area(x[i], x[i + 1], z[k], z[k + 1]) / all);
-  grid.largest_share = widest * fullest;
+  grid.largest_fraction = widest * fullest;
   for (std::size_t i = 1; i + 1 < x.size(); ++i) grid.cut_m2 += bench.top(x[i]) * c.pile.width_m;
   for (std::size_t j = 1; j + 1 < y.size(); ++j)
     if (std::abs(y[j]) < c.pile.width_m / 2) grid.cut_m2 += all;
@@ -89,15 +89,15 @@ DomainSplit best_split(const cases::Case& c, int ranks) {
       if (ranks / i % j != 0) continue;
       const std::array<int, 3> parts{i, j, ranks / i / j};
       choices.push_back({parts, measure(c, bench, parts)});
-      least = std::min(least, choices.back().grid.largest_share);
+      least = std::min(least, choices.back().grid.largest_fraction);
     }
   }
   const Choice* best = nullptr;
   for (const Choice& choice : choices) {
-    if (choice.grid.largest_share > kSameShare * least) continue;
+    if (choice.grid.largest_fraction > kSameShare * least) continue;
     if (best == nullptr || choice.grid.cut_m2 < best->grid.cut_m2) best = &choice;
   }
-  return {best->parts, best->grid.largest_share};
+  return {best->parts, best->grid.largest_fraction};
 }
 
 }  // namespace dipper::deck

@@ -10,7 +10,7 @@ namespace dipper::deck {
 /// Parts along x, y and z; their product is the number of ranks.
 struct DomainSplit {
   std::array<int, 3> parts{1, 1, 1};
-  double largest_share = 1;  ///< of the bench's rock, on one rank; 1/ranks is even
+  double largest_fraction = 1;  ///< of the bench's rock, on one rank; 1/ranks is even
 };
 
 /// LIGGGHTS cuts its box into equal parts, regardless of the rock, and never moves a cut. Chosen

@@ -21,7 +21,7 @@ std::vector<RockKind> rock_kinds(const cases::Case& c,
       RockKind kind;
       kind.name = kind_name(s, shape);
       kind.mass_kg = classes[i].mass_kg;
-      kind.mass_share = s.mass_percent / 100 / static_cast<double>(s.shapes.size());
+      kind.mass_fraction = s.mass_percent / 100 / static_cast<double>(s.shapes.size());
       if (classes[i].is_sphere) {
         kind.spheres.push_back({Eigen::Vector3d::Zero(), classes[i].radius_m});
       } else {

@@ -15,7 +15,7 @@ namespace dipper::deck {
 struct RockKind {
   std::string name;             ///< the template's
   double mass_kg = 0;           ///< of a rock
-  double mass_share = 0;        ///< of all rock
+  double mass_fraction = 0;     ///< of all rock
   std::vector<Sphere> spheres;  ///< about the centre of mass, in the shape's frame
   double reach_m = 0;           ///< of the farthest sphere's far side
 };

@@ -41,7 +41,8 @@ using json = nlohmann::ordered_json;
 
 constexpr double kSummaryTrim = 1e-3;  // m: of the faces' points, as fine as a page draws
 
-setup::PeerConfig machine_config(const cases::Case& c, const result::RunFolder& folder, bool told) {
+setup::PeerConfig machine_config(const cases::Case& c, const result::RunFolder& folder,
+                                 bool program_drives) {
   setup::PeerConfig config;
   config.lcm_url = transport::kLcmUrl;
   config.secret = setup::random_secret();
@@ -49,7 +50,7 @@ setup::PeerConfig machine_config(const cases::Case& c, const result::RunFolder& 
   config.identity.case_hash = cases::case_hash(c);
   config.checkpoints = folder.checkpoints();
   config.settings = to_json(sides::machine_setup(
-      c, sides::dipper_layers(c, sides::read_mesh_facts(c).dipper.cavity), told));
+      c, sides::dipper_layers(c, sides::read_mesh_facts(c).dipper.cavity), program_drives));
   return config;
 }
 
@@ -144,7 +145,7 @@ json faces(const cases::Case& c, const json& passes, const fs::path& record) {
   return out;
 }
 
-void tell_limits(const std::vector<LimitUse>& uses, Reporter& reporter) {
+void report_limits(const std::vector<LimitUse>& uses, Reporter& reporter) {
   for (const LimitUse& u : uses)
     if (u.over_s > 0)
       reporter.line(
@@ -177,7 +178,7 @@ void require_drives(const cases::Case& c) {
   if (c.machine.kind == cases::MachineKind::shovel) return;
   throw InputError({cases::finding_at(
       c, "machine.kind",
-      "poses have no drives, which is what a run without rock shows; run it with rock")});
+      "a run without rock shows the drives, and a case of poses has none; run it with rock")});
 }
 
 run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFolder& folder,
@@ -212,12 +213,12 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
   json summary = summarise(c, rock, folder, limits, mbs_cpu_s);
   summary["status"] = "complete";
   if (program) summary["operator"] = program->command;
-  result::tell_drives(c, folder.record(), summary, reporter);
+  result::report_drives(c, folder.record(), summary, reporter);
   if (json planned = result::operator_summary(c, folder); !planned.is_null())
     summary["operator"] = planned;
   write_text(folder.summary(), summary.dump(2) + '\n');
-  if (rock == RockModel::estimate) result::tell_passes(summary.at("passes"), reporter);
-  tell_limits(limits, reporter);
+  if (rock == RockModel::estimate) result::report_passes(summary.at("passes"), reporter);
+  report_limits(limits, reporter);
   return run::RunStatus::complete;
 }
 

@@ -58,10 +58,10 @@ void Dialogue::close_files() {
     if (*file >= 0) close(std::exchange(*file, -1));
 }
 
-void Dialogue::tell_end() {
+void Dialogue::report_end() {
   process_->wait(std::chrono::milliseconds(1000));
   throw std::runtime_error(process_->ended() ? failure_message(*process_, log_)
-                                             : "closed its stdin or stdout but goes on");
+                                             : "closed its stdin or stdout but keeps running");
 }
 
 void Dialogue::wait_for(int file, short event, const char* doing, Clock::time_point began,
@@ -85,7 +85,7 @@ void Dialogue::say(const std::string& line) {
     const ssize_t n = write(to_, bytes.data() + done, bytes.size() - done);
     if (n > 0) done += static_cast<std::size_t>(n);
     if (n >= 0 || errno == EINTR) continue;
-    if (errno != EAGAIN) tell_end();
+    if (errno != EAGAIN) report_end();
     wait_for(to_, POLLOUT, "does not read its stdin", began, starved_s);
   }
 }
@@ -108,7 +108,7 @@ std::string Dialogue::hear() {
     const ssize_t n = read(from_, bytes.data(), bytes.size());
     if (n > 0) heard_.append(bytes.data(), static_cast<std::size_t>(n));
     if (n > 0 || (n < 0 && errno == EINTR)) continue;
-    if (n == 0 || errno != EAGAIN) tell_end();
+    if (n == 0 || errno != EAGAIN) report_end();
     wait_for(from_, POLLIN, "no answer", began, starved_s);
   }
 }

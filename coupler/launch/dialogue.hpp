@@ -41,7 +41,7 @@ class Dialogue {
   /// Waits until a pipe can be read or written. `doing`: the error's text if the time runs out.
   void wait_for(int file, short event, const char* doing,
                 std::chrono::steady_clock::time_point began, double starved_s);
-  [[noreturn]] void tell_end();
+  [[noreturn]] void report_end();
   void close_files();
 
   std::filesystem::path log_;

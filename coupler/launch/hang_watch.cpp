@@ -28,8 +28,7 @@ std::string HangWatch::look(double now_s, double active_s, std::uintmax_t writte
   began_ = true;
   const double idle_s = now_s - std::max(wrote_s_, ran_s_);
   if (idle_s > idle_s_)
-    return fmt::format("it neither ran, nor waited for a core, nor wrote anything for {:g} s",
-                       idle_s_);
+    return fmt::format("it did not run, wait for a core or write anything for {:g} s", idle_s_);
   const double silence_s = std::max(kSilence_s, kSilenceInGaps * longest_gap_s_);
   if (now_s - wrote_s_ > silence_s)
     return fmt::format("it runs but has written nothing for {:.0f} s", silence_s);

@@ -65,7 +65,7 @@ nlohmann::json parsed(const std::string& line) {
   } catch (const nlohmann::json::exception&) {
     const std::string shown = line.size() > kShown ? line.substr(0, kShown) + "..." : line;
     throw std::runtime_error(
-        fmt::format("not a line of JSON: '{}' (words of its own belong on stderr)", shown));
+        fmt::format("not a line of JSON: '{}' (other output belongs on stderr)", shown));
   }
 }
 

@@ -34,7 +34,7 @@ std::string rate_key(const DriveWords& drive);
 /// counted by the door, which ends one as it shuts.
 class Instruments {
  public:
-  /// Throws std::invalid_argument for a machine that is not told where to go.
+  /// Throws std::invalid_argument for a machine that no program drives.
   Instruments(const core::ServerInfo& info, const machine::MachineData& machine, double rake);
 
   /// A window has ended.

@@ -69,13 +69,13 @@ core::MachineState OperatedMachine::state(std::int64_t t_next_ns) {
 }
 
 core::MachineState OperatedMachine::step(const core::MachineStep& step) {
-  core::MachineStep told = step;
+  core::MachineStep ordered = step;
   const std::int64_t look = now_.t_ns / kLook_ns;
   if (look != looked_ && !done_) {
-    told.order = this->look();
+    ordered.order = this->look();
     looked_ = look;
   }
-  now_ = inner_.step(told);
+  now_ = inner_.step(ordered);
   instruments_.see(now_);
   return now_;
 }

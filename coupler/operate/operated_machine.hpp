@@ -12,7 +12,7 @@
 
 namespace dipper::operate {
 
-/// What the program is told before the first look, and what it takes to understand the machine.
+/// The program's first input: the machine's data, before the first look.
 struct Operated {
   std::string case_name;
   std::filesystem::path motion;  ///< the case's
@@ -23,7 +23,7 @@ struct Operated {
   std::filesystem::path log;                  ///< of the program's stderr
 };
 
-/// The simulation's truth: the rock's channels as they were told last.
+/// The simulation's truth: the rock's latest channels.
 struct RockTruth {
   core::ServerInfo info;
   std::function<const core::RockState&()> state;

@@ -7,8 +7,8 @@
 
 namespace dipper::result {
 
-void tell_drives(const cases::Case& c, const std::filesystem::path& record,
-                 nlohmann::ordered_json& summary, Reporter& reporter) {
+void report_drives(const cases::Case& c, const std::filesystem::path& record,
+                   nlohmann::ordered_json& summary, Reporter& reporter) {
   if (c.machine.drives != machine::DriveMode::limited) return;
   const auto path_s = record::read_channel(record, "machine/path_time");
   if (path_s.empty()) return;

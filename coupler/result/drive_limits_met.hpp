@@ -11,7 +11,7 @@ namespace dipper::result {
 
 /// Adds these figures of the whole run to the summary of a case with limited drives, as "drives"
 /// (docs/drives.md), and reports them. Throws std::runtime_error naming file and dataset.
-void tell_drives(const cases::Case& c, const std::filesystem::path& record,
-                 nlohmann::ordered_json& summary, Reporter& reporter);
+void report_drives(const cases::Case& c, const std::filesystem::path& record,
+                   nlohmann::ordered_json& summary, Reporter& reporter);
 
 }  // namespace dipper::result

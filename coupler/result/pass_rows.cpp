@@ -67,7 +67,7 @@ json pass_rows(const cases::Case& c, const RunFolder& folder) {
   return metrics::nested_rows(passes);
 }
 
-void tell_passes(const json& passes, Reporter& reporter) {
+void report_passes(const json& passes, Reporter& reporter) {
   for (const auto& p : passes) {
     const auto dig = p.find("dig_phases_force_mean_N");
     reporter.line(fmt::format(

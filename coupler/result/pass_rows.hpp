@@ -14,6 +14,6 @@ namespace dipper::result {
 nlohmann::ordered_json pass_rows(const cases::Case& c, const RunFolder& folder);
 
 /// One line for each pass.
-void tell_passes(const nlohmann::ordered_json& passes, Reporter& reporter);
+void report_passes(const nlohmann::ordered_json& passes, Reporter& reporter);
 
 }  // namespace dipper::result

@@ -106,11 +106,11 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
   if (profile) {
     summary["pile"] = describe(*profile);
     reporter.line(fmt::format(
-        "pile: {:.2f} m below its profile in the mean, {:.2f} m at x = {:.1f} m; its face at "
+        "pile: {:.2f} m below its profile on average, {:.2f} m at x = {:.1f} m; its face at "
         "{:.0f} deg",
         profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
   }
-  tell_drives(c, folder.record(), summary, reporter);
+  report_drives(c, folder.record(), summary, reporter);
   if (const auto truck = truck_load(c.truck.rated_t, summary.at("passes"))) {
     summary["truck"] = as_json(*truck);
     reporter.line("truck: " + to_text(*truck));
@@ -119,7 +119,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
   const std::vector<std::string> warnings = run_warnings(c, summary);
   summary["warnings"] = warnings;
   write_text(folder.summary(), summary.dump(2) + '\n');
-  tell_passes(summary.at("passes"), reporter);
+  report_passes(summary.at("passes"), reporter);
   for (const std::string& warning : warnings) reporter.line("warning: " + warning);
 }
 

@@ -28,7 +28,7 @@ Face read_face(const fs::path& file) {
     return {
         height_map_from(j.dump()), j.at("t_s"), {j.at("axis_m").at(0), j.at("axis_m").at(1), 0}};
   } catch (const std::exception& e) {
-    throw InputError({{file, 0, "", fmt::format("is no face of a run: {}", e.what())}});
+    throw InputError({{file, 0, "", fmt::format("is not the face of a run: {}", e.what())}});
   }
 }
 

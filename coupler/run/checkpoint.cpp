@@ -37,17 +37,17 @@ void require_none_lost(const fs::path& checkpoints,
                        const std::vector<std::pair<fs::path, std::string>>& damaged) {
   std::vector<Finding> findings;
   for (const auto& [folder, damage] : damaged)
-    findings.push_back({folder, 0, "", "no sound checkpoint: " + damage});
+    findings.push_back({folder, 0, "", "no valid checkpoint: " + damage});
   for (const fs::path& aside : list(checkpoints, ".damaged")) {
     const std::string damage = damage_of(aside);
     findings.push_back({aside, 0, "",
-                        damage.empty() ? "set aside, but sound: rename it to " +
+                        damage.empty() ? "set aside, but valid: rename it to " +
                                              aside.stem().string() + " to continue from it"
                                        : "set aside as damaged: " + damage});
   }
   if (findings.empty()) return;
   findings.push_back({checkpoints, 0, "",
-                      "no sound checkpoint is left to continue from; restore one from a "
+                      "no valid checkpoint is left to continue from; restore one from a "
                       "copy, or run the case again into another --out"});
   throw InputError(std::move(findings));
 }
@@ -110,8 +110,9 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   }
   for (const auto& [folder, damage] : damaged) {
     const fs::path aside = set_aside(folder);
-    warn(fmt::format("{}; that checkpoint is now {}, the one before it is taken: {}", damage,
-                     aside.string(), all.back().string()));
+    warn(fmt::format(
+        "{}; this checkpoint is renamed to {}, the run continues from the previous one: {}", damage,
+        aside.string(), all.back().string()));
   }
   std::ifstream in(all.back() / "coupling.json");
   const json j = json::parse(in);

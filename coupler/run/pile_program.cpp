@@ -26,7 +26,7 @@ std::string how_far(const fs::path& screen) {
   std::string last;
   for (std::string line; std::getline(in, line);)
     if (!line.empty()) last = line;
-  return last.empty() ? screen.string() + " holds nothing"
+  return last.empty() ? screen.string() + " is empty"
                       : fmt::format("the last line of {} is '{}'", screen.string(), last);
 }
 

@@ -52,17 +52,18 @@ std::vector<setup::WallMemory> wall_memory(const core::CouplingState& state) {
 
 }  // namespace
 
-RunEnd run_end(const cases::Case& c, bool told) {
+RunEnd run_end(const cases::Case& c, bool program_drives) {
   const double motion_s = cases::motion_end_s(c);
   const auto step = [&](double t_s) { return std::llround(t_s / c.dem.timestep_s); };
-  if (c.end_s > 0) return {step(c.end_s), std::nullopt, told};
-  constexpr double kLongest = 2;  // of the motion's time: a cycle that takes longer has gone wrong
-  constexpr double kCycle = 2;    // with its return, which a planned motion has not
-  if (c.machine.operated_by == cases::OperatorKind::plan && !told)
+  if (c.end_s > 0) return {step(c.end_s), std::nullopt, program_drives};
+  constexpr double kLongest = 2;  // times the motion's duration: a run that takes longer has failed
+  constexpr double kCycle =
+      2;  // times the motion's duration: the return, which a planned motion does not contain
+  if (c.machine.operated_by == cases::OperatorKind::plan && !program_drives)
     return {step(kLongest * kCycle * motion_s * c.op.passes), std::nullopt};
   if (c.machine.drives != machine::DriveMode::limited) return {step(motion_s), std::nullopt};
-  constexpr double kEarly_s = 1e-6;  // a path that was never slowed ends with the motion
-  if (told) return {step(kLongest * motion_s), std::nullopt, true};
+  constexpr double kEarly_s = 1e-6;  // a motion that was never slowed ends the run
+  if (program_drives) return {step(kLongest * motion_s), std::nullopt, true};
   return {step(kLongest * motion_s), motion_s - kEarly_s};
 }
 
@@ -101,7 +102,7 @@ void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
 
 sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
-                          bool told, Reporter& reporter) {
+                          bool program_drives, Reporter& reporter) {
   folder.unseal();
   const sides::MeshFacts shovel = sides::read_mesh_facts(c);
   const sides::DipperLayers layers = c.machine.kind == cases::MachineKind::shovel
@@ -110,10 +111,10 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
   write_decks(c, layers, folder.deck());
   write_identity(folder.root(), c);
 
-  const RunEnd end = run_end(c, told);
+  const RunEnd end = run_end(c, program_drives);
   const std::int64_t steps = end.step;
-  reporter.line(fmt::format("{}: {}{:.2f} s, {} windows of {} steps, {} rank{}", c.name,
-                            end.path_s || (told && c.end_s == 0) ? "at most " : "",
+  reporter.line(fmt::format("{}: {}{:.2f} s, {} sync steps of {} DEM steps, {} rank{}", c.name,
+                            end.path_s || (program_drives && c.end_s == 0) ? "at most " : "",
                             static_cast<double>(steps) * c.dem.timestep_s,
                             (steps + c.coupling.sync_steps - 1) / c.coupling.sync_steps,
                             c.coupling.sync_steps, c.dem.ranks, c.dem.ranks == 1 ? "" : "s"));
@@ -138,7 +139,7 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
   setup.rock = sides::rock_setup(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
                                  from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
   write_scales(folder, setup.rock, shovel.dipper.struck_volume_m3);
-  setup.machine = sides::machine_setup(c, layers, told);
+  setup.machine = sides::machine_setup(c, layers, program_drives);
   return setup;
 }
 
@@ -160,14 +161,14 @@ void require_operable(const cases::Case& c) {
     throw InputError({cases::finding_at(c, key, why)});
   };
   if (c.machine.kind != cases::MachineKind::shovel)
-    refuse("machine.kind", "poses have no drives, which is what --operator drives");
+    refuse("machine.kind", "--operator drives a shovel; a case of poses has no drives");
   if (c.machine.drives != machine::DriveMode::limited)
     refuse("machine.drives",
-           "prescribed drives follow their motion, whatever it takes; with --operator write "
+           "prescribed drives follow the motion regardless of force; with --operator write "
            "limited");
   if (!c.machine.contact_on_return)
     refuse("machine.contact_on_return",
-           "off follows the motion, which --operator does not; write on");
+           "off applies to the motion of motion.csv, which --operator does not follow; write on");
 }
 
 }  // namespace dipper::run

@@ -22,15 +22,15 @@ struct RunEnd {
   /// Also ends when the machine's channel path_time reaches this [s]: limited drives reach the end
   /// of the motion when they can.
   std::optional<double> path_s;
-  bool told = false;  ///< a program drives, and may end it
+  bool program_drives = false;  ///< a program drives, and may end the run
 };
 
-/// Of end_s; where it is 0, prescribed drives end with the motion, and limited ones when they have
-/// come to its end, or have not in twice its time; driven by a program (`told`), in that time at
-/// the latest. An operator who plans ends his run himself (pass_desk.hpp), at the latest after four
-/// times the motion's time for each of his passes. Throws InputError for a motion that cannot be
-/// read.
-RunEnd run_end(const cases::Case& c, bool told = false);
+/// The end of a run by end_s. Where that is 0: prescribed drives end with the motion; limited
+/// drives when they reach its end, after twice its duration at most; so does a run that a program
+/// drives (`program_drives`), which the program can end earlier. A planning operator ends the run
+/// himself (pass_desk.hpp), after four times the motion's duration for each of his passes at most.
+/// Throws InputError for a motion that cannot be read.
+RunEnd run_end(const cases::Case& c, bool program_drives = false);
 
 /// Whether a run whose last checkpoint is `last` has reached its end. Throws std::runtime_error
 /// naming the record.
@@ -52,11 +52,11 @@ void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
 
 /// Writes deck and identity into the run's folder, finds the pile in the cache or settles it, and
 /// reports this. \param from  the checkpoint of a resumed run; none: a new run. \param places
-/// hosts of the ranks. \param told  a program drives the machine. Throws as settled_pile
+/// hosts of the ranks. \param program_drives  a program drives the machine. Throws as settled_pile
 /// does, also launch::Interrupted.
 sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
                           const std::optional<Checkpoint>& from, const launch::MpiPlaces& places,
-                          bool told, Reporter& reporter);
+                          bool program_drives, Reporter& reporter);
 
 /// What a program needs to drive the machine of a run. \param segment  of the run, for the name of
 /// its log

@@ -191,7 +191,7 @@ ReplayResult replay(const fs::path& run, const std::string& side) {
     throw std::runtime_error("no recording to replay: no events.lcmlog in " + run.string());
   }
   if (result.windows == 0)
-    throw std::runtime_error("no recording to replay: no window of sync steps in " + run.string());
+    throw std::runtime_error("no recording to replay: no sync step in " + run.string());
   return result;
 }
 

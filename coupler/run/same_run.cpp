@@ -117,7 +117,7 @@ std::vector<std::string> changed_since(const fs::path& folder, const cases::Case
         changed.push_back(fmt::format("{} differs before t = {:.3f} s, where the run continues",
                                       path(name), from_s));
     } else {
-      changed.push_back(path(name) + " has other contents");
+      changed.push_back(path(name) + " has changed");
     }
   }
   for (const auto& [name, hash] : recorded)

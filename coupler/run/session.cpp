@@ -91,7 +91,7 @@ core::Machine& Session::machine() {
 bool Session::run() {
   if (!resumed_) {
     const core::Window& first = stepper_.start();
-    if (case_.pile.clear_machine) tell_removed_rocks(first);
+    if (case_.pile.clear_machine) report_removed_rocks(first);
   }
   const bool complete = stepper_.run([] { return launch::interrupts() > 0; });
   if (complete) {  // both from the last checkpoint
@@ -101,7 +101,7 @@ bool Session::run() {
   return complete;
 }
 
-void Session::tell_removed_rocks(const core::Window& first) {
+void Session::report_removed_rocks(const core::Window& first) {
   reporter_.line(
       fmt::format("start: {:.0f} rocks, {:.2f} t, overlapped the machine and were removed",
                   channel(first, rock_.info(), "rocks_removed"),

@@ -49,7 +49,7 @@ class Session {
           Reporter& reporter, const sides::SidesSetup& setup);
   core::Machine& machine();
   result::RunCost cost() const;
-  void tell_removed_rocks(const core::Window& first);
+  void report_removed_rocks(const core::Window& first);
 
   const cases::Case& case_;
   const result::RunFolder& folder_;

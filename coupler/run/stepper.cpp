@@ -9,16 +9,16 @@ namespace dipper::run {
 Stepper::Stepper(core::Coupling& coupling, std::int64_t window_steps, std::int64_t end_step)
     : coupling_(coupling), window_steps_(window_steps), end_step_(end_step) {}
 
-void Stepper::tell() {
-  if (told_) return;
-  told_ = true;
+void Stepper::notify() {
+  if (notified_) return;
+  notified_ = true;
   for (Observer* o : observers_) o->window(last_);
 }
 
 const core::Window& Stepper::start() {
   last_ = coupling_.start();
-  told_ = false;
-  tell();
+  notified_ = false;
+  notify();
   return last_;
 }
 
@@ -36,16 +36,16 @@ bool Stepper::run(const std::function<bool()>& stop) {
   while (!at_end() && !stop()) {
     const std::int64_t from = coupling_.state().dem_step, steps = steps_from(from);
     coupling_.begin(steps);
-    tell();
+    notify();
     last_ = coupling_.finish(steps_from(from + steps));
     wall_s_ = std::chrono::duration<double>(Clock::now() - began).count();
-    told_ = false;
+    notified_ = false;
     if (std::any_of(observers_.begin(), observers_.end(),
                     [this](const Observer* o) { return o->needs_rest(last_); })) {
-      tell();
+      notify();
     }
   }
-  tell();
+  notify();
   for (Observer* o : observers_) o->end();
   return at_end();
 }

@@ -37,8 +37,8 @@ class Stepper {
   double wall_s() const { return wall_s_; }
 
  private:
-  void tell();
-  /// DEM steps of a window that begins there.
+  void notify();
+  /// DEM steps in a window that begins at this step.
   std::int64_t steps_from(std::int64_t dem_step) const;
   bool at_end() const;
 
@@ -47,7 +47,7 @@ class Stepper {
   std::function<bool(const core::MachineState&)> done_;
   std::vector<Observer*> observers_;
   core::Window last_;
-  bool told_ = true;  ///< of the last window
+  bool notified_ = true;  ///< observers have had the last window
   double wall_s_ = 0;
 };
 

@@ -18,7 +18,7 @@ json json_of_setup(const ShovelSetup& s) {
           {"planned", s.planned},
           {"full_kg", s.full_kg},
           {"limited_drives", s.drives == DriveMode::limited},
-          {"told", s.told},
+          {"program_drives", s.program_drives},
           {"contact_on_return", s.contact_on_return},
           {"base_position_m", json_of(s.base_position_m)},
           {"rake_angle_deg", s.rake_angle_deg},
@@ -38,10 +38,10 @@ ShovelSetup shovel_from(const json& j) {
   ShovelSetup s;
   s.model = j.at("model").get<std::string>();
   s.motion = j.at("motion").get<std::string>();
-  s.full_kg = j.value("full_kg", 0.0);
-  s.planned = j.value("planned", false);  // earlier recordings do not have this entry
+  s.full_kg = j.at("full_kg");
+  s.planned = j.at("planned");
   s.drives = j.at("limited_drives").get<bool>() ? DriveMode::limited : DriveMode::prescribed;
-  s.told = j.at("told");
+  s.program_drives = j.at("program_drives");
   s.contact_on_return = j.at("contact_on_return");
   s.base_position_m = vector_from(j.at("base_position_m"));
   s.rake_angle_deg = j.at("rake_angle_deg");

@@ -20,7 +20,8 @@ struct ShovelSetup {
   bool planned = false;          ///< stands at the motion's start until it is sent more rows
   double full_kg = 0;  ///< planned only: the load that its operator regards as a full dipper
   machine::DriveMode drives = machine::DriveMode::prescribed;
-  bool told = false;  ///< limited drives go where each window's order says, from the motion's start
+  bool program_drives =
+      false;  ///< limited drives follow the orders of each window, from the motion's start
   bool contact_on_return = true;
   Vector3d base_position_m = Vector3d::Zero();  ///< swing axis at ground level, in W
   double rake_angle_deg = 0;

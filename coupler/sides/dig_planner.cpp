@@ -33,8 +33,7 @@ machine::DigPlanner dig_planner(const cases::Case& c, const std::filesystem::pat
       });
   if (!file.choice)
     throw InputError({{plan, 0, "choose",
-                       "missing; an operator who plans needs what he chooses from "
-                       "(docs/operator.md)"}});
+                       "missing; operator plan needs the digs to choose from (docs/operator.md)"}});
   return {*file.choice, file.plan, dig_facts(c), data, c.machine.base_position_m, rake, c.op.goal};
 }
 

@@ -102,7 +102,8 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts, const 
   return setup;
 }
 
-setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers, bool told) {
+setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers,
+                                  bool program_drives) {
   if (c.machine.kind == cases::MachineKind::poses)
     return setup::PosesSetup{c.machine.poses, body_names(c)};
   setup::ShovelSetup setup;
@@ -111,7 +112,7 @@ setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& laye
   setup.planned = c.machine.operated_by == cases::OperatorKind::plan;
   if (setup.planned) setup.full_kg = dig_facts(c).capacity_kg;
   setup.drives = c.machine.drives;
-  setup.told = told;
+  setup.program_drives = program_drives;
   setup.contact_on_return = c.machine.contact_on_return;
   setup.base_position_m = c.machine.base_position_m;
   setup.rake_angle_deg = c.machine.rake_angle_deg;

@@ -33,8 +33,8 @@ setup::RockSetup rock_setup(const cases::Case& c, const MeshFacts& facts,
                             const std::filesystem::path& logs, const std::filesystem::path& restart,
                             const std::optional<std::vector<setup::WallMemory>>& resumed);
 
-/// The input of dipper-mbs. `told`: a program drives (coupler/operate).
+/// The input of dipper-mbs. `program_drives`: a program drives (coupler/operate).
 setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& layers,
-                                  bool told = false);
+                                  bool program_drives = false);
 
 }  // namespace dipper::sides

@@ -48,7 +48,7 @@ class Fields {
     if (!reading_) {
       written_.append(s.c_str(), length);
     } else if (length == 0) {
-      throw DecodeError("a text in a message has no end");
+      throw DecodeError("a string in a message is not terminated");
     } else {
       s = next(length).substr(0, length - 1);
     }

@@ -56,7 +56,7 @@ core::Body Link::receive() {
         Clock::now() - *wanted - (options_.starved() - starved_then) >= options_.patience) {
       const std::chrono::duration<double> said = options_.patience;
       throw PeerError(
-          side_, fmt::format("no answer for {} s after the run was told to end", said.count()));
+          side_, fmt::format("no answer for {} s after the run was asked to end", said.count()));
     }
     if (Clock::now() - start - (options_.starved() - starved) >= limit) {
       throw PeerError(side_, fmt::format("no answer for {} s", limit / 1.0s));

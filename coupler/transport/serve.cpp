@@ -13,7 +13,7 @@ core::Body execute(Side& side, const core::Command& c) {
   if (c.action == core::Action::save) {
     side.save(c.text);
   } else if (c.action != core::Action::stop) {
-    throw std::runtime_error("a command this side does not know");
+    throw std::runtime_error("unknown command for this side");
   }
   return core::Status{};
 }
@@ -42,7 +42,7 @@ core::Body answer(core::Machine& machine, const core::Message& request) {
     machine.load(c->text);
     return core::Status{};
   }
-  throw std::runtime_error("a machine answers its steps and commands only");
+  throw std::runtime_error("a machine answers steps and commands only");
 }
 
 core::Body answer(core::Rock& rock, const core::Message& request) {
@@ -58,7 +58,7 @@ core::Body answer(core::Rock& rock, const core::Message& request) {
       return core::Status{true, to_json_text(rock.look(height_grid_from(c->text)))};
     return execute(rock, *c);
   }
-  throw std::runtime_error("a rock answers its place, its steps and commands only");
+  throw std::runtime_error("a rock answers placement, steps and commands only");
 }
 
 void serve(Transport& transport, const std::string& out, const std::filesystem::path& checkpoints,

@@ -137,8 +137,9 @@ TEST(MotionErrors, AreAllReportedAtOnce) {
                   HasSubstr("m.csv:6:11: door_deg is \"\"")));
   EXPECT_THAT(
       faults(std::string(kHeader) + "3,0,0,0,0\n1,0,0,0,0\n2,0,0,0,0\n4,0,0,0,0\n"),
-      ElementsAre("m.csv:3:1: time_s is 1, not after the row before (3 s), and the same in 1 more "
-                  "rows; dipper import sorts a log"));
+      ElementsAre(
+          "m.csv:3:1: time_s is 1, not after the previous row (3 s), and the same in 1 more "
+          "rows; dipper import sorts a log"));
   EXPECT_THAT(faults(std::string(kHeader) + "0,0,0,0,0\n1,+-2,0,0,0\n"),
               ElementsAre(HasSubstr("hoist_m is \"+-2\"")));
 }
@@ -168,7 +169,7 @@ TEST(Motion, TimesInMillisecondsAreToldOnce) {
   EXPECT_EQ(faults_of(113, 250),
             "m.csv:43:1: time_s is 10250; it must be within 10000 s: in ms, perhaps?");
   EXPECT_EQ(faults_of(40, 100),
-            "m.csv:3:1: time_s has a row each 100 s; up to 60 s: in ms, perhaps?");
+            "m.csv:3:1: time_s has a row every 100 s; up to 60 s: in ms, perhaps?");
   EXPECT_EQ(faults_of(40, 20), "");
 }
 

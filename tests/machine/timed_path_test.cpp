@@ -74,7 +74,7 @@ TEST_F(TimedPathTest, EveryFaultIsNamedWithItsLine) {
     EXPECT_THAT([&] { read(rows); }, ThrowsMessage<InputError>(HasSubstr(message))) << rows;
   };
   expect("13,1,0,0,0,0\n", "a path needs 2");
-  expect("13,1,0,0,0,0\n15,1,0,0,0,0\n", ":3:1: speed_m_s is 0 here and in the row before");
+  expect("13,1,0,0,0,0\n15,1,0,0,0,0\n", ":3:1: speed_m_s is 0 here and in the previous row");
   expect("13,1,0,0,0,0\n15,1,-1,0,0,0\n17,1,0,0,0,0\n", ":3:1: speed_m_s is -1");
   expect("13,1,1,0,0,0\n15,1,0,0,0,0\n", ":2:1: speed_m_s is 1; a motion begins and ends at rest");
   expect("13,1,0,0,0,0\n15,1,1,2,0,0\n17,1,0,0,0,0\n", ":3:1: wait_s is 2, but the teeth move");

@@ -1,7 +1,7 @@
 """dipper gap CASE --measured FOLDER [--reference FOLDER] [--out DIR]; dipper gap CASE --plan [--measured FOLDER]
 
-Exit status: 0 an answer was reached; 2 bad input, nothing started; 3 a run failed; 4 interrupted: the same
-command goes on from the runs already made.
+Exit status: 0 an answer was reached; 2 bad input, nothing started; 3 a run failed; 4 interrupted: the same command
+continues from the finished runs.
 """
 import argparse
 import signal
@@ -133,7 +133,7 @@ def main(words=None):
         out = analyse(measured, simulator, catalogue, first_seed, say, before)
         out = replace(out, warnings=(*left_out, *out.warnings))
     except KeyboardInterrupt:
-        print("gap: interrupted; the same command goes on from the runs already made", file=sys.stderr)
+        print("gap: interrupted; the same command continues from the finished runs", file=sys.stderr)
         return 4
     except (RunFailed, ProgramFailed) as e:
         print(f"gap: {e}", file=sys.stderr)
@@ -180,7 +180,7 @@ def told_fidelity(case, with_reference):
 def planned_channels(args):
     """Instruments of the mine to be: the measured folder's, or assumed ones."""
     if args.reference:
-        raise BadInput(["--reference: of no use with --plan, which tells both ways"])
+        raise BadInput(["--reference: not with --plan, which computes limits with and without a reference"])
     if args.measured:
         return read_channels(args.measured / "channels.yaml")
     say(f"gap: instruments are assumed; those of a folder with a channels.yaml are taken with --measured ({ASSUMED})")

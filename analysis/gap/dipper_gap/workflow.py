@@ -218,7 +218,7 @@ def fidelity(b):
 
 def other_faces(faces):
     """Where the trucks did not dig at faces like the reference's."""
-    return tuple(f"the face is another one than in the reference: {f.kind} {f.now:.3g} {f.unit} for {f.before:.3g} (p "
+    return tuple(f"the face differs from that of the reference: {f.kind} {f.now:.3g} {f.unit} for {f.before:.3g} (p "
                  f"{f.p:.2g}): what the rock and the place of the shovel do is in the difference too"
                  for f in faces if f.kind in ("slope", "toe", "crest") and f.p < CHANGED_P)
 
@@ -231,15 +231,15 @@ def changing(told, catalogue):
     how = {"step": "at once", "ramp": "little by little", "unclear": "in some way"}[t.shape]
     size = f"{t.size:.3g} {unit} +- {2 * t.size_sd:.2g} (2 sd)"
     return (f"{told.effect} is not the same in all trucks: it changes by {size}, {how}, after truck "
-            f"{told.trucks[t.began - 1].truck}; what is named is the mean over the trucks",)
+            f"{told.trucks[t.began - 1].truck}; the named strength is the mean over the trucks",)
 
 
 def within(told, before):
     """Of a change that came while the measured trucks were loaded: their mean, which is what is named, is less."""
     if not (told and told.trend and told.trend.interval90[0] > before):
         return ()
-    return (f"it began after {told.trend.began - before} of the measured trucks: what is said here is of the mean of "
-            "them all; give the trucks since then alone, and those before it to the reference",)
+    return (f"it began after {told.trend.began - before} of the measured trucks: the results here are for the "
+            "mean of all of them; give the trucks since then alone, and those before it to the reference",)
 
 
 def warnings(model, prediction, measured, before=None):

@@ -53,7 +53,7 @@ def serve(operator, source=None, sink=None):
     try:
         hello = json.loads(source.readline() or "{}")
         if hello.get(GREETING) != VERSION:
-            raise RuntimeError("no run speaks: start this by `dipper run CASE --operator PROGRAM`")
+            raise RuntimeError("no run is connected: start this with `dipper run CASE --operator PROGRAM`")
         operator.start(hello)
         if hello["resumed"]:
             operator.load(json.loads(source.readline())["state"])

@@ -128,7 +128,7 @@ def _move_aside(entry, name):
         os.rename(entry, aside)
     except FileNotFoundError:  # another process has
         return None
-    print(f"{entry / name} is not as it was written; moved to {aside}, made again", file=sys.stderr, flush=True)
+    print(f"{entry / name} has changed since it was written; moved to {aside}, made again", file=sys.stderr, flush=True)
     return None
 
 

@@ -26,7 +26,7 @@ def main(file, number):
     try:
         KeptRuns(batch["program"], 1).make([job_of(batch["jobs"][number])], lambda _, error: errors.append(error))
     except KeyboardInterrupt:
-        print("interrupted; it goes on from its checkpoint", flush=True)
+        print("interrupted; it continues from its checkpoint", flush=True)
         return 4
     error = errors[0] if errors else None
     answer = Path(file).parent / f"{number}.json"

@@ -1,7 +1,7 @@
 """dipper study STUDY.yaml [--out DIR]
 
 Exit status: 0 done; 2 bad input, nothing started; 3 a run failed (the others are made and reported); 4 interrupted: the
-same command goes on from the runs already made.
+same command continues from the finished runs.
 """
 import argparse
 import json
@@ -94,7 +94,7 @@ class Session:
         said = Counter(text for run, row in made if row["warnings"]
                        for text in dict.fromkeys(warnings_of(dipper_run.read(run.folder))))
         unfinished = sum(row["status"] == "unfinished" for _, row in made)
-        first = [f"{unfinished} of {len(made)} runs are unfinished: they end before the door has opened, or have no "
+        first = [f"{unfinished} of {len(made)} runs are unfinished: they end before the load is dumped, or have no "
                  "pass; they are left out of every figure (a later end_s lets them go on)"] if unfinished else []
         return first + [f"in {n} of {len(made)} runs: {text}" for text, n in said.most_common()]
 
@@ -151,7 +151,7 @@ def conduct(session, points, args):
         return 0
     except KeyboardInterrupt:
         session.write()
-        print("study: interrupted; the same command goes on from the runs already made", file=sys.stderr)
+        print("study: interrupted; the same command continues from the finished runs", file=sys.stderr)
         return 4
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)

@@ -155,7 +155,7 @@ def _run(session, found, places, say):
     points = [session.study.point_at([r.low + (r.high - r.low) * u for r, u in zip(how.ranges, p)]) for p in places]
     unsound = session.planner.faults(points)
     for point, findings in unsound.items():
-        say(f"study: {_text(how, [v.number for v in point.values])} is no sound case, left out: {findings[0]}")
+        say(f"study: {_text(how, [v.number for v in point.values])} is not a valid case, left out: {findings[0]}")
     sound = [p for p in points if p not in unsound]
     rows = dict(zip(sound, _rows(session, sound, seeds)))
     for place, point in zip(places, points):
@@ -175,7 +175,7 @@ def _rows(session, points, seeds):
     try:
         session.planner.check(points)
     except BadInput as e:
-        raise ProgramFailed("a point inside the ranges is no sound case:\n" + str(e)) from e
+        raise ProgramFailed("a point inside the ranges is not a valid case:\n" + str(e)) from e
     rows = session.make(session.planner.runs(points, seeds)) if points else []
     return [rows[k * len(seeds):(k + 1) * len(seeds)] for k in range(len(points))]
 

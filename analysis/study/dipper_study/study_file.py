@@ -125,8 +125,7 @@ def read_study(file):
     found.raise_if_any()
     top = Section(root, file, found)
     case = top.text("case")
-    folder = Path(os.path.normpath(file.parent / (case or "")))
-    study = Study(file, folder, _seeds(top, "seeds"), _fixed(top), _parameters(top),
+    study = Study(file, _beside(file, case or ""), _seeds(top, "seeds"), _fixed(top), _parameters(top),
                   top.whole("ranks", 1, MOST_RANKS, 1), top.whole("jobs", 1, MOST_RANKS, None),
                   top.one_of("keep", KEEPS, "record"), top.one_of("executor", EXECUTORS, "local"), _slurm(top),
                   _optimise(top))
@@ -140,6 +139,13 @@ def read_study(file):
     _set_once(study, top)
     found.raise_if_any()
     return study
+
+
+def _beside(file, case):
+    """The folder that a study's `case` names; "..", behind a link, leads as the system follows it."""
+    there = file.parent / case
+    plain = Path(os.path.normpath(there))
+    return plain if plain.resolve() == there.resolve() else there.resolve()
 
 
 def _seeds(section, key):
@@ -229,9 +235,9 @@ def _optimise(top):
     if set(optimise.confirm_seeds) & set(_seeds(top, "seeds")):
         section.wrong("confirm_seeds", "has seeds of the search", "fresh ones: others than in seeds")
     if len(optimise.confirm_seeds) < 2 and section.get("confirm_seeds") is not None:
-        section.wrong("confirm_seeds", "fewer than 2", "two or more: their spread is what the answer is held against")
+        section.wrong("confirm_seeds", "fewer than 2", "two or more: the answer is compared with their spread")
     if len(_seeds(top, "seeds")) < 2:
-        top.wrong("seeds", "fewer than 2", "two or more where optimise is: the noise is known from them")
+        top.wrong("seeds", "fewer than 2", "two or more with optimise, which estimates the noise from them")
     return optimise
 
 

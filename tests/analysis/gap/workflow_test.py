@@ -125,7 +125,7 @@ def test_no_gap_ends_before_the_runs_of_effects_and_says_so():
     assert a["verdict"] == "no-gap" and a["ended_early"] and a["omnibus_p"] >= 0.2
     assert len(simulator.made) == a["runs"] == LEAST_SEEDS
     assert any("ended before 12 runs" in w for w in a["warnings"])
-    assert f"; {LEAST_SEEDS} of them tell whether there is a gap at all" in said[0]
+    assert f"; {LEAST_SEEDS} of them decide whether there is a gap at all" in said[0]
     page(out, a, SMALL, "synthetic")
 
 

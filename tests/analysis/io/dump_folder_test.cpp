@@ -70,7 +70,7 @@ TEST(DumpFolder, FramesThatBeginWithUnitsOrTime) {
   EXPECT_NEAR(open_dump_folder(s.folder() / "post").time_s.at(1), 1, 1e-12);
   s.write("post/dump100.dump", "ITEM: UNITS\nlj\n" + frame(100));
   EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder() / "post"); }),
-              HasSubstr("dump100.dump:2: units are 'lj'; a dump in 'si' (m, kg, s)"));
+              HasSubstr("dump100.dump:2: units are 'lj'; expected 'si' (m, kg, s)"));
 }
 
 TEST(DumpFolder, GzippedFrames) {

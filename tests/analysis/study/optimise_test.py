@@ -182,6 +182,6 @@ def test_a_point_that_is_no_sound_case_is_left_out(tmp_path):
     world = World(tmp_path)
     world.say("steep", "64")
     said = world.study(STUDY.replace("points: 16", "points: 8"))
-    assert "is no sound case, left out: " in said and "study.yaml:7: pile.toe_x_m: the dipper is in the pile" in said
+    assert "is not a valid case, left out: " in said and "study.yaml:7: pile.toe_x_m: the dipper is in the pile" in said
     answer = json.loads((world.out / "optimum.json").read_text())
     assert answer["points"] < 8 and answer["runs"] == len(world.rows())

@@ -84,10 +84,10 @@ TEST(Effects, ALawIsMadeOfTermsOfTheMotion) {
 
   write_text(file, head + "  observation.crowd_law.crowd_aut_kN: {add: 90}\n");
   load(checkout, {{"effects.law", "1"}}, &findings);
-  EXPECT_NE(only_message(findings).find("is no term of the motion; did you mean crowd_out_kN?"),
+  EXPECT_NE(only_message(findings).find("is not a term of the motion; did you mean crowd_out_kN?"),
             std::string::npos);
   load(checkout, {{"observation.hoist_law.weight_kN", "1"}}, &findings);
-  EXPECT_NE(only_message(findings).find("is no term of the motion"), std::string::npos);
+  EXPECT_NE(only_message(findings).find("is not a term of the motion"), std::string::npos);
 }
 
 TEST(Effects, ANumberThatFollowsAnotherFollowsItsChange) {

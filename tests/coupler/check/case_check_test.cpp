@@ -167,7 +167,7 @@ TEST(CheckCase, BrokenMeshes) {
         "facet 3: not closed: the edge (0, 1, 0) to (0, 0, 1) has no second facet"},
        {door, line, "bodies.door", "is not a number"},
        {checkout.file(), checkout.line("mesh:"), "truck.mesh",
-        truck.string() + ": at byte 84: the header says 2 facets, which takes 184 bytes"}});
+        truck.string() + ": at byte 80: the header says 2 facets, and the file has 0: it was not written"}});
 }
 
 TEST(CheckCase, NothingBesideTheMeshes) {
@@ -287,7 +287,7 @@ TEST(CheckCase, MotionFileWithTimeRunningBackwards) {
              "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,0,0,0,0\n2,0,0,0,0\n1,0,0,0,0\n"
              "3,0,zero,0,0\n");
   expect_findings(check(checkout),
-                  {{motion, 4, "machine.motion", "time_s is 1, not after the row before (2 s)"},
+                  {{motion, 4, "machine.motion", "time_s is 1, not after the previous row (2 s)"},
                    {motion, 5, "machine.motion", "crowd_m is \"zero\""}});
 }
 

@@ -73,11 +73,11 @@ TEST(CostEstimate, SaysHowLongOnRanks) {
 TEST(CostEstimate, ComesWithAWarningWhereTheDiskIsTooSmall) {
   const test::Checkout checkout(true);
   test::MemoryReporter fits, full;
-  tell_full_disk(load(checkout.folder(), {{"output.dump_every_s", "0"}}), "no/such/folder", fits);
+  report_full_disk(load(checkout.folder(), {{"output.dump_every_s", "0"}}), "no/such/folder", fits);
   EXPECT_EQ(fits.lines, "");
   const cases::Case huge =
       load(checkout.folder(), {{"output.dump_every_s", "0.001"}, {"end_s", "100000"}});
-  tell_full_disk(huge, "no/such/folder", full);
+  report_full_disk(huge, "no/such/folder", full);
   EXPECT_THAT(full.lines, testing::MatchesRegex(
                               "warning: output.dump_every_s: /.* has .* free, but the run "
                               "needs about .*; with 0, dumps at the start only, it needs .*\n"));

@@ -1,7 +1,7 @@
 #include "coupler/operate/instruments.hpp"
 
 #include "common/gravity.hpp"
-#include "mbs/told_operator.hpp"
+#include "mbs/program_operator.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 
 namespace dipper::operate {
@@ -11,7 +11,7 @@ class InstrumentsTest : public mbs::ShovelTest {
  protected:
   mbs::Shovel shovel(const machine::Motion& m) const {
     return {machine, std::make_shared<machine::Motion>(m), Pose{}, rake,
-            std::make_unique<mbs::ToldOperator>(m.value(0))};
+            std::make_unique<mbs::ProgramOperator>(m.value(0))};
   }
 };
 
@@ -19,15 +19,15 @@ class InstrumentsTest : public mbs::ShovelTest {
 // is known of the machine is its file alone.
 TEST_F(InstrumentsTest, WeighsWhatHangsStill) {
   for (const char* at : {"0,-4,0.5,0,0\n1,-4,0.5,0,0\n", "0,-9,1.5,30,0\n1,-9,1.5,30,0\n"}) {
-    mbs::Shovel told = shovel(motion(at));
+    mbs::Shovel driven = shovel(motion(at));
     for (const double load_kg : {0.0, 80e3}) {
-      Instruments instruments(told.info(), machine, rake);
-      core::MachineState s = told.state(0);
+      Instruments instruments(driven.info(), machine, rake);
+      core::MachineState s = driven.state(0);
       const std::int64_t from_ns = s.t_ns;
       for (int i = 1; i <= 4000; ++i) {
         const Vector3d lever = s.bodies[0].X_WB.R * Vector3d(machine.dipper.inside.x() / 2, 0, 0);
         const Vector3d weight(0, 0, -kGravity_m_s2 * load_kg);
-        s = told.step(
+        s = driven.step(
             {from_ns + 2 * i * mbs::kMillisecond, {Wrench{lever.cross(weight), weight}, Wrench{}}});
         if (i > 3900) instruments.see(s);
       }
@@ -37,10 +37,10 @@ TEST_F(InstrumentsTest, WeighsWhatHangsStill) {
 }
 
 TEST_F(InstrumentsTest, CountsAPassAsTheDoorShutsAndRemembers) {
-  mbs::Shovel told = shovel(still());
-  const core::ServerInfo info = told.info();
+  mbs::Shovel driven = shovel(still());
+  const core::ServerInfo info = driven.info();
   Instruments instruments(info, machine, rake);
-  core::MachineState s = told.state(0);
+  core::MachineState s = driven.state(0);
   double& door = s.channels.at(core::channel_index(info, "door"));
   for (const double angle : {0.0, 1.0, 1.2}) {
     door = angle;
@@ -58,8 +58,8 @@ TEST_F(InstrumentsTest, CountsAPassAsTheDoorShutsAndRemembers) {
 }
 
 TEST_F(InstrumentsTest, ShowsNothingThatOnlyASimulationKnows) {
-  mbs::Shovel told = shovel(still());
-  const auto shown = Instruments(told.info(), machine, rake).show(told.state(0));
+  mbs::Shovel driven = shovel(still());
+  const auto shown = Instruments(driven.info(), machine, rake).show(driven.state(0));
   for (const char* truth :
        {"rope_tension_left", "saddle_pitch", "interface_power", "kinetic_energy"})
     EXPECT_FALSE(shown.contains(truth)) << truth;

@@ -12,7 +12,7 @@
 #include "coupler/core/coupling.hpp"
 #include "coupler/transport/link.hpp"
 #include "mbs/path_follower.hpp"
-#include "mbs/told_operator.hpp"
+#include "mbs/program_operator.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 #include "tests/mbs/wall_rock.hpp"
 
@@ -35,12 +35,12 @@ class BuiltIn final : public core::Machine {
     return now_ = shovel_.state(t_next_ns);
   }
   core::MachineState step(const core::MachineStep& step) override {
-    core::MachineStep told = step;
+    core::MachineStep ordered = step;
     if (const std::int64_t look = now_.t_ns / kLook_ns; look != looked_) {
       looked_ = look;
-      told.order = order((look + 1) * kLook_ns);
+      ordered.order = order((look + 1) * kLook_ns);
     }
-    return now_ = shovel_.step(told);
+    return now_ = shovel_.step(ordered);
   }
   void save(const fs::path&) override {}
   void load(const fs::path&) override {}
@@ -76,7 +76,8 @@ class OperatedMachineTest : public mbs::ShovelTest {
   }
 
   mbs::Shovel shovel() const {
-    return {machine, motion_, Pose{}, rake, std::make_unique<mbs::ToldOperator>(motion_->value(0))};
+    return {machine, motion_, Pose{}, rake,
+            std::make_unique<mbs::ProgramOperator>(motion_->value(0))};
   }
   mbs::WallRock wall(mbs::Shovel& shovel) const {
     const Vector3d teeth_B(machine.dipper.inside.x() + machine.dipper.tooth_reach, 0,

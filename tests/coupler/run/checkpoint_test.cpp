@@ -108,7 +108,7 @@ TEST_F(Checkpoints, NoneLeftIsAnErrorThatNamesThemAll) {
   const auto both =
       AllOf(HasSubstr((newest_ / "rock.restart").string() + " has changed since it was written"),
             HasSubstr((older / "coupling.json").string() + " is missing"),
-            HasSubstr("no sound checkpoint is left"), HasSubstr("another --out"));
+            HasSubstr("no valid checkpoint is left"), HasSubstr("another --out"));
   EXPECT_THAT(test::message_of([&] { last_checkpoint(folder_); }), both);
   EXPECT_TRUE(fs::exists(newest_) && fs::exists(older));  // all is left where it is
   EXPECT_THAT(test::message_of([&] { last_checkpoint(folder_); }), both);

@@ -237,7 +237,7 @@ class Faults(RunTest):
         state.write_bytes(data)
         _, err = self.run_case(out, "--resume", "--set", f"end_s={self.soon_after(out)}")
         self.assertIn(f"{state} has changed since it was written", err)
-        self.assertIn(f"the one before it is taken: {before}", err)
+        self.assertIn(f"the run continues from the previous one: {before}", err)
         self.assertEqual(self.summary(out)["status"], "complete")
 
     def test_with_no_sound_checkpoint_left_nothing_is_started(self):
@@ -250,7 +250,7 @@ class Faults(RunTest):
         _, err = self.run_case(out, *LONGER, "--resume", status=2)
         for state in (out / "checkpoints").glob("*/machine.state"):
             self.assertIn(f"{state} has changed since it was written", err)
-        self.assertIn("no sound checkpoint is left to continue from", err)
+        self.assertIn("no valid checkpoint is left to continue from", err)
         self.assertIn("another --out", err)
         after = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.rglob("*") if p.is_file()}
         self.assertEqual({p for p in after if p.name != "run.lock" and after[p] != before.get(p)}, set())

@@ -82,7 +82,7 @@ class Operator(RunTest):
         (self.folder / "well").unlink()  # a replay needs no program
         replayed = subprocess.run([DIPPER, "replay", out, "--side", "mbs"], capture_output=True, text=True)
         self.assertEqual(replayed.returncode, 0, replayed.stdout + replayed.stderr)
-        self.assertIn("every answer is the recorded one to the bit", replayed.stdout)
+        self.assertIn("every answer equals the recorded one, bit for bit", replayed.stdout)
 
         learner = self.program("learn.py", example("A learner's loop"))
         learnt = subprocess.run([sys.executable, learner, TINY, whole, self.folder / "episodes", "0.8"], text=True,

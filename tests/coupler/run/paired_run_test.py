@@ -343,7 +343,7 @@ class PairedRun(RunTest):
         machine = case / "machine.yaml"
         machine.write_text(machine.read_text() + "# heavier\n")
         _, err = self.run_case(run, "--set", "end_s=0.06", "--ranks", "1", "--resume", case=case, status=2)
-        self.assertIn(f"{machine} has other contents", err)
+        self.assertIn(f"{machine} has changed", err)
 
     def test_resuming_nothing_is_bad_usage(self):
         _, err = self.run_case(self.folder / "none", "--resume", status=2)

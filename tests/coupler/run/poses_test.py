@@ -88,7 +88,7 @@ class Poses(RunTest):
                  r"poses.csv:6:1: machine.poses: time_s is 1.2, not after"),
                 (dict(table=TABLE + "9,scoop,99,0,0,1,0,0,0\n"), r"domain.max_m: the scoop leaves the domain")):
             self.assertRegex(self.dipper("check", self.case(**change), status=2), said)
-        self.assertIn("have no drives", self.dipper("preview", self.case(), status=2))
+        self.assertIn("a case of poses has none", self.dipper("preview", self.case(), status=2))
         shovel = self.dipper("check", TINY, "--set", f"bodies.blade={SOURCE}/meshes/bucket.stl", status=2)
         self.assertIn("machine.kind: poses", shovel)
 

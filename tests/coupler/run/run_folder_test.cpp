@@ -81,7 +81,7 @@ TEST(SameRun, NamesTheKeyOrTheFileThatIsNotAsItWas) {
     const std::string before = test::read_text(file);
     test::write_text(file, before + "\n");
     EXPECT_THAT(changed_since(out, load({}), 0),
-                ElementsAre(EndsWith(std::string(name) + " has other contents")));
+                ElementsAre(EndsWith(std::string(name) + " has changed")));
     test::write_text(file, before);
   }
 

@@ -22,7 +22,7 @@ def write_patched_case(case, effects, out, files=None):
     text = (case / "case.yaml").read_text()
     if effects and (yaml.safe_load(text) or {}).get("effects"):
         raise BadInput([f"{case / 'case.yaml'}: effects: the case has some already; "
-                        "a gap is looked for in a case without"])
+                        "dipper gap needs a case without effects"])
     for start, end, value in reversed(_paths(text, case)):
         text = text[:start] + os.path.relpath(case / value, out) + text[end:]
     if effects:

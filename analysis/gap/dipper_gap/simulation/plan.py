@@ -65,7 +65,7 @@ def statement(plan, simulator, first=None):
     todo, kept, each = simulator.plan(plan.requests())
     text = f"{todo + kept} runs, {kept} of them kept from before; {FRESH_SEEDS} more confirm a named effect"
     if first and len(first.signatures) < len(plan.signatures):
-        text += f"; {sum(simulator.plan(first.requests())[:2])} of them tell whether there is a gap at all"
+        text += f"; {sum(simulator.plan(first.requests())[:2])} of them decide whether there is a gap at all"
     if todo and each:
         return text + f"; about {todo * each / simulator.jobs / 60:.0f} min, {simulator.jobs} at a time"
-    return text + "; how long is told after the first" if todo else text
+    return text + "; a time estimate follows after the first" if todo else text

@@ -190,7 +190,7 @@ def test_a_damaged_run_is_never_used(world, capsys, damaged):
     file = simulator().folder(asked[0]) / damaged
     file.write_bytes(file.read_bytes().replace(b"8", b"9", 1)[:-3])
     assert simulator().plan(asked)[:2] == (1, 0)
-    assert f"{file} is not as it was written; moved to" in capsys.readouterr().err
+    assert f"{file} has changed since it was written; moved to" in capsys.readouterr().err
     assert masses(simulator().run(asked, str)) == [81, 90]
     assert len(list((folder / "cache").glob("*.damaged-1"))) == 1
 

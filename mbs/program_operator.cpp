@@ -1,4 +1,4 @@
-#include "mbs/told_operator.hpp"
+#include "mbs/program_operator.hpp"
 
 #include <fmt/format.h>
 
@@ -10,16 +10,16 @@
 namespace dipper::mbs {
 namespace {
 
-machine::Drives drives(const std::array<double, ToldOperator::kDrives>& row) {
+machine::Drives drives(const std::array<double, ProgramOperator::kDrives>& row) {
   return {row[0], row[1], row[2], row[3]};
 }
 
 }  // namespace
 
-ToldOperator::ToldOperator(const machine::Drives& at)
+ProgramOperator::ProgramOperator(const machine::Drives& at)
     : position_{at.hoist, at.crowd, at.swing, at.door}, to_(position_) {}
 
-void ToldOperator::take(double t_s, const core::Order& order) {
+void ProgramOperator::take(double t_s, const core::Order& order) {
   if (order.to.size() != 2 * kDrives)
     throw std::invalid_argument(
         fmt::format("an order of {} numbers; there must be {}: positions "
@@ -28,7 +28,7 @@ void ToldOperator::take(double t_s, const core::Order& order) {
   const double by_s = seconds(order.by_ns);
   if (by_s <= t_s)
     throw std::invalid_argument(fmt::format("an order for {} s comes at {} s", by_s, t_s));
-  const Sent now = sent(t_s);
+  const Point now = point(t_s);
   from_s_ = t_s;
   by_s_ = by_s;
   position_ = now.position;
@@ -37,8 +37,8 @@ void ToldOperator::take(double t_s, const core::Order& order) {
   std::copy_n(order.to.begin() + kDrives, kDrives, to_rate_.begin());
 }
 
-ToldOperator::Sent ToldOperator::sent(double t_s) const {
-  Sent s;
+ProgramOperator::Point ProgramOperator::point(double t_s) const {
+  Point s;
   const double h = by_s_ - from_s_, left = t_s - by_s_;
   for (std::size_t d = 0; d < kDrives; ++d) {
     if (left >= 0) {
@@ -57,19 +57,19 @@ ToldOperator::Sent ToldOperator::sent(double t_s) const {
   return s;
 }
 
-machine::DriveState ToldOperator::setpoint(double t_s) const {
-  const Sent s = sent(t_s);
+machine::DriveState ProgramOperator::setpoint(double t_s) const {
+  const Point s = point(t_s);
   return {drives(s.position), drives(s.rate), drives(s.acceleration)};
 }
 
-std::vector<double> ToldOperator::state(double) const {
+std::vector<double> ProgramOperator::state(double) const {
   std::vector<double> all = {from_s_, by_s_};
   for (const Row* row : {&position_, &rate_, &to_, &to_rate_})
     all.insert(all.end(), row->begin(), row->end());
   return all;
 }
 
-void ToldOperator::reset(double, const std::vector<double>& state) {
+void ProgramOperator::reset(double, const std::vector<double>& state) {
   from_s_ = state.at(0);
   by_s_ = state.at(1);
   auto next = state.begin() + 2;
@@ -79,15 +79,15 @@ void ToldOperator::reset(double, const std::vector<double>& state) {
   }
 }
 
-std::vector<core::Channel> ToldOperator::channels() const {
+std::vector<core::Channel> ProgramOperator::channels() const {
   return {{"path_time", "s", "-"},     {"path_rate", "1", "-"},      {"crowd_relief", "m", "-"},
           {"sent_hoist", "m", "-"},    {"sent_crowd", "m", "-"},     {"sent_swing", "rad", "W"},
           {"sent_door", "rad", "B"},   {"hoist_overload", "1", "-"}, {"crowd_overload", "1", "-"},
           {"swing_overload", "1", "-"}};
 }
 
-std::vector<double> ToldOperator::values(double t_s, const DriveEfforts& motors) const {
-  const Row at = sent(t_s).position;
+std::vector<double> ProgramOperator::values(double t_s, const DriveEfforts& motors) const {
+  const Row at = point(t_s).position;
   return {t_s,
           1,
           0,

@@ -1,4 +1,4 @@
-// An operator who does what he is told from outside.
+// The operator when a program drives: limited drives follow its orders.
 #pragma once
 
 #include <array>
@@ -7,17 +7,16 @@
 
 namespace dipper::mbs {
 
-/// Sends the drives from where they are sent to where an order (core::Order) has them at its time:
-/// hoist, crowd, swing and door, four positions and then four rates. Between, each drive follows
-/// the cubic polynomial with these positions and rates at both ends, and after it its last rate:
-/// positions and rates have no jump. He looks at nothing himself. His time on the motion is the
-/// clock's, for the record.
-class ToldOperator final : public Operator {
+/// Moves the set points of hoist, crowd, swing and door from their current values to those of an
+/// order (core::Order: four positions, then four rates) at the order's time. In between, each set
+/// point follows the cubic polynomial with these positions and rates at both ends; after that time
+/// it continues at its last rate. So set points and their rates have no jump.
+class ProgramOperator final : public Operator {
  public:
   static constexpr std::size_t kDrives = 4;
 
-  /// Stands still. \param at  where the drives are sent at t = 0
-  explicit ToldOperator(const machine::Drives& at);
+  /// At rest until the first order. \param at  the set points at t = 0
+  explicit ProgramOperator(const machine::Drives& at);
 
   /// Throws std::invalid_argument for an order of another length, or one that is late.
   void take(double t_s, const core::Order& order) override;
@@ -31,14 +30,14 @@ class ToldOperator final : public Operator {
 
  private:
   using Row = std::array<double, kDrives>;
-  struct Sent {
+  struct Point {
     Row position{}, rate{}, acceleration{};
   };
-  Sent sent(double t_s) const;
+  Point point(double t_s) const;
 
-  double from_s_ = 0, by_s_ = 0;  ///< of the order
-  Row position_{}, rate_{};       ///< when it came
-  Row to_{}, to_rate_{};          ///< at its time
+  double from_s_ = 0, by_s_ = 0;  ///< the order's arrival and its time
+  Row position_{}, rate_{};       ///< set points at arrival
+  Row to_{}, to_rate_{};          ///< set points at its time
 };
 
 }  // namespace dipper::mbs

@@ -1,4 +1,4 @@
-#include "mbs/told_operator.hpp"
+#include "mbs/program_operator.hpp"
 
 #include <unistd.h>
 
@@ -16,22 +16,22 @@ core::Order order(std::int64_t by_ns, double hoist, double hoist_rate) {
   return {by_ns, {hoist, 0.5, 0.2, 0, hoist_rate, 0, 0, 0}};
 }
 
-TEST(ToldOperator, IsThereAtTheOrdersTimeWithItsRate) {
-  ToldOperator told({-4, 0.5, 0.2, 0});
-  EXPECT_EQ(told.setpoint(0.3).position.hoist, -4);
-  told.take(0.3, order(400'000'000, -4.1, -0.7));
-  EXPECT_EQ(told.setpoint(seconds(400'000'000)).position.hoist, -4.1);
-  EXPECT_EQ(told.setpoint(seconds(400'000'000)).rate.hoist, -0.7);
-  EXPECT_EQ(told.setpoint(0.35).position.swing, 0.2);
-  EXPECT_NEAR(told.setpoint(0.41).position.hoist, -4.107, 1e-12) << "it goes on at its rate";
-  EXPECT_EQ(told.setpoint(0.41).acceleration.hoist, 0);
+TEST(ProgramOperator, IsThereAtTheOrdersTimeWithItsRate) {
+  ProgramOperator operator_({-4, 0.5, 0.2, 0});
+  EXPECT_EQ(operator_.setpoint(0.3).position.hoist, -4);
+  operator_.take(0.3, order(400'000'000, -4.1, -0.7));
+  EXPECT_EQ(operator_.setpoint(seconds(400'000'000)).position.hoist, -4.1);
+  EXPECT_EQ(operator_.setpoint(seconds(400'000'000)).rate.hoist, -0.7);
+  EXPECT_EQ(operator_.setpoint(0.35).position.swing, 0.2);
+  EXPECT_NEAR(operator_.setpoint(0.41).position.hoist, -4.107, 1e-12) << "it goes on at its rate";
+  EXPECT_EQ(operator_.setpoint(0.41).acceleration.hoist, 0);
 }
 
 // Positions and rates of one order meet those of the next, and are each other's derivatives.
-TEST(ToldOperator, WhatItSendsIsOneCurve) {
-  ToldOperator told({-4, 0.5, 0.2, 0});
+TEST(ProgramOperator, WhatItSendsIsOneCurve) {
+  ProgramOperator operator_({-4, 0.5, 0.2, 0});
   const auto hoist = [&](double t_s) {
-    const machine::DriveState s = told.setpoint(t_s);
+    const machine::DriveState s = operator_.setpoint(t_s);
     return std::array{s.position.hoist, s.rate.hoist, s.acceleration.hoist};
   };
   double hoist_m = -4, rate = 0.4;
@@ -40,7 +40,7 @@ TEST(ToldOperator, WhatItSendsIsOneCurve) {
     const auto before = hoist(t_s);
     hoist_m -= 0.05 * k;
     rate = -rate;
-    told.take(t_s, order((k + 1) * 100'000'000, hoist_m, rate));
+    operator_.take(t_s, order((k + 1) * 100'000'000, hoist_m, rate));
     const auto after = hoist(t_s);
     EXPECT_NEAR(after[0], before[0], 1e-14);
     EXPECT_NEAR(after[1], before[1], 1e-12);
@@ -53,18 +53,18 @@ TEST(ToldOperator, WhatItSendsIsOneCurve) {
   }
 }
 
-TEST(ToldOperator, GoesOnFromItsStateToTheBit) {
-  ToldOperator one({-4, 0.5, 0.2, 0}), other({0, 0, 0, 0});
+TEST(ProgramOperator, GoesOnFromItsStateToTheBit) {
+  ProgramOperator one({-4, 0.5, 0.2, 0}), other({0, 0, 0, 0});
   one.take(0.1, order(200'000'000, -4.1, -0.7));
   other.reset(0.15, one.state(0.15));
   for (const double t_s : {0.15, 0.17, 0.2, 0.23})
     EXPECT_EQ(one.setpoint(t_s).position.hoist, other.setpoint(t_s).position.hoist);
 }
 
-TEST(ToldOperator, RefusesAnOrderThatIsLateOrOfAnotherLength) {
-  ToldOperator told({-4, 0.5, 0.2, 0});
-  EXPECT_THROW(told.take(0.5, order(500'000'000, -4, 0)), std::invalid_argument);
-  EXPECT_THROW(told.take(0.5, {600'000'000, {1, 2, 3, 4}}), std::invalid_argument);
+TEST(ProgramOperator, RefusesAnOrderThatIsLateOrOfAnotherLength) {
+  ProgramOperator operator_({-4, 0.5, 0.2, 0});
+  EXPECT_THROW(operator_.take(0.5, order(500'000'000, -4, 0)), std::invalid_argument);
+  EXPECT_THROW(operator_.take(0.5, {600'000'000, {1, 2, 3, 4}}), std::invalid_argument);
 }
 
 class ToldShovel : public ShovelTest {};
@@ -74,14 +74,15 @@ class ToldShovel : public ShovelTest {};
 TEST_F(ToldShovel, TakesOrdersAndGoesOnFromACheckpoint) {
   const auto m = std::make_shared<machine::Motion>(still());
   const auto make = [&] {
-    return Shovel(machine, m, Pose{}, rake, std::make_unique<ToldOperator>(m->value(0)));
+    return Shovel(machine, m, Pose{}, rake, std::make_unique<ProgramOperator>(m->value(0)));
   };
   Shovel one = make(), other = make();
   core::MachineStep step{2 * kMillisecond, no_rock};
   step.order = order(100 * kMillisecond, -4.05, -0.5);
   one.step(step);
   for (int i = 2; i <= 20; ++i) one.step({2 * i * kMillisecond, no_rock});
-  const auto file = std::filesystem::temp_directory_path() / ("told" + std::to_string(getpid()));
+  const auto file =
+      std::filesystem::temp_directory_path() / ("program_operator" + std::to_string(getpid()));
   one.save(file);
   other.load(file);
   core::MachineState a, b;
