@@ -149,8 +149,9 @@ def conclude(model, prediction, measured, runner, before=None):
     runner.say(f"gap: omnibus p {seen.disagreement.omnibus_p:.3g}; verdict {verdict.verdict}"
                + (f": {', '.join(verdict.members)}" if verdict.members else ""))
     runs = sum(r.how == "run" for r in model.plan.requests())
-    out = Outcome(seen, warnings=warnings(model, prediction, measured, before), inflation=model.inflation,
-                  trucks=len(measured.trucks()), runs=runs, known=runner.simulator.known,
+    known = runner.simulator.known
+    out = Outcome(seen, warnings=warnings(model, prediction, measured, before, known), inflation=model.inflation,
+                  trucks=len(measured.trucks()), runs=runs, known=known,
                   seeds={"baseline": [r.seed for r in model.plan.baseline]})
     after = ()
     if verdict.verdict == "named":
@@ -242,9 +243,11 @@ def within(told, before):
             "mean of all of them; give the trucks since then alone, and those before it to the reference",)
 
 
-def warnings(model, prediction, measured, before=None):
-    """What a reader should know of the comparison itself."""
+def warnings(model, prediction, measured, before=None, known=None):
+    """What a reader should know of the comparison itself; `known` are KnownErrors by which runs were corrected."""
     out = [*measured.questions(), *motion_warnings(model, measured)]
+    if known:
+        out.append(str(known.fidelity))
     if before:
         out += reference_warnings(model, measured, before)
     elif prediction.baseline.scatter > SCATTERS:

@@ -27,7 +27,8 @@ def confirm(model, training, holdout, matched, strengths, runner, law=None):
 
     def closed(part):
         expected = sum(strengths[s.name] * s.g for s in part.signatures if s.name in strengths)
-        return closure(part.y, part.baseline, after[:, part.at], _rivals(part, training, matched, strengths, law), expected)
+        rivals = _rivals(part, training, matched, strengths, law)
+        return closure(part.y, part.baseline, after[:, part.at], rivals, expected)
 
     return Confirmation(closed(training), closed(holdout), after, tuple(folders), seeds)
 

@@ -8,7 +8,7 @@ low and high bound 95 %. by_phase is the sd, relative, of the rock's force in on
 
 The rock's force is what a drive shows more than in the empty cycle, as the same motion needs. From the dig's end on it
 is the load's weight; from first contact to the end of the fill as much of it as has been filled, in a straight line;
-the rest of the dig is resistance. Coarse rock resists too much and weighs what it should, so that each has a factor of its own.
+the rest of the dig is resistance. Coarse rock resists too much and weighs what it should: each has its own factor.
 """
 from dataclasses import dataclass, replace
 

@@ -99,11 +99,12 @@ class Baseline:
 
     @property
     def unlike(self):
-        """(n,) by which share a mine's earlier trucks differ from the model in the cell's phase and channel, beyond what
-        chance does, or corrected runs from what they were; 0 where neither is known."""
+        """(n,) by which share a mine's earlier trucks differ from the model in the cell's phase and channel, beyond
+        what chance does, or corrected runs from what they were; 0 where neither is known."""
         if self.reference is not None:
             chance = np.diag(self.reference.own) + np.diag(self.mine)
-            variance, off, usual = chance / self.reference.trucks + np.diag(self.seed) / self.seeds, self.reference.shift, 1.0
+            variance = chance / self.reference.trucks + np.diag(self.seed) / self.seeds
+            off, usual = self.reference.shift, 1.0
         elif self.altered is not None:
             variance, off, usual = np.diag(self.seed), self.altered, 0.0
         else:

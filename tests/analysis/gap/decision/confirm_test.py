@@ -1,4 +1,4 @@
-"""A law of the motion beside a name: it objects where the force has another form than the named effect's, and only there."""
+"""A law of the motion beside a name: it objects where the force has another form than the name's, only there."""
 import functools
 from dataclasses import replace
 

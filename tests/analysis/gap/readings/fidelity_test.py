@@ -1,4 +1,4 @@
-"""What is known of the model's errors: read from the case's folder, taken out of runs, its interval kept as an error."""
+"""What is known of the model's errors: read beside the case, taken out of runs, its interval kept as an error."""
 from dataclasses import replace
 
 import numpy as np
