@@ -114,8 +114,8 @@ def test_a_gain_that_the_catalogue_has_is_not_unknown(case):
     """Of a drifting cell with a name, nothing is left for a nameless gain to explain as well."""
     world = case.w
     v = gains(world.baseline)[:, 0]
-    drift = replace(world.signatures[0], effect=fake_mine.effect("cell_drift", "1", 0.4, 0.08, "observation", "both"), g=v,
-                    noise=0 * world.covariance, wrong=np.diag((0.05 * v) ** 2))
+    effect = fake_mine.effect("cell_drift", "1", 0.4, 0.08, "observation", "both")
+    drift = Signature(effect, v, 0 * world.covariance, np.diag((0.05 * v) ** 2))
     size = 9.0 / np.sqrt(v @ np.linalg.solve(world.covariance, v))
     assert 0.01 < size < 0.2
     alone = match(size * v, world.covariance, world.signatures[1:], world.baseline, 1)
