@@ -1,5 +1,10 @@
 #include "common/installation.hpp"
 
+#include <unistd.h>
+
+#include <cstdlib>
+#include <sstream>
+
 #include "common/input_error.hpp"
 
 namespace dipper {
@@ -20,6 +25,16 @@ fs::path& given_folder() {
 std::string installed_program(const std::string& name) {
   const fs::path beside = own_folder() / name;
   return fs::exists(beside) ? beside : own_folder().parent_path() / "libexec" / "dipper" / name;
+}
+
+std::string found_on_path(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string file = fs::path(folder) / name;
+    if (access(file.c_str(), X_OK) == 0) return file;
+  }
+  return name;
 }
 
 fs::path data_folder() {

@@ -15,19 +15,19 @@
 namespace dipper::machine {
 namespace {
 
-constexpr double kWay_m = 0.15;      // of the teeth, between two places that are looked at
-constexpr double kMean_m = 1;        // of the way, over which a force counts
+constexpr double kStep_m = 0.15;     // along the path of the teeth
+constexpr double kMean_m = 1;        // of the path, over which a force is averaged
 constexpr double kBeside_m = 0.1;    // between dipper and side wall
-constexpr double kSide_m = 1;        // looked at beyond what is dug
-constexpr double kMostOverload = 2;  // of a drive, for a dig that stalls it
+constexpr double kSide_m = 1;        // of the height map beyond the bench
+constexpr double kMostOverload = 2;  // of a drive; from 1 on the dig is slower and loads less
 constexpr double kOver_m = 0.5;      // between the dipper and the rock that it turns over
 
-/// The largest mean over a stretch of the way.
-class StretchPeak {
+/// The largest mean over kMean_m of the path.
+class PeakMean {
  public:
   void add(double value) {
     values_.push_back(value);
-    const auto n = static_cast<std::size_t>(std::lround(kMean_m / kWay_m));
+    const auto n = static_cast<std::size_t>(std::lround(kMean_m / kStep_m));
     sum_ += value;
     if (values_.size() > n) sum_ -= values_[values_.size() - 1 - n];
     if (values_.size() >= n) peak_ = std::max(peak_, sum_ / static_cast<double>(n));
@@ -39,9 +39,9 @@ class StretchPeak {
   double sum_ = 0, peak_ = 0;
 };
 
-class Judge {
+class DigEvaluator {
  public:
-  Judge(const HeightMap& face, const DigChoice& choice, const MotionPlan& cycle,
+  DigEvaluator(const HeightMap& face, const DigChoice& choice, const MotionPlan& cycle,
         const DigFacts& facts, const MachineData& machine, const ShovelKinematics& shovel,
         const HandleStatics& statics, const Vector3d& base_m, const DigExperience& before)
       : face_(face),
@@ -55,7 +55,7 @@ class Judge {
         statics_(statics),
         rock_over_m_(rock_over_m(face)) {}
 
-  void judge(DigCandidate& c) const {
+  void evaluate(DigCandidate& c) const {
     Pose X_WBoom;
     X_WBoom.R = from_rotation_vector({0, 0, c.heading_rad});
     X_WBoom.p = {base_m_.x(), base_m_.y(), 0};
@@ -72,7 +72,7 @@ class Judge {
       const Vector2d saddle(m_.saddle.position.x(), m_.saddle.position.z());
       c.dig = cut_path(profile, cut, saddle, shovel_.teeth_reach(choice_.crowd_max_m),
                        [&](const Vector2d& tip) { return shovel_.heel(tip); });
-      walk(c);
+      follow_path(c);
     } catch (const std::invalid_argument& e) {
       c.refused = e.what();
     } catch (const std::domain_error& e) {
@@ -81,7 +81,7 @@ class Judge {
   }
 
  private:
-  /// As far down as the rock lets him come.
+  /// Where the dig begins: as far down as the rock leaves room.
   Vector2d begin(const Pose& X_WBoom) const {
     if (cycle_.lower.empty()) return choice_.start;
     TeethPath down = cycle_.lower;
@@ -89,24 +89,24 @@ class Judge {
     return approach_end(spline(down), face_, X_WBoom, m_.dipper.inside.y() / 2, shovel_);
   }
 
-  void walk(DigCandidate& c) const {
+  void follow_path(DigCandidate& c) const {
     TeethPath polygon = c.dig;
     polygon.insert(polygon.end(), cycle_.lift.begin(), cycle_.lift.end());
-    const TeethPath way = spline(polygon);
-    const double whole = length(way);
-    const int n = static_cast<int>(std::ceil(whole / kWay_m));
+    const TeethPath path = spline(polygon);
+    const double whole = length(path);
+    const int n = static_cast<int>(std::ceil(whole / kStep_m));
     const double ds = whole / n;
     HeightMap left = face_;
     const Vector3d half = m_.dipper.inside / 2;
     const Vector3d tip_B = Vector3d(m_.dipper.inside.x() + m_.dipper.tooth_reach, 0, -half.z());
     const Vector3d lip_left_B = tip_B + Vector3d(0, half.y(), 0),
                    lip_right_B = tip_B - Vector3d(0, half.y(), 0);
-    StretchPeak crowd_peak, hoist_peak;
+    PeakMean crowd_peak, hoist_peak;
     double force_sum = 0, force_s = 0, lift_s = 0, crowd_sum = 0, rock_m = 0;
     Pose before;
     Drives at_before;
     for (int k = 0; k <= n; ++k) {
-      const Vector2d tip = at_fraction(way, static_cast<double>(k) / n);
+      const Vector2d tip = at_fraction(path, static_cast<double>(k) / n);
       Drives d = shovel_.teeth_at(tip);
       d.swing = c.heading_rad;
       require_within_limits(d);
@@ -125,7 +125,7 @@ class Judge {
         const Holding f = place.holding(place.empty() + load_kg * place.of_a_kg() +
                                         resistance * place.of_a_newton());
         const double lifted = (at_before.hoist - d.hoist) / ds,
-                     crowded = (d.crowd - at_before.crowd) / ds;  // m of drive by m of way
+                     crowded = (d.crowd - at_before.crowd) / ds;  // m of drive by m of path
         const double speed = teeth_speed(f, lifted, crowded);
         const bool in_rock = ahead.depth_m > 0;
         if (in_rock) {
@@ -161,10 +161,11 @@ class Judge {
     c.cycle_s = t.end_s + std::max(0.0, lift_s - whole / choice_.teeth_m_s);
     const auto& drives = m_.drives;
     c.overload = std::max(c.crowd_peak_N / drives.crowd.stall, c.hoist_peak_N / drives.hoist.stall);
-    if (c.crowd_peak_N > drives.crowd.stall)
+    if (c.overload > 1) c.payload_kg /= c.overload;
+    if (c.crowd_peak_N > kMostOverload * drives.crowd.stall)
       c.refused = fmt::format("the crowd needs {:.2f} MN and has {:.2f}", c.crowd_peak_N * 1e-6,
                               drives.crowd.stall * 1e-6);
-    else if (c.hoist_peak_N > drives.hoist.stall)
+    else if (c.hoist_peak_N > kMostOverload * drives.hoist.stall)
       c.refused = fmt::format("the hoist needs {:.2f} MN and has {:.2f}", c.hoist_peak_N * 1e-6,
                               drives.hoist.stall * 1e-6);
   }
@@ -173,12 +174,12 @@ class Judge {
     return std::min(facts_.capacity_kg, before_.loaded * facts_.bulk_density_kg_m3 * swept_m3);
   }
 
-  /// That the drives' speeds and powers allow, up to the planned one.
+  /// The speed of the teeth that the drives' speeds and powers allow, up to the planned one, m/s.
   double teeth_speed(const Holding& f, double lifted, double crowded) const {
     double v = choice_.teeth_m_s;
-    const auto within = [&](double by_way, double most_m_s, double force, double power) {
-      if (std::abs(by_way) > 1e-6) v = std::min(v, most_m_s / std::abs(by_way));
-      if (force * by_way > 1) v = std::min(v, power / (force * by_way));
+    const auto within = [&](double by_path, double most_m_s, double force, double power) {
+      if (std::abs(by_path) > 1e-6) v = std::min(v, most_m_s / std::abs(by_path));
+      if (force * by_path > 1) v = std::min(v, power / (force * by_path));
     };
     within(lifted, m_.limits.hoist_speed, f.hoist, m_.drives.hoist.power);
     within(crowded, m_.limits.crowd_speed, f.crowd, m_.drives.crowd.power);
@@ -223,20 +224,19 @@ std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
   }
   if (decision.chosen < 0)
     return fmt::format(
-        "no dig pays: the machine can do {} of the {} looked at, with {:.0f} t at most; {:.0f} t "
-        "are asked for",
-        diggable, decision.candidates.size(), most_kg * 1e-3, least_kg * 1e-3);
+        "no dig pays: of {} digs {} are feasible, and the best is expected to load {:.0f} t; the "
+        "least is {:.0f} t",
+        decision.candidates.size(), diggable, most_kg * 1e-3, least_kg * 1e-3);
   const DigCandidate& c = decision.candidates[static_cast<std::size_t>(decision.chosen)];
   const bool time = goal == DigGoal::time;
   return fmt::format(
-      "{}the most payload for {}, {:.4g} {}, of the {} digs that {} ({} looked at): at {:.0f} deg, "
-      "{:.2f} m deep, floor rising by {:.2f}, out at {:.1f} m; {:.0f} t expected, "
-      "with {:.2f} MN on the crowd and {:.2f} MN on the hoist at most",
-      c.overload > 1 ? "no dig stays within the drives; " : "", time ? "time" : "energy",
-      c.score * (time ? 1 : 1e3), time ? "kg/s" : "kg/kJ", diggable,
-      c.overload > 1 ? "stall them" : "the machine can do", decision.candidates.size(),
-      degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m, c.payload_kg * 1e-3,
-      c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6);
+      "of {} digs {} are feasible; most payload per {}, {:.4g} {}: heading {:.0f} deg, depth "
+      "{:.2f} m, floor rise {:.2f}, exit at {:.1f} m; expected: {:.0f} t, crowd at most {:.2f} MN, "
+      "hoist at most {:.2f} MN{}",
+      decision.candidates.size(), diggable, time ? "time" : "energy", c.score * (time ? 1 : 1e3),
+      time ? "kg/s" : "kg/kJ", degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m,
+      c.payload_kg * 1e-3, c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6,
+      c.overload > 1 ? ", beyond a drive's limit: slower and with less load than planned" : "");
 }
 
 }  // namespace
@@ -272,7 +272,7 @@ HeightGrid DigPlanner::grid() const {
 }
 
 /// The best first, until one is found whose motion the machine can follow.
-bool DigPlanner::choose(DigDecision& decision, const HeightMap& face, const PassStart& from,
+void DigPlanner::choose(DigDecision& decision, const HeightMap& face, const PassStart& from,
                         double least_kg) const {
   const auto worth = [&](const DigCandidate& c) {
     return c.refused.empty() && c.payload_kg >= least_kg ? c.score : -1.0;
@@ -281,14 +281,13 @@ bool DigPlanner::choose(DigDecision& decision, const HeightMap& face, const Pass
     const auto best = std::max_element(
         decision.candidates.begin(), decision.candidates.end(),
         [&](const DigCandidate& a, const DigCandidate& b) { return worth(a) < worth(b); });
-    if (best == decision.candidates.end() || worth(*best) < 0) return false;
+    if (best == decision.candidates.end() || worth(*best) < 0) return;
     const PlannedPass pass{best->dig, best->heading_rad};
     const double over_m = rock_over_m(face);
     const std::string rows = pass_rows(cycle_, pass, choice_.teeth_m_s, over_m, from, shovel_);
     const auto beyond = shovel_.check(Motion::parse(kMotionHead + rows, "the pass"));
     if (!beyond.empty()) {
       best->refused = beyond.front();
-      best->overload = 0;
       continue;
     }
     decision.chosen = static_cast<int>(best - decision.candidates.begin());
@@ -297,13 +296,13 @@ bool DigPlanner::choose(DigDecision& decision, const HeightMap& face, const Pass
     const double set_off_s = decision.times.dig_s + cycle_.dig.ramp_s / 2;
     decision.rock_from_s = set_off_s + best->rock_from_m / choice_.teeth_m_s;
     decision.rock_to_s = set_off_s + best->rock_to_m / choice_.teeth_m_s;
-    return true;
+    return;
   }
 }
 
 DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, double least_kg,
                                double most_kg, const DigExperience& before) const {
-  const Judge judge(face, choice_, cycle_, facts_, machine_, shovel_, statics_, base_m_, before);
+  const DigEvaluator evaluator(face, choice_, cycle_, facts_, machine_, shovel_, statics_, base_m_, before);
   DigDecision decision;
   for (const double heading : choice_.heading_rad)
     for (const double depth : choice_.depth_m)
@@ -314,7 +313,7 @@ DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, dou
           c.depth_m = depth;
           c.floor_rise = rise;
           c.exit_z_m = exit_z;
-          judge.judge(c);
+          evaluator.evaluate(c);
           decision.candidates.push_back(std::move(c));
         }
   const auto score = [&](DigCandidate& c) {
@@ -323,15 +322,7 @@ DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, dou
   };
   for (DigCandidate& c : decision.candidates)
     if (c.refused.empty()) score(c);
-  if (!choose(decision, face, from, least_kg)) {
-    for (DigCandidate& c : decision.candidates) {
-      if (c.overload <= 1 || c.overload > kMostOverload) continue;
-      c.refused.clear();
-      c.payload_kg /= c.overload;
-      score(c);
-    }
-    choose(decision, face, from, least_kg);
-  }
+  choose(decision, face, from, least_kg);
   decision.reason = reason(decision, goal_, least_kg);
   return decision;
 }

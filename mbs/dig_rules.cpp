@@ -1,6 +1,6 @@
 #include "mbs/dig_rules.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace dipper::mbs {
 namespace {
@@ -9,11 +9,29 @@ constexpr double kCarried = 0.5;  // of the empty dipper's moment
 constexpr double kFree_m_s = 0.3;
 constexpr double kWaits = 0.25;
 constexpr double kBreakOut_m_s = 0.3;
-constexpr double kLight = 0.9;  // of what the dipper takes
+constexpr double kLight = 0.9;  // of the capacity
 constexpr double kDeeper_m_s = 0.2;
+constexpr double kInAgain_m_s = 0.5;
+constexpr double kEases_m_s = 0.5;
+constexpr double kHeld = 0.9;          // overload that the crowd is held at
+constexpr double kGain_m_s = 2.5;      // m/s by overload
+constexpr double kSteeper = 0.8;       // of the speed at which the crowd retracts
+constexpr double kHoistSpare = 0.9;    // overload of the hoist
 constexpr double kMeets = 0.05;        // of the crowd's stall force
 constexpr double kSteepest = -0.7071;  // sine of the handle's angle
 constexpr double kRoom_m = 0.1;        // to the crowd's stop
+constexpr double kBehind_m = 0.1;
+
+/// Out with a crowd that has force to spare: to the planned path, and beyond it where that is not
+/// into the ground.
+void go_in(const DigFeel& f, double spare_m_s, DigWish& wish) {
+  if (f.behind_m > kBehind_m) {
+    wish.crowd_back = -std::min(spare_m_s, kInAgain_m_s);
+    wish.rate = kWaits;
+  } else if (f.handle_rise > kSteepest && f.room_m > kRoom_m) {
+    wish.crowd_back = -std::min(spare_m_s, kDeeper_m_s);
+  }
+}
 
 }  // namespace
 
@@ -27,11 +45,15 @@ DigWish dig_wish(const DigFeel& f, const DigLimits& limits) {
   }
   if (!f.raises) return wish;
   const bool meets = f.resistance_N > kMeets * limits.crowd_stall_N;
-  if (f.load_kg >= limits.full_kg)
-    wish.crowd_back = meets ? kBreakOut_m_s : 0.0;
-  else if (f.load_kg < kLight * limits.full_kg && meets && f.overload < 1 &&
-           f.handle_rise > kSteepest && f.room_m > kRoom_m)
-    wish.crowd_back = -kDeeper_m_s;
+  const double back = std::min(kGain_m_s * (f.overload - kHeld), kEases_m_s);
+  if (f.load_kg >= limits.full_kg) {
+    wish.crowd_back = meets ? std::max(back, kBreakOut_m_s) : 0.0;
+  } else if (back > 0 && meets) {
+    wish.crowd_back = back;
+    if (f.hoist_overload < kHoistSpare) wish.lift = kSteeper * back;
+  } else if (f.load_kg < kLight * limits.full_kg && (meets || f.behind_m > kBehind_m)) {
+    go_in(f, -back, wish);
+  }
   return wish;
 }
 

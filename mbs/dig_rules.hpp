@@ -1,46 +1,51 @@
-// What an operator does in a dig by what he feels.
+// The rules of an operator during a dig.
 #pragma once
 
 #include <optional>
 
 namespace dipper::mbs {
 
-/// What he feels of the dig, by his own instruments.
+/// The dig as positions and forces of hoist and crowd show it.
 struct DigFeel {
   bool at_face = false;  ///< the house stands and the door is shut
-  bool raises = false;   ///< the motion does not let the dipper down
+  bool raises = false;   ///< the motion does not lower the dipper
   double carried = 1;    ///< moment that the ropes hold, over that of the empty dipper
   double load_kg = 0;    ///< machine/handle_statics.hpp
   double resistance_N = 0;
   double handle_rise = 0;  ///< sine of the handle's angle over the horizontal
   double overload = 0;     ///< of the crowd
+  double hoist_overload = 0;
+  double behind_m = 0;     ///< of the crowd: how far the planned path is further out
   double room_m = 0;       ///< of the crowd to its outer stop
 };
 
-/// What he asks of the machine.
+/// The change to the planned motion.
 struct DigWish {
   double rate = 1;                   ///< along the motion, at most
-  std::optional<double> crowd_back;  ///< m/s, below 0: further out; none: as the motion says
-  std::optional<double> lift;        ///< m/s of rope drawn in; none: as the motion says
+  std::optional<double> crowd_back;  ///< m/s, below 0: out; none: as planned
+  std::optional<double> lift;        ///< m/s of rope drawn in; none: as planned
 };
 
 /// The machine's numbers in the rules.
 struct DigLimits {
-  double full_kg = 0;        ///< what the dipper takes
+  double full_kg = 0;        ///< capacity of the dipper
   double crowd_stall_N = 0;  ///< of the crowd's motor
 };
 
-/// The rules, the first that holds:
-///   caught: the ropes hold less than half of the empty dipper, so heel or lip stands on rock. He
-///     draws rope in and the crowd back, 0.3 m/s each, and waits on his way (a quarter of the
-///     rate).
-///   full: the load is what the dipper takes. He breaks out: the crowd comes back by 0.3 m/s while
-///     the teeth meet rock, and stays there.
-///   light: less than nine tenths of that, with the teeth in rock and a crowd that does not stall.
-///     He goes deeper, and so stays longer in the face: the crowd goes out by 0.2 m/s, where the
-///     handle is at most 45 degrees below the horizontal; further down it would push the dipper
-///     into the ground.
-/// Teeth meet rock from a twentieth of the crowd's stall force on.
+/// The first rule that applies:
+///   caught: the ropes hold less than half of the empty dipper's moment, so heel or lip rests on
+///     rock. Rope is drawn in and the crowd retracts, 0.3 m/s each, at a quarter of the rate.
+///   full: the load is the dipper's capacity. The crowd retracts by 0.3 m/s while the teeth meet
+///     rock, and stays there.
+///   stalling: the crowd's overload is above 0.9 in rock. The crowd retracts by 2.5 m/s times the
+///     difference, by at most 0.5 m/s, and where the hoist has force to spare, rope is drawn in by
+///     0.8 of that speed: the teeth rise through the rock that the crowd cannot push into.
+///   light: less than nine tenths of the capacity. Where the crowd is behind the planned path, it
+///     goes out by at most 0.5 m/s at a quarter of the rate until it is there. In rock it goes
+///     beyond the path by at most 0.2 m/s, with the handle at most 45 degrees below the horizontal:
+///     below that it would push the dipper into the ground. Both with 2.5 m/s times the difference
+///     of the overload from 0.9.
+/// The teeth meet rock where the resistance is above a twentieth of the crowd's stall force.
 DigWish dig_wish(const DigFeel& feel, const DigLimits& limits);
 
 }  // namespace dipper::mbs

@@ -33,18 +33,20 @@ void FeelingOperator::reset(double t_s, const std::vector<double>& state) {
   lift_slope_ = load_slope_ = 0;
 }
 
-FeelingOperator::Bent FeelingOperator::at(double t_s) const {
+FeelingOperator::Change FeelingOperator::at(double t_s) const {
   const double since = t_s - updated_s_;
   return {then_.lift + since * (then_.lift_rate + 0.5 * since * lift_slope_),
           then_.lift_rate + since * lift_slope_, then_.load_kg + since * load_slope_};
 }
 
-DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path, double crowd_overload) {
+DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path) {
   const machine::DriveState m = motion_->at(path.time);
   DigFeel f;
   f.at_face = std::abs(m.rate.swing) < kStands_rad_s && std::abs(m.position.door) < kShut_rad;
   f.raises = m.rate.hoist < kLevel_m_s;
-  f.overload = crowd_overload;
+  f.overload = felt.motors.crowd.overload();
+  f.hoist_overload = felt.motors.hoist.overload();
+  f.behind_m = path.relief;
   f.load_kg = then_.load_kg;
   const double sent = m.position.crowd - path.relief;
   f.room_m = path.relief > -kMostDeeper_m ? crowd_max_ - sent : 0;
@@ -58,7 +60,7 @@ DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path, double cr
     f.carried = place.held(by).moment / place.empty().moment;
     f.resistance_N = load.resistance_N;
     f.handle_rise = place.handle_rise();
-    if (crowd_overload < 1) load_slope_ = (load.load_kg - then_.load_kg) / kWeighs_s;
+    if (f.overload < 1) load_slope_ = (load.load_kg - then_.load_kg) / kWeighs_s;
   } catch (const std::domain_error&) {
     f.carried = 0;  // more rope is out than a taut one would need
   }
@@ -73,9 +75,8 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
       t_s,
       [&] {
         const Felt felt = feels();
-        const Overload r = felt.motors.overload();
-        wish = dig_wish(feel(felt, path_.at(t_s), r.crowd), limits_);
-        return r;
+        wish = dig_wish(feel(felt, path_.at(t_s)), limits_);
+        return felt.motors.overload();
       },
       [&] {
         return PathWish{wish.rate, wish.crowd_back};
@@ -88,14 +89,14 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
 
 std::vector<double> FeelingOperator::state(double t_s) const {
   std::vector<double> all = path_.state(t_s);
-  const Bent now = at(t_s);
+  const Change now = at(t_s);
   all.insert(all.end(), {now.lift, now.lift_rate, now.load_kg});
   return all;
 }
 
 machine::DriveState FeelingOperator::setpoint(double t_s) const {
   machine::DriveState s = path_.setpoint(t_s);
-  const Bent now = at(t_s);
+  const Change now = at(t_s);
   s.position.hoist -= now.lift;
   s.rate.hoist -= now.lift_rate;
   s.acceleration.hoist -= lift_slope_;
@@ -110,7 +111,7 @@ std::vector<core::Channel> FeelingOperator::channels() const {
 
 std::vector<double> FeelingOperator::values(double t_s, const DriveEfforts& motors) const {
   std::vector<double> all = path_.values(t_s, motors);
-  const Bent now = at(t_s);
+  const Change now = at(t_s);
   all.insert(all.end(), {now.lift, now.load_kg});
   return all;
 }

@@ -1,4 +1,4 @@
-// The operator who follows a planned pass and feels what the dipper does.
+// The operator that follows a planned pass and adapts it to the forces of the dig.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace dipper::mbs {
 
-/// Follows the motion as a PathFollower, and bends it by the rules of dig_rules.hpp. He weighs by
-/// hoist and crowd together, as if the machine stood still, with a time constant of 0.5 s, and not
-/// while the crowd stalls: then the face pushes back on more than the teeth. What he has bent the
-/// motion by he gives back with a time constant of 2 s, and goes at most 0.6 m deeper than it.
+/// Follows the motion as a PathFollower, and changes it by the rules of dig_rules.hpp. The load is
+/// estimated from hoist and crowd as if the machine stood still, with a time constant of 0.5 s, and
+/// not while the crowd stalls, when the face pushes on more than the teeth. Changes decay with a
+/// time constant of 2 s. The crowd goes out by at most 0.6 m beyond the motion.
 class FeelingOperator final : public Operator {
  public:
   /// \param full_kg  what the dipper takes
@@ -29,14 +29,13 @@ class FeelingOperator final : public Operator {
   std::vector<double> values(double t_s, const DriveEfforts& motors) const override;
 
  private:
-  /// What he has bent besides the path's, at a time; rates change linearly in between.
-  struct Bent {
-    double lift = 0, lift_rate = 0;  ///< m by which the rope is drawn in further, m/s
+  /// The changes besides those of the path follower, at a time; rates are linear in between.
+  struct Change {
+    double lift = 0, lift_rate = 0;  ///< rope drawn in beyond the motion, m; m/s
     double load_kg = 0;
   };
-  Bent at(double t_s) const;
-  /// \param crowd_overload  of the motors, as they are
-  DigFeel feel(const Felt& felt, const PathState& path, double crowd_overload);
+  Change at(double t_s) const;
+  DigFeel feel(const Felt& felt, const PathState& path);
 
   std::shared_ptr<const machine::Motion> motion_;
   machine::HandleStatics statics_;
@@ -44,7 +43,7 @@ class FeelingOperator final : public Operator {
   double crowd_max_;
   PathFollower path_;
   double updated_s_ = 0;
-  Bent then_;
+  Change then_;
   double lift_slope_ = 0, load_slope_ = 0;  ///< m/s^2, kg/s, since then
 };
 

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kFirstContact_N = 20e3;  // the weight of a 2 t rock: more than a loose rock
 constexpr double kPayloadWindow_s = 1.0;
-constexpr double kStray_kg = 2000;  // of that rock: less is not a load
+constexpr double kDump_s = 1.0;                   // a load needs longer to leave
+constexpr double kLook_s = 0.5, kLeaving = 0.05;  // of the load: still under way at the end
+constexpr double kStray_kg = 2000;                // of that rock: less is not a load
 
 Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::size_t end) {
   Pass p;
@@ -42,6 +44,18 @@ Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::siz
   return p;
 }
 
+/// Whether the run ends while the load leaves the dipper or arrives in the truck.
+bool ends_in_dump(const PassSignals& s, const Pass& p) {
+  const std::size_t last = s.time_s.size() - 1;
+  if (!machine::door_is_open(s.door_rad[last]) || p.payload_kg <= 0) return false;
+  if (s.time_s[last] - p.t_dump_s < kDump_s) return true;
+  std::size_t from = last;
+  while (from > 0 && s.time_s[last] - s.time_s[from] < kLook_s) --from;
+  const double leaves_kg = s.dipper_mass_kg[from] - s.dipper_mass_kg[last],
+               arrives_kg = s.truck_mass_kg[last] - s.truck_mass_kg[from];
+  return std::max(leaves_kg, arrives_kg) > kLeaving * p.payload_kg;
+}
+
 }  // namespace
 
 std::vector<Pass> find_passes(const PassSignals& s) {
@@ -60,7 +74,7 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     while (end + 1 < n && open(end)) ++end;
     passes.push_back(measure(s, begin, dump, end));
     passes.back().pass = static_cast<int>(passes.size());
-    passes.back().dumped = open(dump);
+    passes.back().dumped = open(dump) && !(end + 1 >= n && ends_in_dump(s, passes.back()));
     // After the last dump comes the return. It is not a pass if the door stays closed and the
     // dipper does not dig, or touches rock but holds no load.
     const Pass& last = passes.back();

@@ -22,7 +22,7 @@ struct Pass {
   double t_dig_s = 0;           ///< the dipper first meets rock
   double t_dump_s = 0;          ///< the door starts to open, above the truck
   double t_end_s = 0;           ///< the door has closed again, or the run ended
-  bool dumped = false;          ///< the door has opened; false if the run ended first
+  bool dumped = false;          ///< the door has opened and the load has left before the run's end
   double payload_kg = 0;        ///< in the dipper, mean over the last second before the door opens
   double truck_kg = 0;          ///< gained by the truck during the pass
   double dig_force_mean_N = 0;  ///< sqrt(crowd² + hoist²), t_dig to t_dump (paper, Eq. 11)
@@ -30,8 +30,10 @@ struct Pass {
   double dig_force_peak_t_s = 0;  ///< its time
 };
 
-/// One pass for every opening of the door; in a run that ends before a dump, the last pass is
-/// unfinished, with t_dump_s = t_end_s. The return after the last dump is not a pass, even if the
+/// One pass for every opening of the door; in a run that ends before a dump, the last pass is not
+/// dumped, with t_dump_s = t_end_s; nor is it in a run that ends with the door open less than 1 s,
+/// or while more than a twentieth of the load leaves the dipper, or arrives in the truck, within
+/// half a second. The return after the last dump is not a pass, even if the
 /// dipper touches rock: it has no load, and the door does not open again. Throws
 /// std::invalid_argument when lengths differ.
 std::vector<Pass> find_passes(const PassSignals& s);

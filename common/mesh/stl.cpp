@@ -87,13 +87,18 @@ class Words {
   /// A keyword, which some programs write in capitals.
   void expect(std::string_view word) {
     const std::string_view got = next();
-    if (!is_word(got, word)) fail(fmt::format("'{}' where '{}' belongs", got, word));
+    if (!is_word(got, word)) fail(fmt::format("{} where '{}' belongs", shown(got), word));
   }
 
   double number() {
     const std::string_view word = next();
     double x = 0;
-    if (!parse_number(word, x)) fail(fmt::format("'{}' is not a number", word));
+    if (!parse_number(word, x))
+      fail(fmt::format("{} {}", shown(word),
+                       word.empty() ? "where a number belongs"
+                       : word.find(',') != std::string_view::npos
+                           ? "is not a number; write decimal points"
+                           : "is not a number"));
     finest_digit_ = std::min(finest_digit_, last_digit(word));
     return x;
   }
@@ -104,6 +109,11 @@ class Words {
   // The rest of a line: the name after "solid", which may be anything.
   void skip_line() {
     while (at_ < text_.size() && !ends_line(at_)) ++at_;
+  }
+
+  /// A word for a message; an empty one is the file's end.
+  static std::string shown(std::string_view word) {
+    return word.empty() ? "the file ends" : fmt::format("'{}'", word);
   }
 
   /// Whether a line ends there, as Unix, Windows or old Macs end it.
@@ -154,7 +164,7 @@ Facets parse_ascii(std::string_view text, const std::filesystem::path& file) {
       facets.corners.push_back(triangle);
     }
     if (!is_word(word, "endsolid"))
-      words.fail(fmt::format("'{}' where 'facet' or 'endsolid' belongs", word));
+      words.fail(fmt::format("{} where 'facet' or 'endsolid' belongs", Words::shown(word)));
     words.skip_line();
     word = words.next();
   }
@@ -164,6 +174,9 @@ Facets parse_ascii(std::string_view text, const std::filesystem::path& file) {
 
 constexpr std::size_t header_bytes = 84;  // 80 of text and the number of facets
 constexpr std::size_t facet_bytes = 50;   // 12 floats and 2 bytes of attributes
+constexpr float farthest_m = 1e12F;       // beyond a mine's coordinates in mm
+
+std::uint32_t swapped(std::uint32_t x) { return __builtin_bswap32(x); }
 
 std::uint32_t facet_count(const std::string& bytes) {
   std::uint32_t count = 0;
@@ -171,21 +184,40 @@ std::uint32_t facet_count(const std::string& bytes) {
   return count;
 }
 
+// Refuses a file that is not as long as the count in its header says, with the likely reason.
+template <typename Fail>
+void check_size(const std::string& bytes, const Fail& fail) {
+  const std::size_t count = facet_count(bytes), held = (bytes.size() - header_bytes) / facet_bytes;
+  const std::size_t needed = header_bytes + count * facet_bytes;
+  if (bytes.size() == needed) return;
+  if (bytes.size() == header_bytes + std::size_t{swapped(facet_count(bytes))} * facet_bytes)
+    fail(80, fmt::format("the number of facets, {}, is big-endian; a binary STL is little-endian: "
+                         "write the file again, as little-endian or as text",
+                         held));
+  if (bytes.size() == header_bytes + held * facet_bytes)
+    fail(80,
+         fmt::format("the header says {} facets, and the file has {}: it was not written to its "
+                     "end, or cut short; write or copy it again",
+                     count, held));
+  if (bytes.size() > needed)
+    fail(needed, fmt::format("{} bytes too many after the {} facets of the header; write the file "
+                             "again, as plain STL",
+                             bytes.size() - needed, count));
+  if (count < 1000 * (held + 1))
+    fail(bytes.size(), fmt::format("the header says {} facets, which takes {} bytes; the file ends "
+                                   "after {}: it was cut short; write or copy it again",
+                                   count, needed, bytes.size()));
+  fail(0, fmt::format("no STL file: a text one begins with 'solid', and a binary one of {} bytes "
+                      "has {} facets, not the {} that bytes 80 to 83 say; export the mesh as STL",
+                      bytes.size(), held, count));
+}
+
 Facets parse_binary(const std::string& bytes, const std::filesystem::path& file) {
   const auto fail = [&](std::size_t byte, const std::string& message) {
     throw InputError({{file, 0, "", fmt::format("at byte {}: {}", byte, message)}});
   };
+  check_size(bytes, fail);
   const std::size_t count = facet_count(bytes);
-  const std::size_t needed = header_bytes + count * facet_bytes;
-  if (bytes.size() < needed) {
-    fail(bytes.size(),
-         fmt::format("the header says {} facets, which takes {} bytes; the file ends after {}",
-                     count, needed, bytes.size()));
-  }
-  if (bytes.size() > needed) {
-    fail(needed, fmt::format("{} bytes too many after the {} facets of the header",
-                             bytes.size() - needed, count));
-  }
   Facets facets;
   float largest = 0;
   for (std::size_t n = 0; n < count; ++n) {
@@ -202,6 +234,13 @@ Facets parse_binary(const std::string& bytes, const std::filesystem::path& file)
     }
     facets.corners.push_back(triangle);
   }
+  // Of big-endian floats read as little-endian, some are as large as floats can be.
+  if (largest > farthest_m)
+    throw InputError({{file, 0, "",
+                       fmt::format("coordinates of up to {:.1g} m: the numbers are big-endian, or "
+                                   "the file is damaged; write it again, as little-endian or as "
+                                   "text",
+                                   largest)}});
   facets.rounded_to_m = std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest;
   return facets;
 }

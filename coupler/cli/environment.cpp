@@ -47,15 +47,18 @@ void leave_mpirun() {
                              " of this program, which would all do the same; start one, without "
                              "mpirun, and say --ranks " +
                              ranks}});
-  std::vector<std::string> names;
-  for (char** entry = environ; *entry != nullptr; ++entry)
-    for (const std::string word : kLauncherWords)
-      if (std::strncmp(*entry, word.c_str(), word.size()) == 0)
-        names.emplace_back(*entry, std::strcspn(*entry, "="));
-  for (const std::string& name : names) unsetenv(name.c_str());
+  for (const char* word : kLauncherWords) unset_variables(word);
 }
 
 }  // namespace
+
+void unset_variables(const std::string& start) {
+  std::vector<std::string> names;
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    if (std::strncmp(*entry, start.c_str(), start.size()) == 0)
+      names.emplace_back(*entry, std::strcspn(*entry, "="));
+  for (const std::string& name : names) unsetenv(name.c_str());
+}
 
 void read_environment() {
   leave_mpirun();

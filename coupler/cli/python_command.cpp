@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "common/installation.hpp"
+#include "coupler/cli/environment.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -26,12 +27,19 @@ int run_python(const std::string& package, const std::vector<std::string>& words
   std::string path;
   for (const char* folder : kFolders)
     path += (path.empty() ? "" : ":") + (data_folder() / folder).string();
+  // Before what a user has installed for the whole system: another numpy than the one that Debian's
+  // packages are built with.
+  path += ":/usr/lib/python3/dist-packages";
+  // The user's settings are for other programs: PYTHONINSPECT waits for him after the end,
+  // PYTHONOPTIMIZE removes texts, MPLBACKEND is a notebook's.
+  unset_variables("PYTHON");
+  unset_variables("MPLBACKEND");
   setenv("PYTHONPATH", path.c_str(), 1);
   // Excludes the current folder's modules and the user's packages: a csv.py there would be run. Set
   // in the environment, so that programs started by this one do the same.
   setenv("PYTHONSAFEPATH", "1", 1);
   setenv("PYTHONNOUSERSITE", "1", 1);
-  unsetenv("PYTHONHOME");
+  setenv("PYTHONUTF8", "1", 1);  // whatever the locale
   setenv("DIPPER", installed_program("dipper").c_str(), 1);
   // The runs use all cores; threads in the linear algebra would only slow them down.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);

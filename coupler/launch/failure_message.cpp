@@ -5,6 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "coupler/launch/mpirun.hpp"
+
 namespace dipper::launch {
 namespace {
 
@@ -28,14 +30,12 @@ std::string last_with(const std::vector<std::string>& all, const std::string& wo
   return found == all.rend() ? "" : *found;
 }
 
-}  // namespace
-
-std::string error_line(const std::filesystem::path& log, const std::filesystem::path& screen) {
+/// The cause as LIGGGHTS, one of Dipper's programs or mpirun names it; "" where none does.
+std::string named_cause(const std::vector<std::string>& all, const std::filesystem::path& screen) {
   if (!screen.empty()) {
     const std::string error = last_with(lines(screen), "ERROR");
     if (!error.empty()) return error;
   }
-  const auto all = lines(log);
   // mpirun of another host: "  Remote daemon: [[1,0],1] on node h2".
   const std::string lost = last_with(all, "Remote daemon:"), on = " on node ";
   if (const auto at = lost.find(on); at != std::string::npos)
@@ -45,6 +45,11 @@ std::string error_line(const std::filesystem::path& log, const std::filesystem::
     const std::string line = last_with(all, word);
     if (!line.empty()) return line;
   }
+  return "";
+}
+
+/// The last line before what mpirun says.
+std::string last_line(const std::vector<std::string>& all) {
   // mpirun's message is between rules, after the output of its program.
   const auto rule = [](const std::string& line) { return line.rfind("---", 0) == 0; };
   const auto boxed = std::find_if(all.begin(), all.end(), rule);
@@ -56,11 +61,26 @@ std::string error_line(const std::filesystem::path& log, const std::filesystem::
   return plain == all.rend() ? "" : *plain;
 }
 
+}  // namespace
+
+std::string error_line(const std::filesystem::path& log, const std::filesystem::path& screen) {
+  const auto all = lines(log);
+  const std::string cause = named_cause(all, screen);
+  return cause.empty() ? last_line(all) : cause;
+}
+
 std::string failure_message(Process& process, const std::filesystem::path& log,
                             const std::filesystem::path& screen) {
   const std::string end = process.ended().value_or("still runs");
   if (process.was_killed()) return process.name() + " was " + end;
-  const std::string line = error_line(log, screen);
+  const auto all = lines(log);
+  std::string line = named_cause(all, screen);
+  const bool no_mpirun = line.find("cannot start mpirun") != std::string::npos;
+  if (process.name() == "mpirun" && (line.empty() || no_mpirun)) {  // it may have started nothing
+    line = mpirun_doubt();
+    if (!line.empty() && !all.empty() && !no_mpirun) line += "; it says '" + all.front() + "'";
+  }
+  if (line.empty()) line = last_line(all);
   return line.empty() ? process.name() + ": " + end : line + " (" + end + ")";
 }
 

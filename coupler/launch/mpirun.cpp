@@ -4,9 +4,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
+#include "common/installation.hpp"
 #include "coupler/launch/mpi_scratch.hpp"
+#include "coupler/launch/process.hpp"
 
 namespace dipper::launch {
 namespace {
@@ -82,6 +88,23 @@ std::vector<std::string> mpirun(int ranks, std::vector<std::string> program,
   words.insert(words.end(), {"-np", std::to_string(ranks)});
   words.insert(words.end(), program.begin(), program.end());
   return words;
+}
+
+std::string mpirun_doubt() {
+  const std::string place = found_on_path("mpirun");
+  if (place == "mpirun")
+    return "no mpirun on PATH; install Open MPI (openmpi-bin), or put its folder into PATH";
+  const std::filesystem::path answer = mpi_scratch() / "version.log";
+  std::filesystem::remove(answer);
+  Process process({place, "--version"}, answer);
+  process.wait(std::chrono::seconds(5));
+  process.end();
+  std::ifstream in(answer);
+  const std::string said{std::istreambuf_iterator<char>(in), {}};
+  if (said.find("Open MPI") != std::string::npos || said.find("OpenRTE") != std::string::npos)
+    return "";
+  return place +
+         " is not Open MPI's, which this program takes; put that one's folder first in PATH";
 }
 
 }  // namespace dipper::launch

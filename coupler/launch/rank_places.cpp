@@ -13,6 +13,7 @@
 
 #include "common/host_identity.hpp"
 #include "common/input_error.hpp"
+#include "common/installation.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/mpi_scratch.hpp"
 #include "coupler/launch/process.hpp"
@@ -106,8 +107,14 @@ std::vector<RankPlace> ask_ranks(int ranks, const MpiPlaces& places, const std::
   }
   const std::string said = read_all(log);
   const std::vector<RankPlace> found = read_places(said, ranks);
-  if (!process.succeeded() || found.empty()) refuse(complaint(said));
-  return found;
+  if (process.succeeded() && !found.empty()) return found;
+  const std::string doubt = mpirun_doubt();
+  if (!doubt.empty()) refuse(doubt);
+  const bool alone = said.rfind("rank\t0", 0) == 0;  // each process is rank 0 of a run of its own
+  refuse(alone ? fmt::format("not {} ranks came up: {} is of another MPI than this program, which "
+                             "takes Open MPI's; put that one's folder first in PATH",
+                             ranks, found_on_path("mpirun"))
+               : complaint(said));
 }
 
 }  // namespace

@@ -56,9 +56,10 @@ void warn_of_pass(const cases::Case& c, const json& p, bool whole,
         "contact.normal_damping_other: 0.5 reduces it (docs/rock.md#how-long-a-step-may-be)",
         pass, 100 * rattle, deck::pressed_timestep(c)));
   if (const auto dumped = p.find("dumped"); whole && dumped != p.end() && *dumped == false)
-    warnings.push_back(fmt::format(
-        "pass {}: unfinished: the run ends before the door opens; continue it with a later end_s",
-        pass));
+    warnings.push_back(
+        fmt::format("pass {}: unfinished: the run ends before its load is dumped; continue it with "
+                    "a later end_s",
+                    pass));
   for (const auto& [key, where] :
        {std::pair{"payload_kg", "dipper"}, std::pair{"truck_kg", "truck"}})
     if (number(key) < -kLostMass_kg)
@@ -80,6 +81,9 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
   if (const auto truck = truck_load(c.truck.rated_t, summary.at("passes"))) {
     const std::string overload = overload_warning(*truck);
     if (!overload.empty()) warnings.push_back(overload);
+  } else if (const std::string none = no_truck_load(c.truck.rated_t, summary.at("passes"));
+             whole && !none.empty()) {
+    warnings.push_back(none);
   }
   if (const auto drives = summary.find("drives");
       whole && drives != summary.end() && c.end_s == 0 && !summary.contains("operator")) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 constexpr double kMayBe = 1.1, kNever = 1.2;  // of the rated load: one in ten loads, no load
-constexpr int kMostPasses = 1000;
+constexpr double kMost = 1e9;                 // passes; an int holds it
 
 std::string plural(int n) { return fmt::format("{} pass{}", n, n == 1 ? "" : "es"); }
 
@@ -30,20 +31,28 @@ std::optional<TruckLoad> truck_load(double rated_t, const json& passes) {
   out.passes = static_cast<int>(after.size());
   if (out.passes == 0 || out.load_t <= 0) return std::nullopt;
   out.mean_pass_t = out.load_t / out.passes;
-  double least = INFINITY;
-  for (int n = 1; n <= kMostPasses; ++n) {
-    const double load_t = n <= out.passes ? after[static_cast<std::size_t>(n) - 1]
-                                          : out.load_t + (n - out.passes) * out.mean_pass_t;
-    const double off_t = std::abs(load_t - rated_t);
-    if (off_t < least) {
-      least = off_t;
-      out.passes_to_fill = n;
-      out.filled_t = load_t;
-    } else if (n > out.passes) {
-      break;
-    }
-  }
+  // The run's own passes, then as many of the mean one as come nearest.
+  const double missing = (rated_t - out.load_t) / out.mean_pass_t;
+  const int further = static_cast<int>(std::min(std::max(std::ceil(missing - 0.5), 0.0), kMost));
+  after.push_back(out.load_t + further * out.mean_pass_t);
+  const auto off_t = [&](double load_t) { return std::abs(load_t - rated_t); };
+  const auto best = std::min_element(after.begin(), after.end(),
+                                     [&](double a, double b) { return off_t(a) < off_t(b); });
+  out.filled_t = *best;
+  const bool own = best + 1 != after.end();
+  out.passes_to_fill = own ? static_cast<int>(best - after.begin()) + 1 : out.passes + further;
   return out;
+}
+
+std::string no_truck_load(double rated_t, const json& passes) {
+  if (!(rated_t > 0)) return {};
+  if (passes.empty()) return "truck.rated_t has no effect: the run has no passes";
+  const auto dumped = [](const json& p) { return p.value("dumped", true); };
+  const auto count = static_cast<int>(std::count_if(passes.begin(), passes.end(), dumped));
+  if (count == 0) return {};
+  return fmt::format(
+      "truck.rated_t: the truck has gained nothing from {}, so the number that fills it is unknown",
+      plural(count));
 }
 
 json as_json(const TruckLoad& l) {

@@ -22,6 +22,10 @@ struct TruckLoad {
 /// where the truck gained nothing.
 std::optional<TruckLoad> truck_load(double rated_t, const nlohmann::ordered_json& passes);
 
+/// Why there is none although a load is rated: no passes, or nothing gained; "" where no pass was
+/// dumped, which is warned of by itself.
+std::string no_truck_load(double rated_t, const nlohmann::ordered_json& passes);
+
 /// Keys of docs/results.md, with the loads as fractions of the rated one, too.
 nlohmann::ordered_json as_json(const TruckLoad& load);
 

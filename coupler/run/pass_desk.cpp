@@ -20,7 +20,7 @@ using nlohmann::json;
 
 constexpr double kStand_s = 0.1;  // the machine stands where it is until a pass begins
 constexpr double kTick_s = 0.01;  // of a pass's beginning
-// What one pass can teach: more would be a pass that went wrong.
+// The range of what passes can teach: beyond it a pass went wrong.
 constexpr double kLeastResistance = 0.5, kMostResistance = 2;
 constexpr double kLeastLoaded = 0.6, kMostLoaded = 1.2;
 
@@ -30,12 +30,18 @@ void each_number(Pass& p, Experience& e, F f) {
   f("rock_from_s", p.rock_from_s);
   f("rock_to_s", p.rock_to_s);
   f("crowd_N", p.crowd_N);
-  f("swept_kg", p.swept_kg);
+  f("payload_kg", p.payload_kg);
   f("along_s", p.along_s);
   f("crowd_sum", p.crowd_sum);
   f("sum_s", p.sum_s);
   f("resistance", e.resistance);
   f("loaded", e.loaded);
+}
+
+/// A factor after a pass that measured `ratio` times what it expected. One pass scatters by as much
+/// as passes differ, so half of the difference counts.
+double learned(double factor, double ratio, double least, double most) {
+  return std::clamp(factor * std::sqrt(ratio), least, most);
 }
 
 double rounded(double value, double step) { return std::round(value / step) * step + 0.0; }
@@ -139,11 +145,11 @@ void PassDesk::feel(const core::Window& w) {
 
 void PassDesk::learn(double loaded_kg) {
   if (pass_.sum_s > 0 && pass_.crowd_N > 0)
-    before_.resistance =
-        std::clamp(before_.resistance * pass_.crowd_sum / pass_.sum_s / pass_.crowd_N,
-                   kLeastResistance, kMostResistance);
-  if (pass_.swept_kg > 0)
-    before_.loaded = std::clamp(loaded_kg / pass_.swept_kg, kLeastLoaded, kMostLoaded);
+    before_.resistance = learned(before_.resistance, pass_.crowd_sum / pass_.sum_s / pass_.crowd_N,
+                                 kLeastResistance, kMostResistance);
+  if (pass_.payload_kg > 0)
+    before_.loaded =
+        learned(before_.loaded, loaded_kg / pass_.payload_kg, kLeastLoaded, kMostLoaded);
 }
 
 std::string PassDesk::reason_to_stop(double truck_kg) const {
@@ -202,7 +208,7 @@ void PassDesk::plan(const core::Window& w) {
   end_s_ = decision.times.end_s;
   const auto& best = decision.candidates[static_cast<std::size_t>(decision.chosen)];
   pass_ = {
-      decision.rock_from_s, decision.rock_to_s, best.crowd_mean_N, best.swept_kg, along_s(w), 0, 0};
+      decision.rock_from_s, decision.rock_to_s, best.crowd_mean_N, best.payload_kg, along_s(w), 0, 0};
   reporter_.line(fmt::format("operator, {:.1f} s, pass {}: {}",
                              static_cast<double>(w.rock.t_ns) * 1e-9, passes_, decision.reason));
 }

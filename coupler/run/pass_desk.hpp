@@ -74,7 +74,7 @@ class PassDesk final : public Observer {
   /// Of the pass that is on: what was expected, and what has shown.
   struct Pass {
     double rock_from_s = 0, rock_to_s = 0;  ///< of the motion: while the teeth are in rock
-    double crowd_N = 0, swept_kg = 0;       ///< expected: mean crowd force in rock, what is swept
+    double crowd_N = 0, payload_kg = 0;     ///< expected: mean crowd force in rock, payload
     double along_s = 0;                     ///< of the motion, the last window's end
     double crowd_sum = 0, sum_s = 0;        ///< of force by the motion's time in rock
   } pass_;

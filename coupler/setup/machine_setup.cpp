@@ -38,8 +38,8 @@ ShovelSetup shovel_from(const json& j) {
   ShovelSetup s;
   s.model = j.at("model").get<std::string>();
   s.motion = j.at("motion").get<std::string>();
-  s.full_kg = j.value("full_kg", 0.0);
-  s.planned = j.value("planned", false);  // earlier recordings do not have this entry
+  s.full_kg = j.at("full_kg");
+  s.planned = j.at("planned");
   s.drives = j.at("limited_drives").get<bool>() ? DriveMode::limited : DriveMode::prescribed;
   s.program_drives = j.at("program_drives");
   s.contact_on_return = j.at("contact_on_return");

@@ -76,30 +76,29 @@ RockSetup rock_setup_from(const json& j) {
   if (const auto& crust = j.at("crust"); !crust.is_null()) {
     setup.crust = CrustZone{crust.at(0), crust.at(1)};
   }
-  // Earlier recordings do not have these entries.
-  setup.fast_loop = j.value("fast_loop", true);
-  setup.image = j.value("image", std::string{});
-  setup.cleared = j.value("cleared", std::vector<std::string>{});
-  if (const auto fall = j.find("fall"); fall != j.end() && !fall->is_null()) {
-    setup.fall = RockFall{fall->at("deck"), fall->at("at_step"), fall->at("mass_kg")};
+  setup.fast_loop = j.at("fast_loop");
+  setup.image = j.at("image");
+  setup.cleared = j.at("cleared").get<std::vector<std::string>>();
+  if (const auto& fall = j.at("fall"); !fall.is_null()) {
+    setup.fall = RockFall{fall.at("deck"), fall.at("at_step"), fall.at("mass_kg")};
   }
-  setup.pauses = j.value("pauses", false);
-  if (const auto floor = j.find("floor"); floor != j.end() && !floor->is_null())
-    setup.floor = FloorStrip{floor->at(0), floor->at(1), floor->at(2)};
-  if (const auto layer = j.find("layer"); layer != j.end() && !layer->is_null())
-    setup.layer = HeldLayer{layer->at(0), layer->at(1), layer->at(2)};
-  if (const auto hold = j.find("hold"); hold != j.end() && !hold->is_null()) {
+  setup.pauses = j.at("pauses");
+  if (const auto& floor = j.at("floor"); !floor.is_null())
+    setup.floor = FloorStrip{floor.at(0), floor.at(1), floor.at(2)};
+  if (const auto& layer = j.at("layer"); !layer.is_null())
+    setup.layer = HeldLayer{layer.at(0), layer.at(1), layer.at(2)};
+  if (const auto& hold = j.at("hold"); !hold.is_null()) {
     HoldSettings& h = setup.hold.emplace();
-    h.below_m_s = hold->at("below_m_s");
-    h.rest_s = hold->at("rest_s");
-    h.unbalance = hold->at("unbalance");
-    h.layer_m = hold->at("layer_m");
-    h.average_s = hold->at("average_s");
-    h.margin_m = hold->at("margin_m");
-    h.ahead_s = hold->at("ahead_s");
-    h.check_s = hold->at("check_s");
-    h.gather_s = hold->at("gather_s");
-    h.sight_s = hold->at("sight_s");
+    h.below_m_s = hold.at("below_m_s");
+    h.rest_s = hold.at("rest_s");
+    h.unbalance = hold.at("unbalance");
+    h.layer_m = hold.at("layer_m");
+    h.average_s = hold.at("average_s");
+    h.margin_m = hold.at("margin_m");
+    h.ahead_s = hold.at("ahead_s");
+    h.check_s = hold.at("check_s");
+    h.gather_s = hold.at("gather_s");
+    h.sight_s = hold.at("sight_s");
   }
   for (const auto& s : j.at("scales")) {
     setup.scales.push_back({s.at("name"),

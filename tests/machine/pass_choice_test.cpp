@@ -85,7 +85,7 @@ TEST_F(PassChoice, ADigTakesItsDepthOutOfTheFaceAndMeetsItsResistance) {
   // About the way up the face by depth by the dipper's width.
   const double way_m = 7 / std::sin(radians(35));
   EXPECT_NEAR(c.swept_m3, way_m * 0.8 * data.dipper.inside.y(), 0.3 * c.swept_m3);
-  EXPECT_NEAR(c.payload_kg, std::min(80e3, 1900 * c.swept_m3), 1);
+  EXPECT_NEAR(c.payload_kg, std::min(80e3, DigExperience().loaded * 1900 * c.swept_m3), 1);
   const double cut_N = 0.38e6 * 0.8 * data.dipper.inside.y();
   EXPECT_GT(c.crowd_peak_N, 0.4 * cut_N);
   EXPECT_LT(c.crowd_peak_N, 3 * cut_N);
@@ -125,19 +125,19 @@ TEST_F(PassChoice, RefusesWhatTheDrivesCannotDo) {
   EXPECT_TRUE(none.rows.empty());
 }
 
-TEST_F(PassChoice, StallsTheDrivesOnlyWhereNoDigStaysWithinThem) {
-  choice.depth_m = {0.3, 0.8};
-  const DigDecision strong = decide(bench());
-  const DigCandidate &shallow = strong.candidates[0], &deep = strong.candidates[1];
-  data.drives.crowd.stall = 0.5 * (shallow.crowd_peak_N + deep.crowd_peak_N);
-  EXPECT_EQ(decide(bench()).chosen, 0);
-  data.drives.crowd.stall = deep.crowd_peak_N / 1.4;
-  choice.depth_m = {0.8};
-  const DigDecision stalled = decide(bench());
-  ASSERT_EQ(stalled.chosen, 0) << stalled.reason;
-  EXPECT_NE(stalled.reason.find("no dig stays within"), std::string::npos) << stalled.reason;
-  EXPECT_NEAR(stalled.candidates[0].payload_kg, deep.payload_kg / 1.4, 1e-6 * deep.payload_kg);
-  EXPECT_EQ(decide(bench(), deep.payload_kg).chosen, -1);
+TEST_F(PassChoice, ExpectsLessLoadBeyondTheDrivesLimits) {
+  const DigCandidate strong = decide(bench()).candidates[0];
+  data.drives.crowd.stall = strong.crowd_peak_N / 1.4;
+  const DigDecision eased = decide(bench());
+  ASSERT_EQ(eased.chosen, 0) << eased.reason;
+  EXPECT_NE(eased.reason.find("beyond a drive's limit"), std::string::npos) << eased.reason;
+  EXPECT_NEAR(eased.candidates[0].payload_kg, strong.payload_kg / 1.4, 1e-6 * strong.payload_kg);
+  EXPECT_EQ(decide(bench(), strong.payload_kg).chosen, -1);
+  data.drives.crowd.stall = strong.crowd_peak_N / 2.1;
+  const DigDecision none = decide(bench());
+  EXPECT_EQ(none.chosen, -1);
+  EXPECT_NE(none.candidates[0].refused.find("the crowd needs"), std::string::npos);
+  EXPECT_NE(none.reason.find("of 1 digs 0 are feasible"), std::string::npos) << none.reason;
 }
 
 TEST_F(PassChoice, TurnsToWhereTheRockIs) {
@@ -149,7 +149,7 @@ TEST_F(PassChoice, TurnsToWhereTheRockIs) {
   EXPECT_NE(decide(bench()).candidates[0].refused.find("side of the bench"), std::string::npos);
 }
 
-TEST_F(PassChoice, DoesNotDigWhatDoesNotPayNorWhatTheTruckDoesNotTake) {
+TEST_F(PassChoice, LeavesDigsThatDoNotPayAndThatTheTruckCannotTake) {
   EXPECT_EQ(decide(bench(), 100e3).chosen, -1);
   choice.depth_m = {0.3, 0.9};
   const DigDecision all = decide(bench()), rest = decide(bench(), 0, 5e3);
@@ -158,14 +158,15 @@ TEST_F(PassChoice, DoesNotDigWhatDoesNotPayNorWhatTheTruckDoesNotTake) {
   EXPECT_EQ(rest.chosen, 0) << "5 t are as soon dug with little";
 }
 
-TEST_F(PassChoice, ReckonsWithWhatThePassBeforeHasShown) {
+TEST_F(PassChoice, UsesResistanceAndLoadOfThePassesBefore) {
   const DigPlanner p = planner();
   const auto with = [&](const DigExperience& before) {
     return p.decide(bench(), p.start(), 0, kNoEnd, before).candidates[0];
   };
-  const DigCandidate plain = with({}), hard = with({1.5, 1}), poor = with({1, 0.6});
+  const double loaded = DigExperience().loaded;
+  const DigCandidate plain = with({}), hard = with({1.5, loaded}), poor = with({1, 0.6});
   // Crowd is linear in the rock's resistance: what half as much more adds, as much more adds twice.
-  const DigCandidate harder = with({2, 1});
+  const DigCandidate harder = with({2, loaded});
   EXPECT_NEAR(harder.crowd_mean_N - plain.crowd_mean_N,
               2 * (hard.crowd_mean_N - plain.crowd_mean_N), 1e-6 * plain.crowd_mean_N);
   EXPECT_GT(hard.crowd_mean_N, 1.2 * plain.crowd_mean_N);

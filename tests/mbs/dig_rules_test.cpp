@@ -44,9 +44,52 @@ TEST_F(DigRules, HeDoesNotGoDeeperWhereThatIsDownNorWithoutRockRoomOrForce) {
   feel = light;
   feel.room_m = 0.1;
   EXPECT_TRUE(as_the_motion_says()) << "the crowd is all out";
-  feel = light;
-  feel.overload = 1;
-  EXPECT_TRUE(as_the_motion_says()) << "it stalls";
+}
+
+TEST_F(DigRules, TheCrowdIsHeldAtNineTenthsOfItsForceInRockFullOrNot) {
+  feel.handle_rise = -0.9;
+  for (const double load_kg : {40e3, 75e3}) {
+    feel.load_kg = load_kg;
+    for (const auto& [overload, back] : {std::pair{1.0, 0.25}, {1.05, 0.375}, {2.0, 0.5}}) {
+      feel.overload = overload;
+      EXPECT_NEAR(wish().crowd_back.value(), back, 1e-12);
+    }
+  }
+  feel.load_kg = 80e3;
+  feel.overload = 1.05;
+  EXPECT_NEAR(wish().crowd_back.value(), 0.375, 1e-12) << "more than breaking out asks for";
+  feel.overload = 0.95;
+  EXPECT_EQ(wish().crowd_back, 0.3);
+}
+
+TEST_F(DigRules, AStallingCrowdLetsTheTeethRiseWhereTheHoistHasForceToSpare) {
+  feel.overload = 1.0;
+  EXPECT_NEAR(wish().lift.value(), 0.8 * 0.25, 1e-12);
+  feel.hoist_overload = 0.95;
+  EXPECT_FALSE(wish().lift);
+  feel.hoist_overload = 0;
+  feel.overload = 0.85;
+  EXPECT_FALSE(wish().lift);
+}
+
+TEST_F(DigRules, ACrowdBehindThePathGoesOutBeforeTheDigContinues) {
+  feel.behind_m = 0.5;
+  feel.handle_rise = -0.9;  // the path is above the ground
+  feel.resistance_N = 0;
+  EXPECT_NEAR(wish().crowd_back.value(), -0.25, 1e-12);
+  EXPECT_EQ(wish().rate, 0.25);
+  feel.overload = 0.5;
+  EXPECT_EQ(wish().crowd_back, -0.5);
+  feel.load_kg = 0.9 * 80e3;
+  EXPECT_TRUE(as_the_motion_says());
+  feel.load_kg = 40e3;
+  feel.behind_m = 0.05;
+  EXPECT_TRUE(as_the_motion_says());
+}
+
+TEST_F(DigRules, NearItsForceTheCrowdGoesOutMoreSlowly) {
+  feel.overload = 0.88;
+  EXPECT_NEAR(wish().crowd_back.value(), -0.05, 1e-12);
 }
 
 TEST_F(DigRules, FullHeBreaksOutUntilTheTeethAreFree) {

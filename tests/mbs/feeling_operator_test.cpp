@@ -83,7 +83,8 @@ TEST_F(FeelingOperatorTest, FreesWhatIsCaughtAndGivesBack) {
   EXPECT_NEAR(number(one, 10, 4), 1.5, 0.07) << "no more than that";
   go(one, 10, 14, held(0, 0));
   EXPECT_NEAR(number(one, 14, 4), 1.5 * std::exp(-2), 0.05);
-  EXPECT_NEAR(number(one, 14, 1), 1, 1e-3);
+  EXPECT_NEAR(number(one, 14, 1), 0.25, 1e-3) << "until the crowd is out again";
+  EXPECT_LT(number(one, 14, 2), number(one, 10, 2) - 0.5 * 3.5);
 }
 
 TEST_F(FeelingOperatorTest, GoesOnFromItsStateToTheBit) {

@@ -6,7 +6,6 @@ continues from the finished runs.
 import argparse
 import signal
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,9 +20,11 @@ from dipper_run.text_file import read_text
 from .answer import write_answer
 from .forecast import as_lines, forecast, write_forecast
 from .readings.before import check_reference
+from .readings.fidelity import read_fidelity
 from .readings.measured import ASSUMED, read_channels, read_measured
 from .readings.motion import compare_motion, read_motion
 from .readings.passes import NEED_PASSES
+from .simulation.corrected import Corrected
 from .simulation.effects import read_catalogue
 from .simulation.simulator import JOBS, DipperSimulator, RunFailed, check
 from .workflow import analyse
@@ -53,21 +54,40 @@ def read_case(folder):
 
 
 def usable(catalogue, simulator):
-    """The effects this case can take at the strengths to be run, and a line for each that it cannot."""
-    def fault(effect):
-        told = (check(simulator.program, simulator.case, [(effect.name, s)]) for s in effect.strengths(False))
-        return next(filter(None, told), "")
+    """The effects this case can take at the strengths to be run, and a line for each that it cannot.
 
-    kept, left_out = {}, []
-    with ThreadPoolExecutor(JOBS) as pool:
-        faults = list(pool.map(fault, catalogue.values()))
-    for (name, effect), bad in zip(catalogue.items(), faults):
-        if bad:
-            left_out.append(f"effect {name} is left out, as the case cannot take it: {bad.splitlines()[0]}")
-            say(f"gap: {left_out[-1]}")
-        else:
-            kept[name] = effect
-    return kept, left_out
+    Effects are checked together, as far as they change other keys; those of a set that fails are checked half by half.
+    """
+    faults, left_out = {}, []
+    for some in _apart(catalogue):
+        faults.update(_faults([(n, s) for n, s in some if n not in faults], simulator))
+    for name in (n for n in catalogue if n in faults):
+        left_out.append(f"effect {name} is left out, as the case cannot take it: {faults[name].splitlines()[0]}")
+        say(f"gap: {left_out[-1]}")
+    return {n: e for n, e in catalogue.items() if n not in faults}, left_out
+
+
+def _apart(catalogue):
+    """Sets of (effect, strength), all of those to be run, in each of which no two change the same key."""
+    out = []
+    for name, effect in catalogue.items():
+        keys = {key for key, *_ in effect.overlay} | {name}
+        for strength in effect.strengths(False):
+            free = next((some for some in out if not keys & some[1]), None)
+            if free is None:
+                out.append(free := ([], set()))
+            free[0].append((name, strength))
+            free[1].update(keys)
+    return [some for some, _ in out]
+
+
+def _faults(some, simulator):
+    """{effect: what `dipper check` has against it} of a set of (effect, strength)."""
+    bad = check(simulator.program, simulator.case, some) if some else ""
+    if not bad or len(some) == 1:
+        return {some[0][0]: bad} if bad else {}
+    middle = len(some) // 2
+    return {**_faults(some[:middle], simulator), **_faults(some[middle:], simulator)}
 
 
 def say(text):
@@ -85,6 +105,7 @@ def main(words=None):
         catalogue = read_catalogue(args.case)
         measured, before = (None, None) if args.plan else readings(args, data)
         channels = planned_channels(args) if args.plan else {}
+        fidelity = told_fidelity(args.case, bool(before))
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
         make_cache(run_cache.cache_folder("gap"))
@@ -97,6 +118,10 @@ def main(words=None):
     try:
         simulator = DipperSimulator(args.case, catalogue, program(), run_cache.cache_folder("gap"), args.jobs)
         catalogue, left_out = usable(catalogue, simulator)
+        if fidelity:
+            simulator = Corrected(simulator, fidelity)
+            channels = fidelity.compared(channels)
+            measured = measured and measured.seen_by(fidelity.compared(measured.channels))
         if args.plan:
             told = forecast(channels, simulator, catalogue, first_seed, say)
             folder.mkdir(parents=True, exist_ok=True)
@@ -138,6 +163,18 @@ def readings(args, data):
     for question in questions:
         say(f"gap: {question}")
     return measured, before
+
+
+def told_fidelity(case, with_reference):
+    """What the case's folder says of the model's errors; None where it says nothing, or a reference takes them out.
+    Throws BadInput."""
+    fidelity = read_fidelity(case)
+    if fidelity and with_reference:
+        say(f"gap: {fidelity.file} is not used: what model and mine differ by at all times is in the reference")
+        return None
+    if fidelity:
+        say(f"gap: {fidelity}")
+    return fidelity
 
 
 def planned_channels(args):

@@ -26,6 +26,7 @@ def as_json(out, catalogue, hashes):
         "patch": overlay(out.effects or ({out.added.name: 1.0} if out.added else {})),
         "trucks": out.trucks,
         "reference": _reference(out),
+        "fidelity": _fidelity(out.known),
         "history": _history(out, catalogue),
         "law": _law(out) if out.laws else None,
         "face": [{"what": f.kind, "unit": f.unit, "before": f.before, "now": f.now, "p_adjusted": f.p}
@@ -54,6 +55,15 @@ def _law(out):
     first, *others = ({"channel": law.channel, "terms": [{"term": n, "kN": a} for n, a in law.terms],
                        "words": law.words, "p": law.p, "holdout_explained": law.explained} for law in out.laws)
     return {**first, "effect": out.added.name, "also": others}
+
+
+def _fidelity(known):
+    """What was told of the model's errors, and the factor on the rock's resistance that follows from it."""
+    if not known:
+        return None
+    told = {n: [f.low, f.value, f.high] for n, f in (("dig_force", known.fidelity.dig_force),
+            ("payload", known.fidelity.payload), ("resistance", known.resistance))}
+    return {**told, "by_phase": known.fidelity.by_phase, "not_compared": list(known.fidelity.not_compared)}
 
 
 def _reference(out):

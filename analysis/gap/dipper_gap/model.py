@@ -9,6 +9,7 @@ import numpy as np
 
 from .readings.measured import FACE, MASS
 from .readings.passes import common_passes, split
+from .readings.rest import at_rest
 from .readings.vectors import Vectors, indices_of
 from .simulation.plan import Plan
 from .statistics.baseline import Baseline, make_baseline, scatter
@@ -44,6 +45,7 @@ class Model:
     tails: Tails
     inflation: float      # of the seeds' covariance, as leaving each seed out in turn asks
     folders: tuple        # of the baseline's runs
+    rows: dict            # {request: (cells, features)} of every run, over the cells that it has
 
     def of_runs(self, folders):
         """(runs, n) features of noise-free folders."""
@@ -105,26 +107,30 @@ def response_names(measured):
     return (*measured.responses(), *(n for n in (MASS, FACE) if n in measured.channels))
 
 
-def learn(plan, folders, measured, before=None):
+def learn(plan, folders, measured, before=None, known=None, earlier=None):
     """The model from the runs {request: folder} of a plan, for a mine that logs as `measured` does, and a reference
-    that logs as `before` does."""
+    that logs as `before` does. `known` are the KnownErrors by which the runs were corrected: what they leave unknown
+    is an error that all trucks share. What an `earlier` Model of the same mine and fewer runs has read is not read again.
+    """
     mines = [measured] + ([before.seen_by(measured.channels)] if before else [])
     numbers = common_passes(measured, [*folders.values(), *mines[1:]])
     base = [folders[r] for r in plan.baseline]
     if FACE in measured.channels and not all(FACE in m.channels for m in base):
         raise ValueError(f"{FACE}: channels.yaml declares it, but runs of this case have no faces; leave it out there")
-    vectors = Vectors(measured.channels, numbers, base)
+    known_rows = earlier.rows if earlier and earlier.passes == tuple(numbers) else {}
+    vectors = earlier.vectors if known_rows else Vectors(measured.channels, numbers, base)
     mine_cells, *others = (vectors.of_mine(m)[0] for m in mines)
     mine_cells = [c for c in mine_cells if all(c in of for of in others)]
     if before:  # a peak is no difference of peaks: where mine and model differ, it may be another moment's
         mine_cells = [c for c in mine_cells if c.feature != "peak"]
-    seen = {r: vectors.of_run(m) for r, m in folders.items()}
+    seen = {r: known_rows.get(r) or vectors.of_run(m) for r, m in folders.items()}
     everywhere = set(mine_cells).intersection(*(cells for cells, _ in seen.values()))
     cells = [c for c in mine_cells if c in everywhere]
     rows = {r: row[indices_of(cells, own)] for r, (own, row) in seen.items()}
     at = indices_of(cells, vectors.cells)
     baseline, keep = make_baseline(cells, np.array([rows[r] for r in plan.baseline]), vectors.own[np.ix_(at, at)],
                                    vectors.common[:, at], numbers, len(measured.trucks()))
+    baseline = replace(baseline, rest=at_rest(base[0], baseline.cells))
     runs = {n: SignatureRuns(tuple(p.strength for p in planned), tuple(p.seed_index for p in planned),
                              np.array([rows[p.request][keep] for p in planned]), planned[0].request.how != "run")
             for n, planned in plan.signatures.items()}
@@ -136,8 +142,12 @@ def learn(plan, folders, measured, before=None):
     inflation = left_out_inflation(one, simulate_null(one, draws=LEFT_OUT_DRAWS, tails=tails))
     size = np.array([measured.channels[n].common_sigma for n in response_names(measured)])
     bias = baseline.common / np.where(size > 0, size, 1.0)[:, None]
-    return Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, response_names(measured),
-                 tails, inflation, tuple(base))
+    model = Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, response_names(measured),
+                  tails, inflation, tuple(base), seen)
+    if not known:
+        return model
+    shared = np.vstack([baseline.common, known.directions(base, model.of_runs, baseline.cells)])
+    return replace(model, baseline=replace(model.baseline, common=shared))
 
 
 def predict(model, catalogue, trucks_scatter):

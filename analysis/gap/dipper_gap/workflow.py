@@ -45,9 +45,16 @@ class Runner:
     simulator: object
     catalogue: dict
     say: object
+    kept: dict = field(default_factory=dict)   # {request: folder} of what has been asked for
 
     def run(self, strengths, seeds):
         return self.simulator.run([request(strengths, s, self.catalogue) for s in seeds], self.say)
+
+    def folders(self, requests):
+        """{request: folder}; each is made, and read, once."""
+        new = [r for r in dict.fromkeys(requests) if r not in self.kept]
+        self.kept.update(zip(new, self.simulator.run(new, self.say) if new else ()))
+        return {r: self.kept[r] for r in requests}
 
 
 @dataclass(frozen=True)
@@ -96,6 +103,7 @@ class Outcome:
     history: History = None  # truck by truck since the reference
     laws: tuple = ()        # decision.law.Law, one a force, where the catalogue has no name and the hold-out confirms
     added: object = None    # the Effect that they are
+    known: object = None    # readings.fidelity.KnownErrors of the model, by which its runs were corrected
     faces: tuple = ()       # readings.face.FaceChange of the surveys of both periods
     runs: int = 0
     seeds: dict = field(default_factory=dict)
@@ -107,7 +115,7 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
     plan = make_plan(catalogue, len(measured.trucks()), first_seed)
     first = without_runs(plan, simulator)
     say(f"gap: {statement(plan, simulator, first)}")
-    runner = Runner(simulator, catalogue, say)
+    runner, known = Runner(simulator, catalogue, say), (None, None)
     if len(first.signatures) < len(plan.signatures):
         known = learn_and_predict(first, measured, before, runner)
         if omnibus(known[1], *compare(*known, measured)) >= EARLY_P:
@@ -116,13 +124,13 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
                     "and the effects that need none show no gap to explain",)
             out = conclude(*known, measured, runner, before)
             return replace(out, early=True, warnings=(*out.warnings, *told))
-    return conclude(*learn_and_predict(plan, measured, before, runner), measured, runner, before)
+    return conclude(*learn_and_predict(plan, measured, before, runner, known[0]), measured, runner, before)
 
 
-def learn_and_predict(plan, measured, before, runner):
-    """(Model, Prediction) from the runs of a plan, which are made."""
-    requests = plan.requests()
-    model = learn(plan, dict(zip(requests, runner.simulator.run(requests, runner.say))), measured, before)
+def learn_and_predict(plan, measured, before, runner, earlier=None):
+    """(Model, Prediction) from the runs of a plan, which are made; `earlier` is the Model of a part of them."""
+    folders = runner.folders(plan.requests())
+    model = learn(plan, folders, measured, before, runner.simulator.known, earlier)
     if before:
         return model, predict_change(model, runner.catalogue, measured, before)
     return model, predict(model, runner.catalogue, model.scatter(measured))
@@ -142,7 +150,7 @@ def conclude(model, prediction, measured, runner, before=None):
                + (f": {', '.join(verdict.members)}" if verdict.members else ""))
     runs = sum(r.how == "run" for r in model.plan.requests())
     out = Outcome(seen, warnings=warnings(model, prediction, measured, before), inflation=model.inflation,
-                  trucks=len(measured.trucks()), runs=runs,
+                  trucks=len(measured.trucks()), runs=runs, known=runner.simulator.known,
                   seeds={"baseline": [r.seed for r in model.plan.baseline]})
     after = ()
     if verdict.verdict == "named":

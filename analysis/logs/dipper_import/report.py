@@ -1,6 +1,8 @@
 """What an import did to the data, in words and as a plot."""
 import numpy as np
 
+from dipper_run.figures import pyplot
+
 from .units import CHANNELS, DRIVES, FORCES, TRUCK_MASS
 
 DOTS, CURVE, GAP = "#8a8a8a", "#c2410c", "#fde68a"
@@ -38,9 +40,7 @@ def _most(what, name, key):
 
 def plot(made, what, title, file):
     """Readings and curves over time, gaps shaded, as PNG."""
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot as plt
+    plt = pyplot()
     names = [*DRIVES, *(n for n in (*FORCES, TRUCK_MASS) if n in what.channels)]
     figure, axes = plt.subplots(len(names), 1, sharex=True, figsize=(11, 1.7 * len(names)), constrained_layout=True)
     for name, axis in zip(names, axes):

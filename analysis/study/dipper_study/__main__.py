@@ -94,7 +94,7 @@ class Session:
         said = Counter(text for run, row in made if row["warnings"]
                        for text in dict.fromkeys(warnings_of(dipper_run.read(run.folder))))
         unfinished = sum(row["status"] == "unfinished" for _, row in made)
-        first = [f"{unfinished} of {len(made)} runs are unfinished: they end before the door has opened, or have no "
+        first = [f"{unfinished} of {len(made)} runs are unfinished: they end before the load is dumped, or have no "
                  "pass; they are left out of every figure (a later end_s lets them go on)"] if unfinished else []
         return first + [f"in {n} of {len(made)} runs: {text}" for text, n in said.most_common()]
 

@@ -125,8 +125,7 @@ def read_study(file):
     found.raise_if_any()
     top = Section(root, file, found)
     case = top.text("case")
-    folder = Path(os.path.normpath(file.parent / (case or "")))
-    study = Study(file, folder, _seeds(top, "seeds"), _fixed(top), _parameters(top),
+    study = Study(file, _beside(file, case or ""), _seeds(top, "seeds"), _fixed(top), _parameters(top),
                   top.whole("ranks", 1, MOST_RANKS, 1), top.whole("jobs", 1, MOST_RANKS, None),
                   top.one_of("keep", KEEPS, "record"), top.one_of("executor", EXECUTORS, "local"), _slurm(top),
                   _optimise(top))
@@ -140,6 +139,13 @@ def read_study(file):
     _set_once(study, top)
     found.raise_if_any()
     return study
+
+
+def _beside(file, case):
+    """The folder that a study's `case` names; "..", behind a link, leads as the system follows it."""
+    there = file.parent / case
+    plain = Path(os.path.normpath(there))
+    return plain if plain.resolve() == there.resolve() else there.resolve()
 
 
 def _seeds(section, key):

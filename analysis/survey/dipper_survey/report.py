@@ -1,6 +1,8 @@
 """What a survey found, in words and as a picture, and the files that pile.profile takes."""
 import numpy as np
 
+from dipper_run.figures import pyplot
+
 FILLED, LEFT_OUT = "#c2410c", "#2563eb"
 MOST = 5  # islands that are told one by one
 
@@ -50,9 +52,7 @@ def to_stl(surface):
 
 def plot(made, title, file):
     """The surface from above and three sections with the points round them, as PNG."""
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot as plt
+    plt = pyplot()
     s = made.surface
     columns = s.columns
     figure, axes = plt.subplots(4, 1, figsize=(10, 14), constrained_layout=True, height_ratios=[2.2, 1, 1, 1])

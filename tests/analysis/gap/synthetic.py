@@ -82,6 +82,7 @@ def run(effects=None, seed=0, rate_hz=1.0, spread=1.0, faces=False):
         dump = ph["dump"]
         here = (t >= start) & (t <= start + CYCLE_S)
         deep = 1 + 0.015 * spread * rng.standard_normal()
+        deep *= 1.0 - e.get("no_rock", 0.0)
         stand = e.get("standoff", 0.0) + e.get("standoff_scan", 0.0)
         deep *= 1 - 0.25 * stand
         high = e.get("pile_height", 0.0) * (0.2 if k == 0 else 1.0) * (1.0 if k != 1 else 0.6)
@@ -107,6 +108,7 @@ def run(effects=None, seed=0, rate_hz=1.0, spread=1.0, faces=False):
         dig_crowd = dig_crowd + crust * 260 * bump(t, pen[0], pen[0] + 0.6 * (pen[1] - pen[0]))
         dig_hoist = 750 * deep * hoist_wobble * lift * (1 + 0.07 * wet + 0.9 * rub + 0.03 * high)
         dig_hoist = dig_hoist + 160 * crust * bump(t, pen[1] - 1, pen[1] + 2) + 16 * lift * e.get("rake", 0.0)
+        dig_crowd, dig_hoist = (e.get("resists", 1.0) * x for x in (dig_crowd, dig_hoist))
         load_hoist = in_dipper * 1e3 * G * (1 + e.get("density", 0.0) * 0)
         tare = 48e3 * G + e.get("liners", 0.0) * 1e3 * G
         hoist[here] = (0.9 * (tare + load_hoist) + dig_hoist)[here]

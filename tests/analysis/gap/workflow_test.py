@@ -14,6 +14,7 @@ from dipper_gap.history import within_the_shift
 from dipper_gap.readings.measured import write_measured
 from dipper_gap.model import learn, predict
 from dipper_gap.readings.passes import split
+from dipper_gap.readings.vectors import Vectors
 from dipper_gap.simulation.plan import LEAST_SEEDS, make_plan, statement
 from dipper_gap.report import page
 from dipper_gap.workflow import Runner, analyse, changing, conclude
@@ -126,6 +127,22 @@ def test_no_gap_ends_before_the_runs_of_effects_and_says_so():
     assert any("ended before 12 runs" in w for w in a["warnings"])
     assert f"; {LEAST_SEEDS} of them decide whether there is a gap at all" in said[0]
     page(out, a, SMALL, "synthetic")
+
+
+def test_each_run_is_asked_for_and_read_once(monkeypatch):
+    """Where the analysis does not end early it learns from all runs what it has not read before."""
+    asked, read = [], []
+    simulator = fake_mine.FakeSimulator()
+    run, of_run = simulator.run, Vectors.of_run
+    monkeypatch.setattr(simulator, "run", lambda requests, say=print: asked.extend(requests) or run(requests, say))
+    monkeypatch.setattr(Vectors, "of_run", lambda self, m: read.append(m) or of_run(self, m))
+    monkeypatch.setattr("dipper_gap.workflow.conclude", lambda model, *_: model)
+    model = analyse(mine_with({"fines": 0.2}, 1), simulator, SMALL, 1, lambda text: None)
+    plan = make_plan(SMALL, 1, 1)
+    assert sorted(map(str, asked)) == sorted(map(str, plan.requests())) and len(read) == len(asked)
+    whole = learn(plan, dict(zip(plan.requests(), fake_mine.FakeSimulator().run(plan.requests()))),
+                  mine_with({}, 1))
+    assert np.array_equal(model.baseline.seed, whole.baseline.seed) and model.inflation == whole.inflation
 
 
 def test_an_effect_outside_the_catalogue_is_unknown_with_a_law_that_closes_the_gap():

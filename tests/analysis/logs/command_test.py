@@ -81,16 +81,19 @@ def test_help():
 
 
 def test_the_current_folder_and_a_user_s_packages_are_no_part_of_it(tmp_path):
-    """A csv.py beside the logs is not run, and a user's own numpy not taken."""
+    """A csv.py beside the logs is not run, a user's own numpy not taken, his settings are for other programs."""
     here, home = tmp_path / "here", tmp_path / "home"
     site = home / f".local/lib/python3.{sys.version_info.minor}/site-packages"
     for folder, names in ((here, ("csv", "numpy", "yaml")), (site, ("numpy",))):
         folder.mkdir(parents=True)
         for name in names:
             (folder / f"{name}.py").write_text(f"raise SystemExit('{name}.py of {folder} was run')\n")
-    environment = {**os.environ, "HOME": str(home), "PYTHONPATH": str(here), "PYTHONHOME": str(here)}
+    (here / "matplotlibrc").write_text("text.usetex: True\nfont.size: 60\nbackend: TkAgg\n")
+    environment = {**os.environ, "HOME": str(home), "PYTHONPATH": str(here), "PYTHONHOME": str(here),
+                   "PYTHONOPTIMIZE": "2", "PYTHONINSPECT": "1", "PYTHONPLATLIBDIR": "none", "PYTHONHASHSEED": "x",
+                   "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
     for name in ("PYTHONNOUSERSITE", "PYTHONSAFEPATH"):
         environment.pop(name, None)
     done = subprocess.run([DIPPER, "import", LOG, "--map", MAP, "--out", tmp_path / "out", "--dry"], cwd=here,
-                          env=environment, capture_output=True, text=True, timeout=100)
+                          env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=100)
     assert done.returncode == 0 and "was run" not in done.stdout + done.stderr, done.stderr

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace dipper::analysis::signals {
@@ -58,6 +59,31 @@ TEST(Passes, ARunThatEndsBeforeTheDumpHasAnOpenPass) {
   ASSERT_EQ(passes.size(), 1u);
   EXPECT_NEAR(passes[0].t_dump_s, 12.9, 1e-9);
   EXPECT_NEAR(passes[0].truck_kg, 0, 1e-9);
+}
+
+/// two_passes() as far as `end_s`; of the second pass's 70 t, `left_kg` are in the dipper from 16 s
+/// on, and the truck gains `rate_kg_s` of them from then to the end.
+std::vector<Pass> ended_in_the_second_dump(double end_s, double left_kg, double rate_kg_s) {
+  PassSignals s = two_passes();
+  for (auto* v : {&s.time_s, &s.door_rad, &s.dipper_force_N, &s.hoist_force_N, &s.crowd_force_N,
+                  &s.dipper_mass_kg, &s.truck_mass_kg}) {
+    v->resize(static_cast<std::size_t>(10 * end_s + 1.5));
+  }
+  for (std::size_t i = 350; i < s.time_s.size(); ++i) {
+    const double since_s = std::max(0.0, s.time_s[i] - 36);
+    s.dipper_mass_kg[i] = since_s > 0 ? left_kg : 70e3;
+    s.truck_mass_kg[i] = 80e3 + rate_kg_s * since_s;
+  }
+  return find_passes(s);
+}
+
+TEST(Passes, ARunThatEndsInTheDumpHasNotDumped) {
+  EXPECT_FALSE(ended_in_the_second_dump(35.5, 0, 0)[1].dumped) << "half a second after it opened";
+  EXPECT_FALSE(ended_in_the_second_dump(37.5, 0, 20e3)[1].dumped) << "10 t arrive in half a second";
+  EXPECT_FALSE(ended_in_the_second_dump(36.2, 30e3, 0)[1].dumped) << "40 t leave in half a second";
+  for (const double left_kg : {0.0, 12e3})  // what sticks inside does not leave
+    EXPECT_TRUE(ended_in_the_second_dump(37.5, left_kg, 100)[1].dumped) << left_kg;
+  EXPECT_TRUE(ended_in_the_second_dump(37.5, 0, 20e3)[0].dumped) << "the pass before";
 }
 
 /// As two_passes(), and 5 s more with the door shut: the dipper comes home.

@@ -179,7 +179,7 @@ def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_tol
     world.say("short", "2")
     world.say("warnings", "pass 1: the ropes are slack\n")
     said = world.study()
-    assert "study: warning: 3 of 9 runs are unfinished: they end before the door has opened" in said
+    assert "study: warning: 3 of 9 runs are unfinished: they end before the load is dumped" in said
     assert "study: warning: in 9 of 9 runs: pass 1: the ropes are slack" in said
     rows = world.rows()
     assert [r["status"] for r in rows] == ["complete", "unfinished", "complete"] * 3

@@ -120,14 +120,17 @@ TEST(Stl, AsciiFaultsNameTheirLine) {
     std::string message;
   };
   const std::vector<Fault> faults = {
-      {replace(good, "vertex 1 4 3", "vertex 1 4,0 3"), 5, "'4,0' is not a number"},
+      {replace(good, "vertex 1 4 3", "vertex 1 4,0 3"), 5,
+       "'4,0' is not a number; write decimal points"},
       {replace(good, "vertex 1 4 3", "vertex nan 4 3"), 5, "'nan' is not a number"},
       {replace(good, "vertex 1 4 3", "vertex 1 inf 3"), 5, "'inf' is not a number"},
       {replace(good, "vertex 1 4 3", "vertex 1 4"), 6, "'vertex' is not a number"},
       {replace(good, "    endloop", "    vertex 0 0 0\n    endloop"), 7,
        "'vertex' where 'endloop' belongs"},
       {replace(good, "outer loop", "outer lop"), 3, "'lop' where 'loop' belongs"},
-      {replace(good, "endsolid", ""), 87, "'' where 'facet' or 'endsolid' belongs"},
+      {replace(good, "endsolid", ""), 87, "the file ends where 'facet' or 'endsolid' belongs"},
+      {good.substr(0, good.find("endloop")), 7, "the file ends where 'endloop' belongs"},
+      {good.substr(0, good.find("2 3\n")), 4, "the file ends where a number belongs"},
       {"hello", 1, "'hello' where 'solid' belongs"},
       {"", 0, "holds no facets"},
       {"solid\nendsolid\n", 0, "holds no facets"},
@@ -141,20 +144,57 @@ TEST(Stl, AsciiFaultsNameTheirLine) {
 }
 
 TEST(Stl, BinaryFaultsNameTheirByte) {
-  std::string cut = binary_stl(cuboid);
-  cut.resize(200);
-  EXPECT_EQ(
-      fault_of(cut).message,
-      "at byte 200: the header says 12 facets, which takes 684 bytes; the file ends after 200");
-
-  EXPECT_EQ(fault_of(binary_stl(cuboid) + "x").message,
-            "at byte 684: 1 bytes too many after the 12 facets of the header");
+  const std::string good = binary_stl(cuboid);
+  EXPECT_EQ(fault_of(good.substr(0, 200)).message,
+            "at byte 200: the header says 12 facets, which takes 684 bytes; the file ends after "
+            "200: it was cut short; write or copy it again");
+  EXPECT_EQ(fault_of(good.substr(0, 84 + 50 * 7)).message,
+            "at byte 80: the header says 12 facets, and the file has 7: it was not written to its "
+            "end, or cut short; write or copy it again");
+  std::string open = good;  // its writer never came back to the header
+  open.replace(80, 4, "\xFF\xFF\xFF\xFF");
+  EXPECT_EQ(fault_of(open).message.rfind("at byte 80: the header says 4294967295 facets, and", 0),
+            0U);
+  EXPECT_EQ(fault_of(good + "x").message,
+            "at byte 684: 1 bytes too many after the 12 facets of the header; write the file "
+            "again, as plain STL");
 
   TriangleMesh nan = cuboid;
   nan.vertices.push_back({1, std::nan(""), 3});
   nan.triangles[2][1] = 8;  // facet 3, second corner: 84 + 2 * 50 + 12 + 12
   EXPECT_EQ(fault_of(binary_stl(nan)).message,
             "at byte 208: facet 3: a coordinate is not a finite number");
+}
+
+/// As a program on, or of, another kind of processor writes it: every word's bytes turned round.
+std::string big_endian(std::string bytes, bool count, bool numbers) {
+  const auto turn = [&](std::size_t at) {
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                 bytes.begin() + static_cast<std::ptrdiff_t>(at + 4));
+  };
+  if (count) turn(80);
+  for (std::size_t facet = 84; numbers && facet < bytes.size(); facet += 50)
+    for (std::size_t word = 0; word < 12; ++word) turn(facet + 4 * word);
+  return bytes;
+}
+
+TEST(Stl, BigEndianIsNamed) {
+  for (const bool numbers : {true, false})
+    EXPECT_EQ(fault_of(big_endian(binary_stl(cuboid), true, numbers)).message,
+              "at byte 80: the number of facets, 12, is big-endian; a binary STL is little-endian: "
+              "write the file again, as little-endian or as text");
+  const std::string numbers =
+      big_endian(binary_stl(test::box({0, 0, 0}, {4.2, 1, 1})), false, true);
+  EXPECT_NE(fault_of(numbers).message.find("m: the numbers are big-endian, or the file is damaged"),
+            std::string::npos);
+}
+
+TEST(Stl, WhatIsNoStlIsToldWithoutANumberOfFacetsFromItsText) {
+  std::string text = "Exported by a program, 2024\n";
+  for (int row = 0; row < 40; ++row) text += "1.0 2.0 3.0\n";
+  EXPECT_EQ(
+      fault_of(text).message.rfind("at byte 0: no STL file: a text one begins with 'solid'", 0), 0U)
+      << fault_of(text).message;
 }
 
 TEST(Stl, MissingFile) {

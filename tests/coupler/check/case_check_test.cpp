@@ -167,7 +167,7 @@ TEST(CheckCase, BrokenMeshes) {
         "facet 3: not closed: the edge (0, 1, 0) to (0, 0, 1) has no second facet"},
        {door, line, "bodies.door", "is not a number"},
        {checkout.file(), checkout.line("mesh:"), "truck.mesh",
-        truck.string() + ": at byte 84: the header says 2 facets, which takes 184 bytes"}});
+        truck.string() + ": at byte 80: the header says 2 facets, and the file has 0: it was not written"}});
 }
 
 TEST(CheckCase, NothingBesideTheMeshes) {

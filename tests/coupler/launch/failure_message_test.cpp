@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <thread>
 
@@ -113,6 +114,60 @@ TEST_F(FailureMessage, AKilledRankBeatsWhatItSaidBefore) {
                          "dipper-dem: 3 rocks removed\n"
                          "mpirun noticed that process rank 1 exited on signal 9\n");
   EXPECT_EQ(error_line(log), "mpirun noticed that process rank 1 exited on signal 9");
+}
+
+/// A folder with an mpirun of its own, first on PATH.
+class OtherMpirun {
+ public:
+  explicit OtherMpirun(const std::string& script) {
+    fs::create_directory(folder_);
+    std::ofstream(folder_ / "mpirun") << "#!/bin/sh\n" << script;
+    fs::permissions(folder_ / "mpirun", fs::perms::owner_all);
+    setenv("PATH", (folder_.string() + ":" + path_).c_str(), 1);
+  }
+  ~OtherMpirun() {
+    setenv("PATH", path_.c_str(), 1);
+    fs::remove_all(folder_);
+  }
+  std::string file() const { return folder_ / "mpirun"; }
+
+ private:
+  fs::path folder_ = fs::temp_directory_path() / ("other_mpirun" + std::to_string(getpid()));
+  std::string path_ = std::getenv("PATH");
+};
+
+TEST_F(FailureMessage, AnMpirunThatIsNotOpenMpisIsNamed) {
+  const OtherMpirun other(
+      "echo '[mpiexec@h1] match_arg: unrecognized argument oversubscribe' >&2\n"
+      "echo 'Usage: ./mpiexec [global opts]' >&2\nexit 255\n");
+  const auto log = write("log", "");
+  Process failed({"mpirun", "-np", "2", "true"}, log);
+  ASSERT_TRUE(failed.wait(std::chrono::seconds(10)));
+  EXPECT_EQ(failure_message(failed, log),
+            other.file() +
+                " is not Open MPI's, which this program takes; put that one's folder first in PATH;"
+                " it says '[mpiexec@h1] match_arg: unrecognized argument oversubscribe' "
+                "(exit status 255)");
+}
+
+TEST_F(FailureMessage, AnMpirunThatStartsNothingAndIsContentIsNamed) {
+  const OtherMpirun other("exit 0\n");
+  const auto log = write("log", "");
+  Process failed({"mpirun", "-np", "2", "true"}, log);
+  ASSERT_TRUE(failed.wait(std::chrono::seconds(10)));
+  EXPECT_EQ(failure_message(failed, log).rfind(other.file() + " is not Open MPI's", 0), 0U);
+}
+
+TEST_F(FailureMessage, NoMpirunIsToldWithWhatToInstall) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/none", 1);
+  const auto log = write("log", "");
+  Process failed({"mpirun", "-np", "2", "true"}, log);
+  ASSERT_TRUE(failed.wait(std::chrono::seconds(10)));
+  EXPECT_EQ(failure_message(failed, log),
+            "no mpirun on PATH; install Open MPI (openmpi-bin), or put its folder into PATH "
+            "(exit status 127)");
+  setenv("PATH", path.c_str(), 1);
 }
 
 }  // namespace

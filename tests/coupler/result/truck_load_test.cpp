@@ -47,6 +47,23 @@ TEST(TruckLoad, IsFilledByThePassesWhoseLoadIsNearest) {
   EXPECT_DOUBLE_EQ(as_json(*fourth)["load_fraction"], 290.0 / 220);
 }
 
+TEST(TruckLoad, OfAPassThatIsSmallForItsTruckTakesAsManyAsItTakes) {
+  const auto load = truck_load(400, passes({0.1}));
+  EXPECT_EQ(load->passes_to_fill, 4000);
+  EXPECT_NEAR(load->filled_t, 400, 0.05);
+  EXPECT_GE(truck_load(1000, passes({1e-9}))->passes_to_fill, 1'000'000'000);
+  EXPECT_EQ(truck_load(100, passes({40, 30}))->passes_to_fill, 3) << "105 t, for 70 and 140 t";
+}
+
+TEST(TruckLoad, ThatIsNotKnownIsTold) {
+  EXPECT_EQ(no_truck_load(0, passes({0})), "");
+  EXPECT_EQ(no_truck_load(220, passes({})), "truck.rated_t has no effect: the run has no passes");
+  EXPECT_THAT(no_truck_load(220, passes({0, 0})), HasSubstr("gained nothing from 2 passes"));
+  json unfinished = passes({0});
+  unfinished[0]["dumped"] = false;
+  EXPECT_EQ(no_truck_load(220, unfinished), "");
+}
+
 TEST(TruckLoad, IsWarnedOfAboveTenAndTwentyPercent) {
   EXPECT_EQ(overload_warning(*truck_load(100, passes({55, 54.9}))), "");
   EXPECT_THAT(overload_warning(*truck_load(100, passes({55, 56}))),

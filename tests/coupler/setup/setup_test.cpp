@@ -42,10 +42,19 @@ TEST(MachineSetup, RoundTripOfPoses) {
   EXPECT_EQ(back.bodies, (std::vector<std::string>{"bucket", "plate"}));
 }
 
-TEST(MachineSetup, MissingKeyThrows) {
-  nlohmann::json j = to_json(ShovelSetup{});
-  j.erase("rake_angle_deg");
-  EXPECT_THROW(machine_setup_from(j), nlohmann::json::exception);
+/// No entry has a default: a setting that is lost would be another run's.
+TEST(Setup, AMissingEntryThrows) {
+  const nlohmann::json shovel = to_json(ShovelSetup{}), poses = to_json(PosesSetup{}),
+                       rock = to_json(RockSetup{});
+  const auto without = [](nlohmann::json j, const std::string& key) {
+    j.erase(key);
+    return j;
+  };
+  for (const nlohmann::json& machine : {shovel, poses})
+    for (const auto& [key, value] : machine.items())
+      EXPECT_THROW(machine_setup_from(without(machine, key)), nlohmann::json::exception) << key;
+  for (const auto& [key, value] : rock.items())
+    EXPECT_THROW(rock_setup_from(without(rock, key)), nlohmann::json::exception) << key;
 }
 
 TEST(RockSetup, RoundTrip) {

@@ -15,6 +15,7 @@ from dipper_run.quantities import minutes
 from ..readings.measured import read_measured
 
 JOBS = 2  # runs at a time, unless asked otherwise
+MADE = ("run", "empty")  # by `dipper run`; what else is asked is of a run that was
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class Request:
 
     how: `run`; or, of the plain run of the same seed, `observe` (the effects change only what the
     instruments show) or `replay` (some change the machine's forces but not its motion, so the rock's
-    recorded force on it stays what it was).
+    recorded force on it stays what it was); or `empty`, the machine's cycle without rock.
     """
 
     effects: tuple
@@ -36,7 +37,10 @@ class Request:
 
     def __str__(self):
         said = ", ".join(f"{n} {s:.4g}" for n, s in self.effects) or "unchanged"
-        return f"{said}, seed {self.seed}"
+        return "the empty cycle" if self.how == "empty" else f"{said}, seed {self.seed}"
+
+
+EMPTY = Request((), 1, "empty")
 
 
 def request(effects, seed, catalogue):
@@ -54,6 +58,7 @@ class Simulator:
     """What the workflow needs; `DipperSimulator` is the real one, tests have a fake."""
 
     jobs = JOBS
+    known = None  # readings.fidelity.KnownErrors by which runs are corrected
 
     def run(self, requests, say=print):
         """One Measured, noise-free, for each request."""
@@ -126,7 +131,7 @@ class DipperSimulator(Simulator):
 
     def run(self, requests, say=print):
         requests = [self._possible(r) for r in requests]
-        need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
+        need = list(dict.fromkeys(r if r.how in MADE else r.plain for r in requests))
         jobs = [self._job(r) for r in need if not self._kept(r)]
         began, ended, failures = time.monotonic(), [], []
 
@@ -153,11 +158,13 @@ class DipperSimulator(Simulator):
 
     def _job(self, r):
         words = [str(self.case), "--ranks", "1", "--seed", str(r.seed), *QUIET, *_settings(r.effects)]
+        if r.how == "empty":
+            words.insert(1, "--no-rock")
         return Job(self.folder(r), tuple(words), str(r), facts={"effects": dict(r.effects), "seed": r.seed})
 
     def _again(self, r):
         """Words that look at the plain run once more, with other instruments or another machine."""
-        plain = str(self._job(r.plain).run)
+        plain = str(self._job(r if r.how == "empty" else r.plain).run)
         if r.how == "replay":
             # The run may be of a like case elsewhere that is gone.
             return [self.program, "replay", plain, "--side", "mbs", "--case", str(self.case)] + _settings(r.effects)
@@ -167,9 +174,10 @@ class DipperSimulator(Simulator):
     def _observed(self, r):
         if r.how == "run":
             return read_measured(self._job(r).run / "observed", simulated=True)
-        folder = self.folder(r)
+        # What an empty cycle shows is kept beside it: its run writes no observed folder.
+        folder = self.folder(r) if r.how != "empty" else self.folder(r).with_name(self.folder(r).name + "-observed")
         with run_cache.locked(folder, self._runs.stopped):
-            if not self._kept(r):
+            if not self._runs.kept(folder):
                 shutil.rmtree(folder, ignore_errors=True)
                 folder.mkdir()
                 words = self._again(r) + ["--out", str(folder / "observed")]

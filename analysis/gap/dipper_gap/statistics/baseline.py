@@ -30,6 +30,8 @@ class Baseline:
     trucks: int = 1         # T
     scatter: float = 1.0    # f: variance of the mine's own runs, in variances of the model's; with a reference (n,)
     reference: object = None  # Reference
+    # (n,) what a force of 1 while a channel's own drive stands still adds to a cell (readings/rest.py)
+    rest: np.ndarray = None
 
     def part(self, pass_numbers):
         """The same over some of the passes, and their indices. Covariances stay as all passes give them."""
@@ -38,7 +40,7 @@ class Baseline:
         cells = [self.cells[i] for i in at]
         part = replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], own=self.own[block],
                        common=self.common[:, at], more=self.more[:, at], seed=self.seed[block],
-                       grid=make_grid(cells, pass_numbers))
+                       grid=make_grid(cells, pass_numbers), rest=None if self.rest is None else self.rest[at])
         if self.reference is not None:
             part = replace(part, reference=self.reference.part(at), scatter=self.scatter[at])
         return part, at
@@ -92,6 +94,22 @@ class Baseline:
         out = self.seed * np.outer(size, size)
         beyond = self.reference.beyond if self.reference else None
         return out if beyond is None else out + beyond @ beyond.T
+
+    @property
+    def unlike(self):
+        """(n,) by which share a mine's earlier trucks differ from the model in the cell's phase and channel, beyond what
+        chance does; 0 without a reference."""
+        if self.reference is None:
+            return np.zeros(len(self.mean))
+        chance = np.diag(self.reference.own) + np.diag(self.mine)
+        variance = chance / self.reference.trucks + np.diag(self.seed) / self.seeds
+        out = np.zeros(len(self.mean))
+        for block in dict.fromkeys((c.phase, c.channel) for c in self.cells):
+            at = np.array([(c.phase, c.channel) == block for c in self.cells]) & (variance > 0)
+            size = (self.mean[at] ** 2 / variance[at]).sum()
+            beyond = (self.reference.shift[at] ** 2 / variance[at] - 1.0).sum()
+            out[at] = np.sqrt(max(beyond, 0.0) / size) if size > 0 else 0.0
+        return out
 
     def with_deviations(self, more):
         """The same with the seeds' covariance known from (M, n) further deviations too."""

@@ -16,6 +16,7 @@ from .shrink import shrink
 # Assumed: an effect in the mine differs from the catalogue's model of it by so much in a whole block (one
 # phase and channel, all passes alike), and by so much in a single cell.
 BLOCK_ERROR, CELL_ERROR = 0.25, 0.05
+MOVES = 0.5  # share of a phase at rest below which its mean force tells the effect's size
 BEFORE_BREAKOUT = ("approach", "penetrate", "fill")  # while the dipper fills
 CHAOTIC = 0.01  # of the prediction's variance: cells whose seeds' share is smaller do not tell of chaos
 
@@ -59,7 +60,24 @@ def fit_signature(effect, baseline, strengths, seed_index, values, same_rock=Fal
         g, error = _chaotic(s, values - baseline.mean, pairs - baseline.mean, baseline)
     scale = np.sqrt(error)
     g, noise = shrink(g, baseline.seed * np.outer(scale, scale), baseline, abs(effect.reference()))
-    return Signature(effect, g, noise, _shape_error(g, baseline))
+    wrong = _shape_error(g, baseline)
+    if effect.affects == "machine":  # it acts with or against the motion
+        wrong = wrong + np.diag(_rest_error(g, baseline) ** 2)
+    return Signature(effect, g, noise, wrong)
+
+
+def _rest_error(g, baseline):
+    """(n,) sd of what the effect may do to each cell while the drive stands still: anywhere between the force that it
+    usually has, one way and the other."""
+    out = np.zeros(len(g))
+    if baseline.rest is None:
+        return out
+    for channel in dict.fromkeys(c.channel for c in baseline.cells):
+        own = np.array([c.channel == channel for c in baseline.cells])
+        moving = own & (baseline.rest < MOVES) & np.array([c.feature == "mean" for c in baseline.cells])
+        usual = float(np.median(np.abs(g[moving]))) if moving.any() else 0.0
+        out[own] = baseline.rest[own] * usual / np.sqrt(3.0)
+    return out
 
 
 def _exact(s, difference, baseline):
@@ -123,12 +141,14 @@ def _moves(baseline):
 def _shape_error(g, baseline):
     """Covariance of what the catalogue's own model of the effect gets wrong, beyond its strength.
 
-    Each block's size errs by itself; what they have in common is the strength, and taken out.
+    Each block's size errs by itself; what they have in common is the strength, and taken out. Where a mine's earlier
+    trucks differ from the model, what an effect does to them may differ by as large a share besides.
     """
     block = [(c.phase, c.channel) for c in baseline.cells]
     labels = list(dict.fromkeys(block))
     member = np.array([[b == label for label in labels] for b in block], float)  # (n, blocks)
     weight = member.T @ (g / baseline.sd) ** 2
     weight = weight / max(weight.sum(), 1e-300)
-    factor = (member - weight) * g[:, None] * BLOCK_ERROR
+    error = np.hypot(BLOCK_ERROR, member.T @ baseline.unlike / member.sum(axis=0))  # (blocks,)
+    factor = (member - weight) * g[:, None] * error
     return factor @ factor.T + np.diag((CELL_ERROR * g) ** 2)

@@ -1,12 +1,13 @@
 """Runs by a program that stands in for `dipper`: kept, found again, gone on with."""
 import stat
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import pytest
 
 from dipper_gap.__main__ import usable
 from dipper_gap.simulation.effects import read_catalogue
-from dipper_gap.simulation.simulator import DipperSimulator, RunFailed, request
+from dipper_gap.simulation.simulator import EMPTY, DipperSimulator, RunFailed, request
 from effect_files import FINES, FRICTION, GAIN
 
 # Writes an observed folder whose truck masses tell what was asked; fails for a seed of 13.
@@ -118,6 +119,14 @@ def test_two_analyses_at_once_make_a_run_once(world):
     assert sorted(c.split()[0] for c in calls(folder)) == ["observe", "run", "run", "run"]
 
 
+def test_the_empty_cycle_is_run_once_and_observed_after(world):
+    simulator, _, _, folder = world
+    for _ in range(2):
+        simulator().run([EMPTY], lambda text: None)
+    made = calls(folder)
+    assert [c.split()[0] for c in made] == ["run", "observe"] and "--no-rock" in made[0]
+
+
 def test_how_long_is_guessed_from_the_size_before_the_first_run(world):
     simulator, catalogue, _, _ = world
     s = simulator()
@@ -128,6 +137,34 @@ def test_an_effect_the_case_cannot_take_is_left_out(world):
     simulator, catalogue, _, _ = world
     kept, left_out = usable(catalogue, simulator())
     assert list(kept) == ["crowd_friction", "scale_gain"] and "fines" in left_out[0]
+
+
+def test_effects_are_checked_together_unless_they_change_the_same_key(world, monkeypatch):
+    simulator, catalogue, _, _ = world
+    asked = []
+    monkeypatch.setattr("dipper_gap.__main__.check", lambda program, case, some: asked.append(some) or "")
+    alike = replace(catalogue["fines"], name="more_fines")
+    kept, left_out = usable({**catalogue, "more_fines": alike}, simulator())
+    assert len(kept) == 4 and not left_out
+    assert len(asked) == 4 and sum(map(len, asked)) == 8  # two strengths of fines and of more of them, one a set
+    for some in asked:
+        keys = [key for n, _ in some for key, *_ in (alike if n == "more_fines" else catalogue[n]).overlay]
+        assert len(set(keys)) == len(keys)
+
+
+def test_what_a_case_cannot_take_is_found_among_many_by_halves(world, monkeypatch):
+    simulator, catalogue, _, _ = world
+    many = {f"e{k}": replace(catalogue["fines"], name=f"e{k}", overlay=((f"rock.key{k}", "add", 1.0),)) for k in range(24)}
+    asked = []
+
+    def check(program, case, some):
+        asked.append(some)
+        return "no such rock" if "e13" in dict(some) else ""
+
+    monkeypatch.setattr("dipper_gap.__main__.check", check)
+    kept, left_out = usable(many, simulator())
+    assert set(many) - set(kept) == {"e13"} and "no such rock" in left_out[0] and len(left_out) == 1
+    assert len(asked) <= 12  # 48 when asked one by one
 
 
 def test_a_changed_mesh_is_another_case(world):

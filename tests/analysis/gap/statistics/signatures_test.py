@@ -1,4 +1,5 @@
 """Signatures from few chaotic runs: what they promise against what is true."""
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -6,6 +7,7 @@ import pytest
 
 from dipper_gap.statistics import signatures
 from dipper_gap.statistics.baseline import make_baseline
+from dipper_gap.statistics.reference import Reference
 from dipper_gap.readings.features import Cell
 from dipper_gap.statistics.shrink import shrink
 
@@ -44,7 +46,7 @@ def runs_of(true, b, rng, root):
 def fitted(true, b, rng, root, monkeypatch):
     monkeypatch.setattr(signatures, "BLOCK_ERROR", 0.0)
     monkeypatch.setattr(signatures, "CELL_ERROR", 0.0)
-    effect = SimpleNamespace(kind="rock", name="e", reference=lambda: 1.0)
+    effect = SimpleNamespace(kind="rock", affects="settling", name="e", reference=lambda: 1.0)
     return signatures.fit_signature(effect, b, STRENGTHS, INDEX, runs_of(true, b, rng, root))
 
 
@@ -112,3 +114,31 @@ def test_exact_signatures_pass_unchanged():
     x = np.random.default_rng(2).standard_normal(N) * b.sd
     g, spread = shrink(x, np.zeros((N, N)), b, 1.0)
     assert np.allclose(g, x, atol=1e-3 * b.sd) and np.abs(spread).max() < 1e-4 * np.diag(b.prediction).max()
+
+
+def test_an_effect_against_the_motion_is_bounded_where_the_drive_stands_still():
+    b, _, _ = world(1)
+    rest = np.array([0.6 * (c.phase == "swing" and c.channel == "crowd_force_kN" and c.feature == "mean") for c in b.cells])
+    b = replace(b, rest=rest)
+    g = np.array([1.0 * (c.channel == "crowd_force_kN" and c.feature == "mean" and c.phase != "swing") for c in b.cells])
+    for affects, expected in (("machine", 0.6 / np.sqrt(3)), ("settling", 0.0)):
+        effect = SimpleNamespace(kind="machine", affects=affects, name="e", reference=lambda: 1.0)
+        wrong = signatures.fit_signature(effect, b, (1.0, 1.0), (0, 1), b.values[:2] + g, True).wrong
+        sd = np.sqrt(np.diag(wrong))
+        assert sd[rest > 0] == pytest.approx(np.full(PASSES, expected), abs=0.02)
+        assert sd[(rest == 0) & (g == 0)].max() < 0.05
+
+
+def test_an_effect_may_differ_more_where_the_mines_earlier_trucks_do():
+    b, rng, root = world(2)
+    trucks = 4
+    off = np.array([0.5 * (c.phase == "fill" and c.channel == "hoist_force_kN") for c in b.cells])
+    mean = 50 * np.sqrt(np.diag(b.seed))
+    alike = Reference(np.zeros((trucks, N)), b.own, np.zeros((0, N)), 0 * mean)
+    b = replace(b, mean=mean, reference=alike)
+    assert not b.unlike.any()
+    other = replace(b, reference=replace(alike, shift=off * mean))
+    assert other.unlike == pytest.approx(off, abs=0.01)
+    at = off > 0
+    sizes = [np.sqrt(np.diag(signatures._shape_error(mean, x)))[at] / mean[at] for x in (b, other)]
+    assert (sizes[1] > 1.5 * sizes[0]).all()

@@ -20,7 +20,7 @@ export function history(data) {
   return section('history', 'Since when',
     'How strong it is in each truck, in the order in which they were loaded' + (reference ? `: ${reference.trucks} of the reference, then the measured ones.` : '.')
     + (h.effect ? '' : ' It has no name: 1 is the gap of the measured trucks’ mean.'),
-    curve(order, lines, { title: name, unit: unitText(h.unit), height: 230, xLabel: 'truck',
+    curve(order, lines, { title: name, unit: unitText(h.unit), height: 230, xLabel: 'truck', xTicks: order,
       xRange: [0.5, order.length + 0.5],
       bands: reference ? [{ name: 'reference', from: 0.5, to: reference.trucks + 0.5 }, { name: 'measured', from: reference.trucks + 0.5, to: order.length + 0.5 }] : [] }),
     began && facts([['It began', since(data.answer)], ['Since then', `${number(began.size, 3)} ± ${number(2 * began.size_sd, 2)} ${unitText(h.unit)} (2 sd)`],

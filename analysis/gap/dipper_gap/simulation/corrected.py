@@ -1,0 +1,49 @@
+"""Runs as a mine would show them, by what is known of the model's errors (readings/fidelity.py)."""
+import copy
+from dataclasses import replace
+
+from ..readings.fidelity import known_errors
+from .simulator import EMPTY, Simulator
+
+
+class Corrected(Simulator):
+    """A Simulator whose runs are corrected by a Fidelity; the same runs are made, and one empty cycle."""
+
+    def __init__(self, simulator, fidelity):
+        self._simulator, self._fidelity = simulator, fidelity
+        self.jobs, self.case = simulator.jobs, simulator.case
+        self.known = None   # KnownErrors, from the first plain runs on
+        self._law = None    # name of an effect that adds a force of its own, whatever the rock does
+
+    def run(self, requests, say=print):
+        made = self._simulator.run(requests, say)
+        if self.known is None:
+            plain = [m for r, m in zip(requests, made) if not r.effects]
+            self.known = known_errors(self._fidelity, self._simulator.run([EMPTY], say)[0], plain)
+        plain = self._simulator.run([self._without_law(r) for r in requests], say) if self._law else made
+        return [_moved(self.known.corrected(p), p, m) for p, m in zip(plain, made)]
+
+    def with_effect(self, effect):
+        other = copy.copy(self)
+        other._simulator, other._law = self._simulator.with_effect(effect), effect.name
+        return other
+
+    def _without_law(self, r):
+        effects = tuple(e for e in r.effects if e[0] != self._law)
+        return replace(r, effects=effects, how=r.how if effects else "run")
+
+    def takes_a_run(self, request):
+        return self._simulator.takes_a_run(request)
+
+    def plan(self, requests):
+        return self._simulator.plan(requests)
+
+    def case_hash(self):
+        return self._simulator.case_hash()
+
+
+def _moved(corrected, plain, m):
+    """The corrected folder of `plain` with what `m` shows more than it."""
+    if m is plain:
+        return corrected
+    return replace(corrected, signals={n: v + m.signals[n] - plain.signals[n] for n, v in corrected.signals.items()})
