@@ -36,9 +36,11 @@ def forecast(channels, simulator, catalogue, first_seed, say=print):
     folders = dict(zip(requests, simulator.run(requests, say)))
     first = folders[plan.baseline[0]]
     mine = replace(first.seen_by(channels), channels={n: channels[n] for n in first.channels if n in channels})
-    model = learn(plan, folders, mine)
+    model = learn(plan, folders, mine, known=simulator.known)
     blind = mine.seen_by({n: c for n, c in mine.channels.items() if n != FACE})
-    faceless = _ways(learn(plan, folders, blind), catalogue, blind) if FACE in mine.channels else None
+    faceless = None
+    if FACE in mine.channels:
+        faceless = _ways(learn(plan, folders, blind, known=simulator.known), catalogue, blind)
     return Forecast(TRUCKS, model.responses, _ways(model, catalogue, mine), faceless,
                     sum(r.how == "run" for r in requests))
 

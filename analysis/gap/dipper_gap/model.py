@@ -110,7 +110,8 @@ def response_names(measured):
 def learn(plan, folders, measured, before=None, known=None, earlier=None):
     """The model from the runs {request: folder} of a plan, for a mine that logs as `measured` does, and a reference
     that logs as `before` does. `known` are the KnownErrors by which the runs were corrected: what they leave unknown
-    is an error that all trucks share. What an `earlier` Model of the same mine and fewer runs has read is not read again.
+    is an error that all trucks share. What an `earlier` Model of the same mine and fewer runs has read is not read
+    again.
     """
     mines = [measured] + ([before.seen_by(measured.channels)] if before else [])
     numbers = common_passes(measured, [*folders.values(), *mines[1:]])
@@ -147,7 +148,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
     if not known:
         return model
     shared = np.vstack([baseline.common, known.directions(base, model.of_runs, baseline.cells)])
-    return replace(model, baseline=replace(model.baseline, common=shared))
+    return replace(model, baseline=replace(model.baseline, common=shared, altered=known.altered(base, model.of_runs)))
 
 
 def predict(model, catalogue, trucks_scatter):

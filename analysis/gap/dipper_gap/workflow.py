@@ -16,7 +16,7 @@ import numpy as np
 
 from .decision.confirm import confirm, drawn
 from .decision.decide import OMNIBUS_P, PROBABILITY, Verdict, decide, sure
-from .decision.law import find_laws
+from .decision.law import find_laws, rival_law
 from .decision.law_effect import law_effect
 from .decision.next_experiment import propose
 from .history import History, history, within_the_shift
@@ -149,12 +149,13 @@ def conclude(model, prediction, measured, runner, before=None):
     runner.say(f"gap: omnibus p {seen.disagreement.omnibus_p:.3g}; verdict {verdict.verdict}"
                + (f": {', '.join(verdict.members)}" if verdict.members else ""))
     runs = sum(r.how == "run" for r in model.plan.requests())
-    out = Outcome(seen, warnings=warnings(model, prediction, measured, before), inflation=model.inflation,
-                  trucks=len(measured.trucks()), runs=runs, known=runner.simulator.known,
+    known = runner.simulator.known
+    out = Outcome(seen, warnings=warnings(model, prediction, measured, before, known), inflation=model.inflation,
+                  trucks=len(measured.trucks()), runs=runs, known=known,
                   seeds={"baseline": [r.seed for r in model.plan.baseline]})
     after = ()
     if verdict.verdict == "named":
-        named = add_and_confirm(model, prediction, seen, runner)
+        named = add_and_confirm(model, prediction, seen, runner, measured, before)
         fresh, after = named.confirmation, named.confirmation.folders
         out = replace(out, look=replace(seen, verdict=named.verdict), effects=named.effects,
                       intervals=named.intervals, stability=named.stability, second=named.second,
@@ -242,9 +243,11 @@ def within(told, before):
             "mean of all of them; give the trucks since then alone, and those before it to the reference",)
 
 
-def warnings(model, prediction, measured, before=None):
-    """What a reader should know of the comparison itself."""
+def warnings(model, prediction, measured, before=None, known=None):
+    """What a reader should know of the comparison itself; `known` are KnownErrors by which runs were corrected."""
     out = [*measured.questions(), *motion_warnings(model, measured)]
+    if known:
+        out.append(str(known.fidelity))
     if before:
         out += reference_warnings(model, measured, before)
     elif prediction.baseline.scatter > SCATTERS:
@@ -316,7 +319,7 @@ def _with_signatures(part, better):
     return replace(part, signatures=made)
 
 
-def add_and_confirm(model, prediction, seen, runner):
+def add_and_confirm(model, prediction, seen, runner, measured, before=None):
     """Adds what is named to the case, confirms it on the hold-out, and looks for a second effect."""
     m, verdict, signatures = seen.matched, seen.verdict, seen.training.signatures
     lead = verdict.effect
@@ -326,7 +329,9 @@ def add_and_confirm(model, prediction, seen, runner):
     intervals = {n: interval(m, n, signatures, fit.names) for n in names}
     stable = stability(m, lead, seen.training.covariance, signatures)
     runner.say(f"gap: {FRESH_SEEDS} fresh runs with {as_text(strengths)}")
-    fresh = confirm(model, seen.training, seen.holdout, m, strengths, runner)
+    # A force that follows from the motion otherwise than the named effect has it does better than the name.
+    law = rival_law(model, seen.holdout.passes, measured, before) if model.runs[lead].same_rock else None
+    fresh = confirm(model, seen.training, seen.holdout, m, strengths, runner, law)
     objections = fresh.holdout.objections()
     if objections:
         runner.say("gap: not confirmed: " + "; ".join(objections))

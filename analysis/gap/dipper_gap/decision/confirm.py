@@ -18,20 +18,22 @@ class Confirmation:
     seeds: list
 
 
-def confirm(model, training, holdout, matched, strengths, runner):
-    """Fresh runs of the case with `strengths` {effect: strength}, against both parts."""
+def confirm(model, training, holdout, matched, strengths, runner, law=None):
+    """Fresh runs of the case with `strengths` {effect: strength}, against both parts; `law` is a rival that
+    law.rival_law has found."""
     seeds = model.plan.fresh_seeds()
     folders = runner.run(strengths, seeds)
     after = model.of_runs(folders)
 
     def closed(part):
         expected = sum(strengths[s.name] * s.g for s in part.signatures if s.name in strengths)
-        return closure(part.y, part.baseline, after[:, part.at], _rivals(part, training, matched, strengths), expected)
+        rivals = _rivals(part, training, matched, strengths, law)
+        return closure(part.y, part.baseline, after[:, part.at], rivals, expected)
 
     return Confirmation(closed(training), closed(holdout), after, tuple(folders), seeds)
 
 
-def _rivals(part, training, matched, strengths):
+def _rivals(part, training, matched, strengths, law):
     """Means on `part` of what must be beaten, each fitted on the training passes."""
     residual, mean = training.y - training.baseline.mean, part.baseline.mean
     rivals = {}
@@ -44,6 +46,9 @@ def _rivals(part, training, matched, strengths):
         best = max(wrong, key=lambda n: matched.log_weight[(n,)])
         g = next(s.g for s in part.signatures if s.name == best)
         rivals[f"{best}, the best wrong effect"] = mean + matched.fits[(best,)].best[0] * g
+    if law:
+        words, moves = law
+        rivals[f"a law ({words})"] = mean + moves[part.at]
     shift = best_fit(residual, training.baseline.prediction, training.bias.T, np.full(len(training.bias), FLAT_PRIOR))
     rivals["a constant bias in each channel"] = mean + shift @ part.bias
     return rivals

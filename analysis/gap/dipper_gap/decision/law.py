@@ -8,7 +8,7 @@ mine's scatter and read by its instruments. A law is told if fewer than ALARMS o
 passes and then on those held out. Where no term helps, the constant itself is a law, if fewer than ALARMS of those
 residuals, with the error that all readings share, have so large a one.
 """
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -98,6 +98,27 @@ def find_laws(model, baseline, holdout, measured, before=None, seed=0):
     return tuple(law for _, law in sorted(found, key=lambda f: -f[0]))
 
 
+def rival_law(model, holdout, measured, before=None):
+    """(words, (n,) shift of all cells) of the law that explains the training passes best, of each force that has one;
+    None where there is none. Whether it is one by chance is for the passes held out to say."""
+    folder, words, signals = model.folders[0], [], dict(model.folders[0].signals)
+    columns = _columns(folder, [(p.t_start_s, p.t_end_s) for p in folder.passes])
+    for channel in measured.responses():
+        r = _readings(model, channel, measured, before)
+        held = np.isin(r.passes, holdout)
+        weight = 1.0 / (r.chance.var(axis=0, ddof=1) + r.sigma**2)
+        _, chosen, _ = _search(r, r.residual, weight, held)
+        if chosen:
+            size = _fit(r.terms[~held][:, chosen], r.residual[~held], weight[~held])
+            signals[channel] = signals[channel] + size[0] + columns[:, chosen] @ size[1:]
+            law = Law(channel, tuple((FORMS[k], float(a)) for k, a in zip(chosen, size[1:])), 1.0, 0.0)
+            words.append(f"{channel.removesuffix('_force_kN').capitalize()} force: {law.words}")
+    if not words:
+        return None
+    moved, plain = model.of_runs([replace(folder, signals=signals), folder])
+    return ". ".join(words), moved - plain
+
+
 def _of_terms(r, channel, weight, held, by_chance, alarms):
     """(gain, Law) of terms of the motion; None where chance does as well."""
     gain, chosen, after = _search(r, r.residual, weight, held)
@@ -177,12 +198,16 @@ def _fit(x, y, weight):
     return np.linalg.lstsq(np.column_stack([np.ones(len(y)), x]) * root[:, None], y * root, rcond=None)[0]
 
 
+def _columns(m, spans):
+    """(T, K) of FORMS at a folder's readings, of the passes `spans`."""
+    names, values = find_terms(m.time_s, *(m.signals[n] for n in ("hoist_m", "crowd_m", "swing_rad")), spans)
+    return np.column_stack([sum(f * values[:, names.index(t)] for t, f in TERMS[n][0].items()) for n in FORMS])
+
+
 def _readings(model, channel, measured, before):
     first, usual = measured.trucks()[0], before.trucks() if before else None
     terms, passes, residual, chance = [], [], [], []
-    spans = [(p.t_start_s, p.t_end_s) for p in (one_pass(first, n) for n in model.passes)]
-    names, values = find_terms(first.time_s, *(first.signals[n] for n in ("hoist_m", "crowd_m", "swing_rad")), spans)
-    columns = np.column_stack([sum(f * values[:, names.index(t)] for t, f in TERMS[n][0].items()) for n in FORMS])
+    columns = _columns(first, [(p.t_start_s, p.t_end_s) for p in (one_pass(first, n) for n in model.passes)])
     for number in model.passes:
         p = one_pass(first, number)
         inside = (first.time_s >= p.t_start_s) & (first.time_s <= p.t_end_s)

@@ -7,8 +7,8 @@
 low and high bound 95 %. by_phase is the sd, relative, of the rock's force in one phase and channel about that factor.
 
 The rock's force is what a drive shows more than in the empty cycle, as the same motion needs. From the dig's end on it
-is the load's weight; in the fill as much of it as has been filled, in a straight line; the rest of the dig is
-resistance. Coarse rock resists too much and weighs what it should, so that each has a factor of its own.
+is the load's weight; from first contact to the end of the fill as much of it as has been filled, in a straight line;
+the rest of the dig is resistance. Coarse rock resists too much and weighs what it should: each has its own factor.
 """
 from dataclasses import dataclass, replace
 
@@ -130,6 +130,12 @@ class KnownErrors:
             out += [part(lambda m: self._without(m, half, ("swing",), (name,))) * LEVER for name in forces]
         return np.array([row for row in out if row.any()]).reshape(-1, len(cells))
 
+    def altered(self, folders, rows_of):
+        """(n,) features by which the corrected runs `folders` differ from what they were."""
+        folders, told = folders[:USED], self.fidelity.payload.value
+        before = [self._scaled(m, 1.0 / self.resistance.value, 1.0 / told) for m in folders]
+        return (rows_of(folders) - rows_of(before)).mean(axis=0)
+
     def _without(self, m, half, phases, forces):
         """The folder with no rock's force in the first (0) or second (1) half of these phases."""
         at = np.zeros(len(m.time_s), bool)
@@ -173,7 +179,7 @@ def resistance_of(factor, empty, plain):
         usual = [[np.sqrt(sum(f[at] ** 2 for f, _ in forces)).mean() for at, forces in run] for run in parts]
         return np.mean(means) / np.mean(usual) - factor
 
-    if off(0.0) > 0:
+    if off(0.0) >= 0:
         raise ValueError(f"{FILE}: dig_force: {factor:g} of the model's is not possible: dipper and load alone need "
                          f"{factor + off(0.0):.2f} of it; a larger factor")
     return float(brentq(off, 0.0, MOST * max(1.0, factor), xtol=1e-6))
@@ -220,7 +226,8 @@ def _within(t, span):
 
 def _filled(t, phases):
     """(T,) share of the load that is in the dipper while it digs."""
-    if "fill" not in phases:
+    digs = [phases[n] for n in ("penetrate", "fill") if n in phases]
+    if not digs:
         return (t >= phases.get("breakout", (np.inf,))[0]).astype(float)
-    start, end = phases["fill"]
+    start, end = digs[0][0], digs[-1][1]
     return np.clip((t - start) / (end - start), 0.0, 1.0)

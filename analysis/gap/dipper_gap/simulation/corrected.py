@@ -11,16 +11,23 @@ class Corrected(Simulator):
 
     def __init__(self, simulator, fidelity):
         self._simulator, self._fidelity = simulator, fidelity
-        self.jobs, self.case = simulator.jobs, simulator.case
+        self.jobs = simulator.jobs
         self.known = None   # KnownErrors, from the first plain runs on
         self._law = None    # name of an effect that adds a force of its own, whatever the rock does
+
+    @property
+    def case(self):
+        return self._simulator.case
 
     def run(self, requests, say=print):
         made = self._simulator.run(requests, say)
         if self.known is None:
             plain = [m for r, m in zip(requests, made) if not r.effects]
             self.known = known_errors(self._fidelity, self._simulator.run([EMPTY], say)[0], plain)
-        plain = self._simulator.run([self._without_law(r) for r in requests], say) if self._law else made
+        pairs = [self._pair(r) for r in requests]
+        others = dict.fromkeys(p for p, r in zip(pairs, requests) if p != r)
+        found = dict(zip(others, self._simulator.run(list(others), say) if others else ()))
+        plain = [found.get(p, m) if p != r else m for p, r, m in zip(pairs, requests, made)]
         return [_moved(self.known.corrected(p), p, m) for p, m in zip(plain, made)]
 
     def with_effect(self, effect):
@@ -28,9 +35,13 @@ class Corrected(Simulator):
         other._simulator, other._law = self._simulator.with_effect(effect), effect.name
         return other
 
-    def _without_law(self, r):
-        effects = tuple(e for e in r.effects if e[0] != self._law)
-        return replace(r, effects=effects, how=r.how if effects else "run")
+    def _pair(self, r):
+        """The run on the same rock beside which a run shows a force of machine or law, which no rock's error is in; the
+        run itself where there is none: instruments show more or less of the force that is there."""
+        if self._law in dict(r.effects):
+            effects = tuple(e for e in r.effects if e[0] != self._law)
+            return replace(r, effects=effects, how=r.how if effects else "run")
+        return r.plain if r.how == "replay" and not self.takes_a_run(r) else r
 
     def takes_a_run(self, request):
         return self._simulator.takes_a_run(request)

@@ -32,6 +32,7 @@ class Baseline:
     reference: object = None  # Reference
     # (n,) what a force of 1 while a channel's own drive stands still adds to a cell (readings/rest.py)
     rest: np.ndarray = None
+    altered: np.ndarray = None  # (n,) by what the runs were corrected (readings/fidelity.py)
 
     def part(self, pass_numbers):
         """The same over some of the passes, and their indices. Covariances stay as all passes give them."""
@@ -40,7 +41,8 @@ class Baseline:
         cells = [self.cells[i] for i in at]
         part = replace(self, cells=cells, mean=self.mean[at], values=self.values[:, at], own=self.own[block],
                        common=self.common[:, at], more=self.more[:, at], seed=self.seed[block],
-                       grid=make_grid(cells, pass_numbers), rest=None if self.rest is None else self.rest[at])
+                       grid=make_grid(cells, pass_numbers), rest=_at(self.rest, at),
+                       altered=_at(self.altered, at))
         if self.reference is not None:
             part = replace(part, reference=self.reference.part(at), scatter=self.scatter[at])
         return part, at
@@ -97,17 +99,21 @@ class Baseline:
 
     @property
     def unlike(self):
-        """(n,) by which share a mine's earlier trucks differ from the model in the cell's phase and channel, beyond what
-        chance does; 0 without a reference."""
-        if self.reference is None:
+        """(n,) by which share a mine's earlier trucks differ from the model in the cell's phase and channel, beyond
+        what chance does, or corrected runs from what they were; 0 where neither is known."""
+        if self.reference is not None:
+            chance = np.diag(self.reference.own) + np.diag(self.mine)
+            variance = chance / self.reference.trucks + np.diag(self.seed) / self.seeds
+            off, usual = self.reference.shift, 1.0
+        elif self.altered is not None:
+            variance, off, usual = np.diag(self.seed), self.altered, 0.0
+        else:
             return np.zeros(len(self.mean))
-        chance = np.diag(self.reference.own) + np.diag(self.mine)
-        variance = chance / self.reference.trucks + np.diag(self.seed) / self.seeds
         out = np.zeros(len(self.mean))
         for block in dict.fromkeys((c.phase, c.channel) for c in self.cells):
             at = np.array([(c.phase, c.channel) == block for c in self.cells]) & (variance > 0)
             size = (self.mean[at] ** 2 / variance[at]).sum()
-            beyond = (self.reference.shift[at] ** 2 / variance[at] - 1.0).sum()
+            beyond = (off[at] ** 2 / variance[at] - usual).sum()
             out[at] = np.sqrt(max(beyond, 0.0) / size) if size > 0 else 0.0
         return out
 
@@ -122,6 +128,10 @@ class Baseline:
     @property
     def sd(self):
         return np.sqrt(np.diag(self.prediction))
+
+
+def _at(values, at):
+    return None if values is None else values[at]
 
 
 def to_grid(values, grid):

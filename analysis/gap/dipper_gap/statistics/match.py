@@ -13,6 +13,7 @@ from . import evidence
 PRIOR = {"none": 0.45, "unknown": 0.10, 1: 0.35, 2: 0.08, 3: 0.02}
 UNKNOWN_SIZES = (1.0, 2.0, 4.0)  # of a free discrepancy, in sd of the prediction
 UNKNOWN_GAINS = (0.05, 0.15)     # of a force's reading, in parts
+NAMED = 0.98  # cosine, in the metric of the errors, from which a gain is an effect of the catalogue: not unknown
 INTERVAL = 0.90
 GAIN_ERROR = 0.10  # assumed: of a response taken as a straight line through two strengths
 SAMPLES = 4000
@@ -58,17 +59,17 @@ def match(residual, covariance, signatures, baseline, largest=3, known=None):
             fits[names] = known.get(names) or evidence.fit(residual, covariance, chosen, factor)
             log_weight[names] = fits[names].log_evidence + np.log(PRIOR[size] / len(sets))
     log_weight["none"] = evidence.log_gaussian(residual, factor) + np.log(PRIOR["none"])
-    log_weight["unknown"] = unknown_evidence(residual, covariance, baseline) + np.log(PRIOR["unknown"])
+    log_weight["unknown"] = unknown_evidence(residual, covariance, baseline, signatures) + np.log(PRIOR["unknown"])
     total = logsumexp(list(log_weight.values()))
     return Match(fits, {k: float(np.exp(w - total)) for k, w in log_weight.items()}, log_weight)
 
 
-def unknown_evidence(residual, covariance, baseline):
+def unknown_evidence(residual, covariance, baseline, signatures=()):
     """log evidence of a free discrepancy: a mixture over where it is and how large.
 
     Everywhere and each pass anew; everywhere and alike in all passes; or alike in all passes but in one
     channel, one phase, or one block of both; or in one pass alone; or one force reads too much, by a part that
-    stays or grows from pass to pass.
+    stays or grows from pass to pass, unless one of the `signatures` is just that.
     """
     sd = baseline.sd
     key = number([c.key for c in baseline.cells])
@@ -81,9 +82,15 @@ def unknown_evidence(residual, covariance, baseline):
     for one in dict.fromkeys(c.pass_number for c in baseline.cells):
         shapes.append(np.diag(sd**2 * np.array([c.pass_number == one for c in baseline.cells])))
     sized = [size**2 * shape for shape in shapes for size in UNKNOWN_SIZES]
-    sized += [gain**2 * np.outer(v, v) for v in gains(baseline).T for gain in UNKNOWN_GAINS]
+    sized += [gain**2 * np.outer(v, v) for v in gains(baseline).T for gain in UNKNOWN_GAINS
+              if not any(_cosine(v, s.g, covariance) > NAMED for s in signatures)]
     logs = [evidence.log_gaussian(residual, evidence.prepare(covariance + extra)) for extra in sized]
     return float(logsumexp(logs) - np.log(len(logs)))
+
+
+def _cosine(a, b, covariance):
+    (aa, ab), (_, bb) = np.array([a, b]) @ np.linalg.solve(covariance, np.array([a, b]).T)
+    return abs(ab) / np.sqrt(max(aa * bb, 1e-300))
 
 
 def _reading(cell, channel, mean):

@@ -1,4 +1,4 @@
-"""What is known of the model's errors: read from the case's folder, taken out of runs, its interval kept as an error."""
+"""What is known of the model's errors: read beside the case, taken out of runs, its interval kept as an error."""
 from dataclasses import replace
 
 import numpy as np
@@ -63,7 +63,7 @@ def test_rock_shows_resistance_in_the_dig_and_weight_from_then_on():
         assert m.signals[name] - EMPTY.signals[name] == pytest.approx(resists + weighs, abs=1e-9)
         for phases in synthetic.phase_index():
             after = (m.time_s >= phases["swing"][0]) & (m.time_s < phases["return"][1])
-            before = (m.time_s >= phases["approach"][0]) & (m.time_s < phases["fill"][0])
+            before = (m.time_s >= phases["approach"][0]) & (m.time_s < phases["penetrate"][0])
             assert not resists[after].any() and not weighs[before].any()
     hoist = {n: w for n, _, w in rock_forces(m, EMPTY)}["hoist_force_kN"]
     swing = synthetic.phase_index()[0]["swing"]
@@ -104,14 +104,16 @@ def test_what_is_not_known_is_a_shared_shift_of_features(known):
     fill, swing, mass = (index[c] for c in (Cell(1, "fill", "crowd_force_kN", "mean"),
                                             Cell(1, "swing", "hoist_force_kN", "mean"),
                                             Cell(1, "dump", "truck_mass_t", "mass")))
-    assert resistance[swing] == pytest.approx(0.0, abs=1e-9) and resistance[mass] == pytest.approx(0.0, abs=1e-9)
-    assert 0 < resistance[fill] < 2 * known.resistance.spread * mean[fill] + 50
+    assert resistance[swing] == pytest.approx(0.0, abs=1.0) and resistance[mass] == pytest.approx(0.0, abs=1e-9)
+    at = [(m.time_s >= a) & (m.time_s < b) for m in runs for a, b in [synthetic.phase_index()[0]["fill"]]]
+    resists = np.mean([rock_forces(m, EMPTY)[1][1][k].mean() for m, k in zip(runs, at)])
+    assert resistance[fill] == pytest.approx(known.resistance.spread * resists, rel=0.15)
     assert payload[mass] == pytest.approx(TOLD.payload.spread * mean[mass])
     assert payload[swing] > 0
     others = directions[2:]
     for phase in ("penetrate", "fill", "breakout", "dump"):
         at = [i for i, c in enumerate(cells) if (c.phase, c.channel) == (phase, "hoist_force_kN")]
         alone = [row for row in others if row[at].any() and not np.delete(row, at).any()]
-        assert len(alone) == 2  # early in the phase, and late in it
+        assert len(alone) == 2 or (phase == "dump" and alone)  # early in the phase, and late: no load is left there
     at_rest = [i for i, c in enumerate(cells) if c.phase == "return"]
     assert not directions[:, at_rest].any()

@@ -154,7 +154,8 @@ def test_effects_are_checked_together_unless_they_change_the_same_key(world, mon
 
 def test_what_a_case_cannot_take_is_found_among_many_by_halves(world, monkeypatch):
     simulator, catalogue, _, _ = world
-    many = {f"e{k}": replace(catalogue["fines"], name=f"e{k}", overlay=((f"rock.key{k}", "add", 1.0),)) for k in range(24)}
+    many = {f"e{k}": replace(catalogue["fines"], name=f"e{k}", overlay=((f"rock.key{k}", "add", 1.0),))
+            for k in range(24)}
     asked = []
 
     def check(program, case, some):

@@ -110,6 +110,20 @@ def test_a_load_cell_that_reads_too_much_has_no_name(case, growing):
     assert v.verdict == "unknown"
 
 
+def test_a_gain_that_the_catalogue_has_is_not_unknown(case):
+    """Of a drifting cell with a name, nothing is left for a nameless gain to explain as well."""
+    world = case.w
+    v = gains(world.baseline)[:, 0]
+    effect = fake_mine.effect("cell_drift", "1", 0.4, 0.08, "observation", "both")
+    drift = Signature(effect, v, 0 * world.covariance, np.diag((0.05 * v) ** 2))
+    size = 9.0 / np.sqrt(v @ np.linalg.solve(world.covariance, v))
+    assert 0.01 < size < 0.2
+    alone = match(size * v, world.covariance, world.signatures[1:], world.baseline, 1)
+    known = match(size * v, world.covariance, [*world.signatures[1:], drift], world.baseline, 1)
+    assert alone.probability["unknown"] > 0.9
+    assert known.presence("cell_drift") > 0.95 and known.probability["unknown"] < 0.02
+
+
 def test_one_training_pass_has_no_growing_gain(case):
     one, _ = case.w.baseline.part((1,))
     assert gains(one).shape[1] == 2 and np.abs(gains(one)).sum(axis=0).min() > 0

@@ -118,9 +118,10 @@ def test_exact_signatures_pass_unchanged():
 
 def test_an_effect_against_the_motion_is_bounded_where_the_drive_stands_still():
     b, _, _ = world(1)
-    rest = np.array([0.6 * (c.phase == "swing" and c.channel == "crowd_force_kN" and c.feature == "mean") for c in b.cells])
+    crowd = np.array([c.channel == "crowd_force_kN" and c.feature == "mean" for c in b.cells])
+    swing = np.array([c.phase == "swing" for c in b.cells])
+    rest, g = 0.6 * (crowd & swing), 1.0 * (crowd & ~swing)
     b = replace(b, rest=rest)
-    g = np.array([1.0 * (c.channel == "crowd_force_kN" and c.feature == "mean" and c.phase != "swing") for c in b.cells])
     for affects, expected in (("machine", 0.6 / np.sqrt(3)), ("settling", 0.0)):
         effect = SimpleNamespace(kind="machine", affects=affects, name="e", reference=lambda: 1.0)
         wrong = signatures.fit_signature(effect, b, (1.0, 1.0), (0, 1), b.values[:2] + g, True).wrong

@@ -1,4 +1,4 @@
-"""Readings that are legal and hardly ever meant: each is a line that begins with "warning: "."""
+"""Input that is valid but probably a mistake: a line each that begins with "warning: "."""
 import numpy as np
 
 from .phrases import some_rows
@@ -16,20 +16,20 @@ FEW = 3                    # readings
 DROP = 0.2                 # of the usual force: a fall to 0 and back from more is no load's
 
 
-def doubt(rows, spans, what, notes):
+def warn_of_readings(rows, spans, what, notes):
     for name in (*FORCES, TRUCK_MASS):
         if name in what.channels:
-            _doubt_size(name, rows, what, notes)
-            _doubt_empty(name, rows, notes)
+            _warn_of_size(name, rows, what, notes)
+            _warn_of_empty(name, rows, notes)
         if name in what.channels and name in FORCES:
-            _doubt_zeros(name, rows, notes)
+            _warn_of_zeros(name, rows, notes)
     lengths = [b - a for a, b in spans]
     if lengths and not (PASS_S[0] <= np.median(lengths) <= PASS_S[1]):
         notes.append(f"warning: a pass takes {np.median(lengths):.4g} s, where 20 to 60 s are usual: is "
                      "time.format right?")
 
 
-def doubt_masses(masses, what, notes):
+def warn_of_masses(masses, what, notes):
     """Of what the passes bring, t."""
     most = max(masses, default=0.0)
     if 0 < most < LEAST_LOAD_T:
@@ -40,14 +40,14 @@ def doubt_masses(masses, what, notes):
                      "wrong unit or scale?")
 
 
-def _doubt_empty(name, rows, notes):
+def _warn_of_empty(name, rows, notes):
     empty = ~np.isfinite(rows.values[name])
     if name in FORCES and empty.mean() > MOSTLY_EMPTY:
         notes.append(f"warning: {name}: {int(empty.sum())} of {len(empty)} rows have no reading: "
                      f"channels.{name}.held: true, if it is written only as it changes")
 
 
-def _doubt_size(name, rows, what, notes):
+def _warn_of_size(name, rows, what, notes):
     value, unit = rows.values[name], CHANNELS[name].unit
     most = BEYOND_STALL * what.stall_kN[name] if name in what.stall_kN else LARGEST[name]
     least = -most if name == "crowd_force" else -0.25 * most  # a rope cannot push, a load does not lift
@@ -64,7 +64,7 @@ def _doubt_size(name, rows, what, notes):
                      "wrong unit, scale or mark of decimals?")
 
 
-def _doubt_zeros(name, rows, notes):
+def _warn_of_zeros(name, rows, notes):
     """Of a force that is 0 between readings of large forces: what loggers write while an instrument is away."""
     value = rows.values[name]
     there = np.flatnonzero(np.isfinite(value))
