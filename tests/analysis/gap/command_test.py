@@ -68,7 +68,7 @@ def test_an_interrupt_ends_it_within_seconds_and_leaves_nothing(words, tmp_path)
     gap.send_signal(signal.SIGINT)
     out, err = gap.communicate(timeout=20)
     assert gap.returncode == 4 and time.monotonic() - asked < 10
-    assert "goes on from the runs already made" in err
+    assert "continues from the finished runs" in err
     assert "runs, 0 of them kept" in out
     assert not left(tmp_path) and not (tmp_path / "out").exists()
 
