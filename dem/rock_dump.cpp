@@ -151,9 +151,9 @@ void RockDump::write() {
     throw std::runtime_error(
         fmt::format("{}: a rank's part of it is {} bytes, and MPI sends 2^31; use more ranks",
                     file_now(), mine.bytes.size()));
-  const Part part{mine.bytes.size(), mine.length, mine.crc};
+  const Part own{mine.bytes.size(), mine.length, mine.crc};
   std::vector<Part> parts(static_cast<std::size_t>(nprocs));
-  MPI_Gather(&part, sizeof part, MPI_BYTE, parts.data(), sizeof part, MPI_BYTE, 0, world);
+  MPI_Gather(&own, sizeof own, MPI_BYTE, parts.data(), sizeof own, MPI_BYTE, 0, world);
   if (me != 0) {
     MPI_Send(mine.bytes.data(), static_cast<int>(mine.bytes.size()), MPI_BYTE, 0, 0, world);
     return;
@@ -162,7 +162,7 @@ void RockDump::write() {
   std::ofstream out(draft.path(), std::ios::binary);
   out << gzip_head() << mine.bytes;
   GzipTail tail;
-  tail.add(told.length, told.crc);
+  tail.add(own.length, own.crc);
   for (int rank = 1; rank < nprocs; ++rank) {
     const Part& part = parts[static_cast<std::size_t>(rank)];
     std::string bytes(part.bytes, '\0');

@@ -7,13 +7,13 @@
 namespace dipper::machine {
 namespace {
 
-constexpr double kStep_m = 0.1;  // of the way, and over the floor
-constexpr double kHeld = 0.25;   // of the floor's width
+constexpr double kApproachStep_m = 0.1;  // of the way, and over the floor
+constexpr double kHeld = 0.25;           // of the floor's width
 
 /// Whether the floor between teeth and heel is over the rock.
 bool is_clear(const Vector2d& teeth, const Vector2d& heel, const HeightMap& face,
               const Pose& X_WBoom, double half_width_m) {
-  const int along = static_cast<int>(std::ceil((teeth - heel).norm() / kStep_m)),
+  const int along = static_cast<int>(std::ceil((teeth - heel).norm() / kApproachStep_m)),
             across = static_cast<int>(std::ceil(2 * half_width_m / face.grid().cell_m));
   for (int i = 0; i <= along; ++i) {
     const Vector2d p = heel + (teeth - heel) * (static_cast<double>(i) / along);
@@ -33,7 +33,7 @@ bool is_clear(const Vector2d& teeth, const Vector2d& heel, const HeightMap& face
 
 Vector2d approach_end(const TeethPath& way, const HeightMap& face, const Pose& X_WBoom,
                       double half_width_m, const ShovelKinematics& shovel) {
-  const int n = static_cast<int>(std::ceil(length(way) / kStep_m));
+  const int n = static_cast<int>(std::ceil(length(way) / kApproachStep_m));
   const auto point = [&](int k) { return at_fraction(way, static_cast<double>(k) / n); };
   int last = -1;
   while (last < n &&

@@ -11,7 +11,7 @@
 namespace dipper::machine {
 namespace {
 
-constexpr double kStep_m = 0.05;
+constexpr double kSweptStep_m = 0.05;
 constexpr double kTurned_rad = 0.03;  // 0.6 m at 20 m: the boom has left the dig's plane
 constexpr double kStill_rad_s = 1e-3;
 constexpr double kSameLane_rad = 0.1;
@@ -22,7 +22,7 @@ class Surface {
  public:
   explicit Surface(const TeethPath& face) {
     std::size_t i = 1;
-    for (double x = 0; x < face.back().x(); x += kStep_m) {
+    for (double x = 0; x < face.back().x(); x += kSweptStep_m) {
       while (i + 1 < face.size() && face[i].x() < x) ++i;
       const Vector2d &a = face[i - 1], &b = face[i];
       const double share = b.x() > a.x() ? std::clamp((x - a.x()) / (b.x() - a.x()), 0.0, 1.0) : 1;
@@ -33,14 +33,15 @@ class Surface {
   /// Removes everything above the straight line between two points.
   void cut(const Vector2d& from, const Vector2d& to, SweptPass& pass) {
     const auto [low, high] = std::minmax(from.x(), to.x());
-    const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(low / kStep_m)));
-    for (std::size_t k = first; k < z_.size() && static_cast<double>(k) * kStep_m <= high; ++k) {
-      const double x = static_cast<double>(k) * kStep_m;
+    const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(low / kSweptStep_m)));
+    for (std::size_t k = first; k < z_.size() && static_cast<double>(k) * kSweptStep_m <= high;
+         ++k) {
+      const double x = static_cast<double>(k) * kSweptStep_m;
       const double share = to.x() != from.x() ? (x - from.x()) / (to.x() - from.x()) : 1;
       const double depth = z_[k] - (from.y() + share * (to.y() - from.y()));
       if (depth <= 0) continue;
       z_[k] -= depth;
-      pass.area_m2 += depth * kStep_m;
+      pass.area_m2 += depth * kSweptStep_m;
       pass.deepest_m = std::max(pass.deepest_m, depth);
     }
   }

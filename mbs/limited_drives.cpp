@@ -47,7 +47,7 @@ DriveEfforts LimitedDrives::efforts(const machine::DriveState& to,
 }
 
 double DriveEffort::overload() const {
-  return wanted * sent_speed >= 0 ? std::abs(wanted) / most : 0.0;
+  return wanted * sent_speed > 0 ? std::abs(wanted) / most : 0.0;
 }
 
 Overload DriveEfforts::overload() const {

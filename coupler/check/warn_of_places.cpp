@@ -17,11 +17,11 @@
 namespace dipper::check {
 namespace {
 
-constexpr double kDeep_m = 0.1;                   ///< more overlap than facets can cause
-constexpr double kClosed_m = 0.05;                ///< heel below the path of the teeth, at most
-constexpr double kNearGround_m = 1.0;             ///< above that, rock can give way
-constexpr double kTurning_rad_s = 0.02;           ///< a swing that has not ended
-constexpr std::int64_t kSample_ns = 100'000'000;  ///< the dipper goes some 0.3 m meanwhile
+constexpr double kDeep_m = 0.1;          ///< more overlap than facets can cause
+constexpr double kClosed_m = 0.05;       ///< heel below the path of the teeth, at most
+constexpr double kNearGround_m = 1.0;    ///< above that, rock can give way
+constexpr double kTurning_rad_s = 0.02;  ///< a swing that has not ended
+constexpr std::int64_t kPlaceSample_ns = 100'000'000;  ///< the dipper goes some 0.3 m meanwhile
 
 /// Height of the bench's surface; the ground's 0 elsewhere.
 class Bench {
@@ -75,7 +75,7 @@ void warn_of_the_start(const CaseParts& parts, std::vector<Finding>& warnings) {
 void warn_of_the_way(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Box near = mesh::bounding_box(parts.truck);
   double deepest = 0, at_s = 0;
-  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
+  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kPlaceSample_ns) {
     const Pose X = parts.shovel.pose(parts.motion.value(t)).X_WB;
     for (const Vector3d& v : parts.dipper.vertices) {
       const Vector3d p = X * v;
@@ -97,7 +97,7 @@ void warn_of_the_way(const CaseParts& parts, std::vector<Finding>& warnings) {
 void warn_of_the_dump(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Box bed = mesh::bounding_box(parts.truck);
   bool open = machine::door_is_open(parts.motion.value(0).door);
-  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
+  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kPlaceSample_ns) {
     const machine::Drives drives = parts.motion.value(t);
     const bool was_open = open;
     open = machine::door_is_open(drives.door);
@@ -138,7 +138,7 @@ void warn_of_the_return(const CaseParts& parts, std::vector<Finding>& warnings) 
 void warn_of_the_heel(const CaseParts& parts, std::vector<Finding>& warnings) {
   double most = kClosed_m, at_s = 0, above_m = 0;
   machine::TeethPath way;  // of this dig, outwards
-  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kSample_ns) {
+  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kPlaceSample_ns) {
     const machine::Vector2d tip = parts.shovel.teeth(parts.motion.value(t));
     if (!way.empty() && tip.x() < way.back().x()) way.clear();
     way.push_back(tip);

@@ -32,7 +32,8 @@ class Progress final : public Observer {
   std::function<Clock::time_point()> now_;
   struct State {
     Clock::time_point wall;
-    double t_s, way_s;  ///< position on what has a known end: time, or the motion of limited drives
+    double t_s,
+        progress_s;  ///< position on what has a known end: time, or the motion of limited drives
   };
   std::optional<State> first_;  ///< at the end of the first window: starting up does not count
   double end_s_;

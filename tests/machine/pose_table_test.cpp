@@ -74,7 +74,7 @@ TEST(PoseTable, VelocityIsTheDerivativeAndHasNoJump) {
 
 TEST(PoseTable, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault_of(""), HasSubstr("no rows"));
-  EXPECT_THAT(fault_of("0,arm,0,0,0,1,1,0,0\n"), HasSubstr(":2:1: qw,qx,qy,qz is no rotation"));
+  EXPECT_THAT(fault_of("0,arm,0,0,0,1,1,0,0\n"), HasSubstr(":2:1: qw,qx,qy,qz is not a rotation"));
   EXPECT_THAT(fault_of("1,arm,0,0,0,1,0,0,0\n1,arm,0,0,0,1,0,0,0\n"),
               HasSubstr(":3:1: time_s is 1, not after the previous row of arm"));
   EXPECT_THAT(fault_of("0,arm,x,0,0,1,0,0,0\n"), HasSubstr("x_m is \"x\""));

@@ -7,7 +7,7 @@ from dipper_gap.readings.measured import (DRIVEN, KNOWN, LEAST_SAMPLES, MASS, MO
                                           Pass)
 from dipper_gap.readings.phases import find_phases, planned_passes
 
-from .doubts import doubt, doubt_masses
+from .warn import warn_of_readings, warn_of_masses
 from .fit import fit_drive
 from .phrases import some_rows
 from .readings import held_readings, row_gaps, sound_readings
@@ -55,7 +55,7 @@ def build(rows, what, path, found, notes):
     spans = planned_passes(grid, np.radians(fits["door"].value))
     if not spans:
         notes.append("no pass: the door never opens")
-    doubt(rows, spans, what, notes)
+    warn_of_readings(rows, spans, what, notes)
     measured = _measured(rows, readings, fits, grid, spans, what, path, found, notes) if what.measured() else None
     return None if found.all else Imported(rows, readings, fits, grid, gaps, spans, measured)
 
@@ -86,7 +86,7 @@ def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
     masses = [np.nan] * len(spans)
     if TRUCK_MASS in what.channels:
         masses = _masses(rows, fits, grid, spans, what.channels[TRUCK_MASS], path, found, notes)
-        doubt_masses(masses, what, notes)
+        warn_of_masses(masses, what, notes)
     channels = {}
     for n in (*names, *([TRUCK_MASS] if TRUCK_MASS in what.channels else [])):
         kind, channel = CHANNELS[n], what.channels[n]
@@ -131,7 +131,7 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
         empty = max(start, dump - WEIGHED_S)
         if channel.reads == "dipper":
             after, before = _scale(rows.time_s, mass, there, empty, dump), 0.0
-            _doubt_tare(number, _scale(rows.time_s, mass, there, start, start + WEIGHED_S), after, channel, notes)
+            _warn_of_tare(number, _scale(rows.time_s, mass, there, start, start + WEIGHED_S), after, channel, notes)
         else:
             after = _scale(rows.time_s, mass, there, end - WEIGHED_S, end)
             before = 0.0 if channel.reads == "pass" else _scale(rows.time_s, mass, there, empty, dump)
@@ -155,7 +155,7 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
     return out
 
 
-def _doubt_tare(number, empty, full, channel, notes):
+def _warn_of_tare(number, empty, full, channel, notes):
     """Warns of a payload monitor that shows a load as its pass begins."""
     if None not in (empty, full) and empty > max(SIGMAS * channel.sigma, TARE * full):
         notes.append(f"warning: truck_mass: as pass {number} begins, {empty:.4g} t are in the dipper: its own weight "

@@ -56,7 +56,7 @@ class CellReader:
                 raw[k] = value
         if name in group.quality:
             self._leave_out_bad(name, group, raw, faults, notes)
-        _doubt_sentinels(name, channel, self._what.limits.get(name), group.lines, raw, notes)
+        _warn_of_sentinels(name, channel, self._what.limits.get(name), group.lines, raw, notes)
         return channel.slope * raw + channel.intercept
 
     def _right(self, text, channel):
@@ -65,6 +65,8 @@ class CellReader:
         if channel.unit == SWITCH:
             return "0 or 1, or words such as open and closed, on and off, true and false"
         mark = parted_by(_bare(text, {channel.unit}), self._decimal)
+        if not mark and text.count(self._decimal) > 1:
+            mark = self._decimal
         if mark:
             return f"file.thousands: \"{mark}\", if that parts its thousands"
         unit = WITH_UNIT.fullmatch(text)
@@ -104,7 +106,7 @@ def _bare(text, units):
     return m[1].strip() if m and OTHER_NAMES.get(m[2], m[2]).lower() in {u.lower() for u in units} else text
 
 
-def _doubt_sentinels(name, channel, limits, lines, raw, notes):
+def _warn_of_sentinels(name, channel, limits, lines, raw, notes):
     """Warns of readings such as -9999 that stand far off their neighbours: loggers write them for "no reading". Those
     of a drive outside its limits are left out later on, and told."""
     if name in DRIVES and limits is not None and np.isfinite([limits.min, limits.max]).all():

@@ -7,7 +7,7 @@ from dipper_run.text_file import nearest
 
 from .phrases import some_names
 
-QUALITY = re.compile(r"qualit|calidad|status|valid|good|confiden|flag|\bqual\b|\bqc\b|_qc?$", re.IGNORECASE)
+QUALITY = re.compile(r"qualit|calidad|status|valid|good|confiden|flag|\bqual\b|\bqc\b|_qc?$|\bok\b|_ok$", re.IGNORECASE)
 UNSOUND = re.compile(r"\bbad|uncertain|questionable|invalid|fail|error|stale|comm\b|time.?out|false", re.IGNORECASE)
 FEW_WORDS = 8  # different cells: a column beside a reading with more says something else than how good it is
 ROWS_LOOKED_AT = 5000  # of a log with a row a reading: where tags and numbers are looked for
@@ -122,12 +122,12 @@ def _column_of_tags(what, names, rows):
 
 
 def _like_tags(what, names, rows):
-    """Where a column of a log with a row a reading has the channels' names in other letters or with more before them,
+    """Where a column of a log with a row a reading has the channels' names in other letters or with more around them,
     words that say so; None elsewhere."""
     wanted = {c.column.lower() for c in what.channels.values()}
     for k, name in enumerate(names):
         like = sorted({cells[k] for _, cells in rows[:ROWS_LOOKED_AT]
-                       if any(cells[k].lower().endswith(w) for w in wanted)})
+                       if any(w in cells[k].lower() for w in wanted) and not _is_number(cells[k])})
         if like:
             return f"the tags as '{name}' has them, a row a reading: {some_names(like)}"
     return None

@@ -76,7 +76,7 @@ def read_log(path, what, found, notes):
     found.add_rows(path, faults)
     if found.all:
         return None
-    _doubt_row_numbers(what, groups[0].stamps, notes)
+    _warn_of_row_numbers(what, groups[0].stamps, notes)
     return join(logs, what, notes)
 
 
@@ -87,7 +87,7 @@ def _unit_of_time(form, stamps):
     return form if form in NUMBER_FORMATS else None
 
 
-def _doubt_row_numbers(what, stamps, notes):
+def _warn_of_row_numbers(what, stamps, notes):
     """Warns of times 0, 1, 2, ... that the map does not call seconds."""
     first = stamps[0]
     if what.time.format is None and len(stamps) > 2 and first in ("0", "1") and \

@@ -332,7 +332,7 @@ def test_a_row_a_reading_says_what_it_lacks(read):
         "'Swing', 'Pull'" in found[0]
 
 
-@pytest.mark.parametrize("tag", ["\\\\PI01\\{}", "{} "])
+@pytest.mark.parametrize("tag", ["\\\\PI01\\{}", "{} ", "\\\\PI01\\SH12.{}.PV"])
 def test_tags_with_a_server_or_in_capitals_are_told(read, tag):
     log = [[tag.format(r[0]).upper(), *r[1:]] for r in long(rows())]
     _, found, _ = read(text(log, names=["Tag", "Time", "Value", "Quality"]))

@@ -41,7 +41,8 @@ int main(int argc, char** argv) {
   }
   input.curves = {hoist, crowd, dig_force, load};
   input.case_text = "title=\"A synthetic dig\"\nrock.density_kg_m3=3215\n";
-  input.metrics = {{"sizes", {{{"class", 2}, {"name", "d200"}, {"size_m", 1.25}}}},
+  input.metrics = {{"run", {{"operator", {{"passes", 1}}}}},  // of an operator who plans
+                   {"sizes", {{{"class", 2}, {"name", "d200"}, {"size_m", 1.25}}}},
                    {"stages", {{{"stage", 1}, {"t_s", 0.2 * T}}, {{"stage", 2}, {"t_s", 0.6 * T}}}},
                    {"passes",
                     {{{"pass", 1},

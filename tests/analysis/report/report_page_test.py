@@ -307,6 +307,8 @@ class Phone(unittest.TestCase):
             self.assertEqual(small, [], "too small for a thumb")
             names = browser.run("return [...document.querySelectorAll('#headline td')].map((e) => e.dataset.name)")
             self.assertIn("Dig force, peak (MN)", names, "a name that stands alone")
+            head = browser.run("return document.querySelector('header').textContent")
+            self.assertIn("each pass planned by the operator", head)
             self.assertEqual(browser.errors(), [])
 
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dipper::analysis::signals {
 namespace {
@@ -48,6 +49,30 @@ TEST(PassPhases, TellTheDigsForceAndWhatPartOfItTheRopesAreSlack) {
   EXPECT_NEAR(*p.dig_phases_force_mean_N, 0.8 * 5e6 + 0.2 * 4e6, 10);
   EXPECT_NEAR(slack_fraction(cycle.pass, 4, 9), 0.5, 1e-6);
   EXPECT_EQ(slack_fraction(cycle.pass, 100, 200), 0) << "nothing there";
+}
+
+/// A run may end at any sync step: with one row of a phase, two rows of a pass.
+TEST(PassPhases, ARunThatEndsAnywhereHasPhasesUpToItsEnd) {
+  for (std::size_t n = 2; n <= 4001; n += n < 20 ? 1 : 17) {
+    Cycle cycle;
+    for (auto* v : {&cycle.pass.time_s, &cycle.pass.door_rad, &cycle.pass.dipper_force_N,
+                    &cycle.pass.hoist_force_N, &cycle.pass.crowd_force_N,
+                    &cycle.pass.dipper_mass_kg, &cycle.pass.truck_mass_kg, &cycle.drive.time_s,
+                    &cycle.drive.crowd_m, &cycle.drive.swing_rad})
+      v->resize(n);
+    const auto passes = find_pass_phases(cycle.pass, cycle.drive);
+    ASSERT_EQ(passes.size(), 1U) << n;
+    ASSERT_FALSE(passes[0].phases.empty()) << n;
+    double from = 0;
+    for (const Phase& phase : passes[0].phases) {
+      EXPECT_NEAR(phase.t_start_s, from, 1e-9) << n;
+      EXPECT_GT(phase.t_end_s, from) << n;
+      EXPECT_TRUE(std::isfinite(slack_fraction(cycle.pass, from, phase.t_end_s))) << n;
+      from = phase.t_end_s;
+    }
+    EXPECT_NEAR(from, cycle.pass.time_s.back(), 1e-9) << n;
+    EXPECT_TRUE(std::isfinite(passes[0].dig_phases_force_mean_N.value_or(0))) << n;
+  }
 }
 
 TEST(PassPhases, ADipperOnItsRopesIsNotSlack) {

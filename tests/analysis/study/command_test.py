@@ -154,7 +154,7 @@ def test_an_end_from_outside_leaves_no_run_and_the_same_command_goes_on(world, n
         assert time.monotonic() < until
         time.sleep(0.1)
     if number != signal.SIGKILL:
-        assert study.returncode == 4 and "goes on from the runs already made" in err
+        assert study.returncode == 4 and "continues from the finished runs" in err
         assert {r["status"] for r in world.rows()} == {"complete", "not made"}
     begun = len(world.calls())
     assert begun < 9

@@ -80,7 +80,7 @@ def test_an_interrupt_cancels_and_the_same_command_goes_on(world, cluster):
     study = world.start(STUDY)
     running(world, cluster, 2)
     study.send_signal(signal.SIGINT)
-    assert "goes on from the runs already made" in end(study, 4)
+    assert "continues from the finished runs" in end(study, 4)
     assert not cluster.jobs()
     world.say("slow", "0.1")
     world.study(STUDY)

@@ -43,6 +43,20 @@ parameters:
     assert [v.number for p in study.parameters for v in p.values] == [60, 62, None, None]
 
 
+def test_a_case_behind_a_link_is_the_one_that_the_system_finds(tmp_path):
+    """The study's folder is a link, or the case's path leads through one: ".." is beside what it points to."""
+    for name in ("mine", "here"):
+        (tmp_path / name / "case").mkdir(parents=True)
+        (tmp_path / name / "case/case.yaml").write_text("seed: 1\n")
+    (tmp_path / "mine/studies").mkdir()
+    (tmp_path / "here/studies").symlink_to(tmp_path / "mine/studies")
+    for file, case in (("here/studies", "../case"), ("here", "studies/../case")):
+        assert read(tmp_path / file, f"case: {case}\nseeds: [1]\nparameters: {{end_s: [1]}}\n").case.samefile(
+            tmp_path / "mine/case")
+    plain = read(tmp_path / "mine/studies", "case: ../case\nseeds: [1]\nparameters: {end_s: [1]}\n").case
+    assert plain == tmp_path / "mine/case"  # without a link as it reads
+
+
 def test_every_error_is_told_at_once_with_its_line(folder):
     told = faults(folder, """case: nowhere
 seeds: [1, 1, x]
@@ -106,7 +120,7 @@ def test_an_optimisation(folder):
     ("payload_t /", "paylode /", ":4: optimise.maximise: paylode is no column; of payload_t"),
     ("maximise", "best", "both or none of maximise and minimise"), ("low: 58", "low: 68", "68 is not below 66"),
     ("at_most: 10", "under: 10", "unknown key; one of at_least, at_most"), ("[11, 12]", "[2, 12]", "fresh ones"),
-    ("[1, 2]", "[1]", "two or more where optimise is"),
+    ("[1, 2]", "[1]", "two or more with optimise"),
     ("{machine.rake_angle_deg: {low: 58, high: 66}}", "{}", ":6: optimise.parameters: is an empty map; a case key"),
 ])
 def test_faults_of_an_optimisation(folder, old, new, fault):

@@ -161,3 +161,16 @@ def test_a_turned_azimuth_is_doubted(tmp_path):
     turned = survey_of(tmp_path, points, Site((east, north, up), 37 - 25))
     assert any("is site.azimuth_deg clockwise from grid north?" in n for n in turned.notes)
     assert not any("azimuth" in n for n in survey_of(tmp_path, points).notes)
+
+
+@pytest.mark.parametrize("slope, told", [(75, "stands at 7"), (38, None), (8, "stands at ")])
+def test_a_face_too_steep_or_flat_for_blasted_rock_is_doubted(tmp_path, slope, told):
+    """As where elevations are in feet over metres, or the other way round."""
+    points = scanned_face.ground(30_000, np.random.default_rng(7))
+    face = np.clip((points[:, 0] - 13) * np.tan(np.radians(slope)), 0, 9)
+    points[:, 2] = face + np.random.default_rng(8).normal(0, 0.03, len(points))
+    made = survey_of(tmp_path, points, box=Box(0, 30, 6, 30))
+    said = [n for n in made.notes if "are the elevations in another unit than easting and northing?" in n]
+    assert len(said) == (told is not None) and all(told in n for n in said), made.notes
+    angle, _ = made.surface.face_deg
+    assert angle == pytest.approx(slope, abs=6 if slope > 60 else 1.5)

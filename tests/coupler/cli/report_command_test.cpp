@@ -120,7 +120,7 @@ TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
   w.mesh = (s.folder() / "tray.stl").string();
   EXPECT_THAT(refused(s, w), HasSubstr("--mesh and --poses"));
   w.poses = s.write("bad.csv", "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,5,2,0,0,0\n").string();
-  EXPECT_THAT(refused(s, w), HasSubstr("bad.csv:2: qw ... qz is no rotation"));
+  EXPECT_THAT(refused(s, w), HasSubstr("bad.csv:2: qw ... qz is not a rotation"));
   s.write("bad.csv", "time_s,x_m\n");
   EXPECT_THAT(refused(s, w), HasSubstr("bad.csv:1:1: header is"));
 

@@ -12,7 +12,7 @@ TEST(HangWatch, AStoppedProgramHangs) {
   HangWatch watch(5);
   for (double t = 0; t <= 10; t += 0.5) EXPECT_EQ(watch.look(t, t, 100), "") << t;
   EXPECT_EQ(watch.look(15, 10, 100), "");
-  EXPECT_THAT(watch.look(15.1, 10, 100), HasSubstr("nor wrote anything for 5 s"));
+  EXPECT_THAT(watch.look(15.1, 10, 100), HasSubstr("or write anything for 5 s"));
 }
 
 TEST(HangWatch, ASlowOneThatWritesOrRunsLives) {

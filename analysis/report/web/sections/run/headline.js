@@ -13,7 +13,7 @@ export function head(model) {
       run.sim_s && `${seconds(run.sim_s, 1)} of digging`,
       run.cpu_s && `computed in ${duration(run.cpu_s)} of processor time`,
       run.seed !== undefined && `seed ${run.seed}`,
-      run.operator && `driven by ${run.operator}`,
+      run.operator && (program(run) ? `driven by ${program(run)}` : 'each pass planned by the operator'),
     ].filter(Boolean).join(' · '),
     run.status && run.status !== 'complete' && `This run is ${run.status}: the figures cover the part that exists.`,
     ...(run.warnings ?? []));
@@ -56,7 +56,7 @@ function notes(model) {
   return h('ul.notes', [
     rated && ['Rated load', `${tonnes(rated, 0)} t${assumed}; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
     model.run.truck && ['Truck', truck(model.run.truck)],
-    drives && ['Drives', stalls(drives, run.operator), ' ', h('a', { href: '#demand' }, 'By phase')],
+    drives && ['Drives', stalls(drives, program(run)), ' ', h('a', { href: '#demand' }, 'By phase')],
     model.coupling && ['Scatter', scatter(metrics.dipper?.machine)],
     ['Dig force', 'The mean is over penetrate, fill and breakout. The mean to the dump is the paper\'s: from first contact until the door opens, with the swing.'],
     ['Dig work', 'Of hoist and crowd over penetrate, fill and breakout, with the lifting of dipper and load. Per payload: that work divided by the payload; 1000 J/kg is 1 MJ/t.'],
@@ -82,12 +82,17 @@ function scatter(machine) {
   return `This is one seed, one pile of this rock. ${known} To measure it for this case, run several seeds: dipper study.`;
 }
 
+/// The command of a program that drives; null where the machine follows a motion or the operator plans.
+function program(run) {
+  return typeof run.operator === 'string' ? run.operator : null;
+}
+
 /// A program that drives follows no motion: it is not behind one.
-function stalls(drives, program) {
+function stalls(drives, byProgram) {
   const held = ['hoist', 'crowd', 'swing'].map((name) => [name, drives[`${name}_saturated_s`]]).filter(([, s]) => s >= 0.05);
   if (!held.length) return 'None reached its limits.';
   const limits = `At the limit: ${held.map(([name, s]) => `${name} for ${fixed(s, 1)} s`).join(', ')}.`;
-  if (program) return limits;
+  if (byProgram) return limits;
   return `${limits} The machine ended ${fixed(drives.late_s, 1)} s behind its motion, `
     + `and the operator moved the crowd back by up to ${fixed(drives.crowd_relief_most_m, 2)} m.`;
 }

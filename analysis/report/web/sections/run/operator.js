@@ -73,7 +73,8 @@ function candidates(d) {
   const refused = d.candidates.filter((c) => c.refused);
   const because = new Map();
   refused.forEach((c) => {
-    const why = c.refused.replace(/-?\d+(\.\d+)?/g, '…');
+    const why = c.refused.replace(/^the (\w+) needs .* MN and has .*$/, 'the $1 has too little force')
+      .replace(/^the (\w+) would be at .* m$/, 'the $1 cannot reach as far').replace(/-?\d+(\.\d+)?/g, '…');
     because.set(why, (because.get(why) ?? 0) + 1);
   });
   return [table(`The best of ${d.candidates.length}`, [
@@ -87,5 +88,5 @@ function candidates(d) {
     { name: 'cycle', unit: 's', cell: (c) => fixed(c.cycle_s, 1) },
     { name: 'energy', unit: 'MJ', cell: (c) => fixed(c.energy_J / 1e6, 1) },
   ], can, { compact: true, cells: true }),
-  refused.length > 0 && h('p.note', `Refused, ${refused.length}: `, [...because].map(([why, n]) => `${n} because ${why}`).join('; '), '.')];
+  refused.length > 0 && h('p.note', `Not possible, ${refused.length}: `, [...because].map(([why, n]) => `${why} (${n})`).join('; '), '.')];
 }

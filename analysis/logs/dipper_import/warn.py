@@ -1,4 +1,4 @@
-"""Readings that are legal and hardly ever meant: each is a line that begins with "warning: "."""
+"""Input that is valid but probably a mistake: a line each that begins with "warning: "."""
 import numpy as np
 
 from .phrases import some_rows
@@ -11,20 +11,25 @@ PASS_S = (5.0, 300.0)      # of one pass; 20 to 60 s are usual
 LEAST_LOAD_T = 2.0         # the fullest of all passes: less than a boulder
 BEYOND_RATED = 1.3         # times the dipper's rated load: more than a heaped dipper's
 MOSTLY_EMPTY = 0.5         # of the rows without a reading
+LEAST_OF_STALL = 0.02      # of what a drive can pull: an empty dipper's weight alone is more
+FEW = 3                    # readings
+DROP = 0.2                 # of the usual force: a fall to 0 and back from more is no load's
 
 
-def doubt(rows, spans, what, notes):
+def warn_of_readings(rows, spans, what, notes):
     for name in (*FORCES, TRUCK_MASS):
         if name in what.channels:
-            _doubt_size(name, rows, what, notes)
-            _doubt_empty(name, rows, notes)
+            _warn_of_size(name, rows, what, notes)
+            _warn_of_empty(name, rows, notes)
+        if name in what.channels and name in FORCES:
+            _warn_of_zeros(name, rows, notes)
     lengths = [b - a for a, b in spans]
     if lengths and not (PASS_S[0] <= np.median(lengths) <= PASS_S[1]):
         notes.append(f"warning: a pass takes {np.median(lengths):.4g} s, where 20 to 60 s are usual: is "
                      "time.format right?")
 
 
-def doubt_masses(masses, what, notes):
+def warn_of_masses(masses, what, notes):
     """Of what the passes bring, t."""
     most = max(masses, default=0.0)
     if 0 < most < LEAST_LOAD_T:
@@ -35,14 +40,14 @@ def doubt_masses(masses, what, notes):
                      "wrong unit or scale?")
 
 
-def _doubt_empty(name, rows, notes):
+def _warn_of_empty(name, rows, notes):
     empty = ~np.isfinite(rows.values[name])
     if name in FORCES and empty.mean() > MOSTLY_EMPTY:
         notes.append(f"warning: {name}: {int(empty.sum())} of {len(empty)} rows have no reading: "
                      f"channels.{name}.held: true, if it is written only as it changes")
 
 
-def _doubt_size(name, rows, what, notes):
+def _warn_of_size(name, rows, what, notes):
     value, unit = rows.values[name], CHANNELS[name].unit
     most = BEYOND_STALL * what.stall_kN[name] if name in what.stall_kN else LARGEST[name]
     least = -most if name == "crowd_force" else -0.25 * most  # a rope cannot push, a load does not lift
@@ -53,3 +58,27 @@ def _doubt_size(name, rows, what, notes):
         notes.append(f"warning: {name}: {some_rows(rows.lines[beyond], 'reading')} beyond {least:.4g} to {most:.4g} "
                      f"{unit} ({source}); the first is {value[beyond][0]:.6g} {unit}: wrong unit, sign or scale, or "
                      "no reading (file.missing)?")
+    largest = np.nanmax(np.abs(value), initial=0.0, where=np.isfinite(value))
+    if name in FORCES and 0 < largest < LEAST_OF_STALL * most / BEYOND_STALL:
+        notes.append(f"warning: {name}: no reading is beyond {largest:.4g} {unit}, less than an empty dipper takes: "
+                     "wrong unit, scale or mark of decimals?")
+
+
+def _warn_of_zeros(name, rows, notes):
+    """Of a force that is 0 between readings of large forces: what loggers write while an instrument is away."""
+    value = rows.values[name]
+    there = np.flatnonzero(np.isfinite(value))
+    zeros, others = there[value[there] == 0], there[value[there] != 0]
+    if len(zeros) < FEW or len(others) < FEW:
+        return
+    at = np.searchsorted(others, zeros)
+    between = (at > 0) & (at < len(others))
+    at = np.clip(at, 1, len(others) - 1)
+    beside = np.minimum(np.abs(value[others[at - 1]]), np.abs(value[others[at]]))
+    usual = np.percentile(np.abs(value[others]), 95)
+    fallen = between & (beside > DROP * usual)
+    if fallen.sum() >= FEW:
+        unit = CHANNELS[name].unit
+        notes.append(f"warning: {name}: {some_rows(rows.lines[zeros[fallen]], 'reading')} of 0 {unit} between others "
+                     f"of {beside[fallen].min():.4g} {unit} and more: no readings? Leave such cells empty, or name "
+                     f"the column that says which readings are good (channels.{name}.quality)")

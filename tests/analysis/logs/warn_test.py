@@ -4,8 +4,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from dipper_import.build import _doubt_tare, _masses
-from dipper_import.doubts import _doubt_empty, doubt_masses
+from dipper_import.build import _warn_of_tare, _masses
+from dipper_import.warn import _warn_of_empty, _warn_of_size, _warn_of_zeros, warn_of_masses
 from dipper_run.findings import Findings
 
 SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5)
@@ -17,21 +17,21 @@ TIME = 0.2 * np.arange(300)
     ([109.0, 130.0], None), ([95.0, 150.8], "pass 2 brings 150.8 t, more than 1.3 times the 109 t")])
 def test_masses_beyond_what_a_dipper_brings(masses, warns):
     notes = []
-    doubt_masses(masses, SimpleNamespace(rated_load_t=109.0), notes)
+    warn_of_masses(masses, SimpleNamespace(rated_load_t=109.0), notes)
     assert (warns is None and not notes) or notes[0].startswith(f"warning: truck_mass: {warns}")
     notes.clear()
-    doubt_masses([500.0], SimpleNamespace(rated_load_t=None), notes)
+    warn_of_masses([500.0], SimpleNamespace(rated_load_t=None), notes)
     assert not notes
 
 
 @pytest.mark.parametrize("empty, warns", [(0.0, False), (1.4, False), (12.0, True), (71.2, True)])
 def test_a_payload_monitor_that_shows_a_load_as_a_pass_begins(empty, warns):
     notes = []
-    _doubt_tare(2, empty, 71.2, SCALE, notes)
+    _warn_of_tare(2, empty, 71.2, SCALE, notes)
     assert bool(notes) == warns
     if warns:
         assert notes[0].startswith(f"warning: truck_mass: as pass 2 begins, {empty:g} t are in the dipper")
-    _doubt_tare(1, None, 71.2, SCALE, notes)
+    _warn_of_tare(1, None, 71.2, SCALE, notes)
     assert len(notes) == warns
 
 
@@ -49,6 +49,31 @@ def test_it_is_looked_at_in_every_pass(monkeypatch):
 def test_a_force_that_most_rows_lack():
     force = np.where(np.arange(300) % 7 == 0, 500.0, np.nan)
     notes = []
-    _doubt_empty("hoist_force", SimpleNamespace(values={"hoist_force": force}), notes)
+    _warn_of_empty("hoist_force", SimpleNamespace(values={"hoist_force": force}), notes)
     assert notes == ["warning: hoist_force: 257 of 300 rows have no reading: channels.hoist_force.held: true, if it is "
                      "written only as it changes"]
+
+
+@pytest.mark.parametrize("name, gone, told", [
+    ("hoist_force", range(60, 75), "15 readings (lines 62, 63, 64, 65, 66 and 10 more)"),
+    ("crowd_force", range(5, 290, 20), "15 readings (lines 7, 27, 47, 67, 87 and 10 more)"),
+    ("hoist_force", (60, 61), None), ("hoist_force", (), None), ("hoist_force", range(15), None)])
+def test_a_force_that_falls_to_nothing_and_back(name, gone, told):
+    """Zeros as loggers write them while a cell is away; not a force that passes through zero, or begins with it."""
+    force = 900 + 300 * np.sin(TIME)
+    force[list(gone)] = 0
+    notes = []
+    _warn_of_zeros(name, SimpleNamespace(lines=2 + np.arange(300), values={name: force}), notes)
+    assert [told in n for n in notes] == ([True] if told else []), notes
+    through = np.round(np.linspace(-1000, 1000, 300) / 100) * 100  # steps of an instrument
+    _warn_of_zeros(name, SimpleNamespace(lines=2 + np.arange(300), values={name: through}), empty := [])
+    assert not empty
+
+
+@pytest.mark.parametrize("scale, warns", [(1, False), (1e-3, True), (0, False)])
+def test_forces_smaller_than_an_empty_dipper_s(scale, warns):
+    what = SimpleNamespace(stall_kN={"hoist_force": 4800.0})
+    rows = SimpleNamespace(lines=2 + np.arange(300), values={"hoist_force": scale * (900 + 300 * np.sin(TIME))})
+    _warn_of_size("hoist_force", rows, what, notes := [])
+    assert bool(notes) == warns
+    assert not warns or "no reading is beyond 1.2 kN, less than an empty dipper takes" in notes[0]
