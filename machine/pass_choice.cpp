@@ -42,8 +42,8 @@ class PeakMean {
 class DigEvaluator {
  public:
   DigEvaluator(const HeightMap& face, const DigChoice& choice, const MotionPlan& cycle,
-        const DigFacts& facts, const MachineData& machine, const ShovelKinematics& shovel,
-        const HandleStatics& statics, const Vector3d& base_m, const DigExperience& before)
+               const DigFacts& facts, const MachineData& machine, const ShovelKinematics& shovel,
+               const HandleStatics& statics, const Vector3d& base_m, const DigExperience& before)
       : face_(face),
         before_(before),
         choice_(choice),
@@ -302,7 +302,8 @@ void DigPlanner::choose(DigDecision& decision, const HeightMap& face, const Pass
 
 DigDecision DigPlanner::decide(const HeightMap& face, const PassStart& from, double least_kg,
                                double most_kg, const DigExperience& before) const {
-  const DigEvaluator evaluator(face, choice_, cycle_, facts_, machine_, shovel_, statics_, base_m_, before);
+  const DigEvaluator evaluator(face, choice_, cycle_, facts_, machine_, shovel_, statics_, base_m_,
+                               before);
   DigDecision decision;
   for (const double heading : choice_.heading_rad)
     for (const double depth : choice_.depth_m)

@@ -61,7 +61,7 @@ struct DigCandidate {
 /// The candidates, and the one with the largest score of those with at least the least payload.
 struct DigDecision {
   std::vector<DigCandidate> candidates;
-  int chosen = -1;  ///< index; -1: none
+  int chosen = -1;     ///< index; -1: none
   std::string reason;  ///< for the choice
   std::string rows;    ///< of motion.csv, from the pass's start until the dipper is empty
   PassTimes times;
@@ -71,10 +71,10 @@ struct DigDecision {
 /// The height that the dipper must clear before the house turns, m.
 double rock_over_m(const HeightMap& face);
 
-/// Evaluates every dig of the choice on a face: geometry, the static forces along the path (weights,
-/// and the rock's resistance by Dombrovskij's formula), and the limits of the drives. A dig that
-/// needs up to twice the stall force of a drive is feasible with limited drives: it is slower and
-/// loads less. Rock that slides down during the dig is not predicted.
+/// Evaluates every dig of the choice on a face: geometry, the static forces along the path
+/// (weights, and the rock's resistance by Dombrovskij's formula), and the limits of the drives. A
+/// dig that needs up to twice the stall force of a drive is feasible with limited drives: it is
+/// slower and loads less. Rock that slides down during the dig is not predicted.
 class DigPlanner {
  public:
   /// \param base_m  the swing axis at ground level, in W

@@ -15,8 +15,8 @@ struct DigFeel {
   double handle_rise = 0;  ///< sine of the handle's angle over the horizontal
   double overload = 0;     ///< of the crowd
   double hoist_overload = 0;
-  double behind_m = 0;     ///< of the crowd: how far the planned path is further out
-  double room_m = 0;       ///< of the crowd to its outer stop
+  double behind_m = 0;  ///< of the crowd: how far the planned path is further out
+  double room_m = 0;    ///< of the crowd to its outer stop
 };
 
 /// The change to the planned motion.

@@ -17,8 +17,8 @@ struct DriveEffort {
   bool saturated() const { return wanted > most || wanted < -most; }
 
   /// The force it wants over the most it can give. Zero for a drive that a slower set point would
-  /// not help: one that brakes, since it is ahead of its set point, and one that is to stand, as the
-  /// swing while the dipper digs.
+  /// not help: one that brakes, since it is ahead of its set point, and one that is to stand, as
+  /// the swing while the dipper digs.
   double overload() const;
 };
 

@@ -207,8 +207,13 @@ void PassDesk::plan(const core::Window& w) {
   sides_.machine.follow(decision.rows);
   end_s_ = decision.times.end_s;
   const auto& best = decision.candidates[static_cast<std::size_t>(decision.chosen)];
-  pass_ = {
-      decision.rock_from_s, decision.rock_to_s, best.crowd_mean_N, best.payload_kg, along_s(w), 0, 0};
+  pass_ = {decision.rock_from_s,
+           decision.rock_to_s,
+           best.crowd_mean_N,
+           best.payload_kg,
+           along_s(w),
+           0,
+           0};
   reporter_.line(fmt::format("operator, {:.1f} s, pass {}: {}",
                              static_cast<double>(w.rock.t_ns) * 1e-9, passes_, decision.reason));
 }

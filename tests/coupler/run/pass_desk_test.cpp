@@ -225,10 +225,10 @@ TEST_F(PassDeskTest, LearnsFromAPassWhatTheNextNeeds) {
     one.window(at(index++, t, 0, t > from_s && t <= to_s ? 1.4 * expected_N : 9e6));
   one.window(at(index, first.at("end_s").get<double>() + 0.01, 50));
   EXPECT_NEAR(read("pass_2.json").at("resistance").get<double>(), std::sqrt(1.4), 0.03);
-  EXPECT_NEAR(read("pass_2.json").at("loaded").get<double>(),
-              file.at("loaded").get<double>() *
-                  std::sqrt(50e3 / first.at("payload_kg").get<double>()),
-              1e-3);
+  EXPECT_NEAR(
+      read("pass_2.json").at("loaded").get<double>(),
+      file.at("loaded").get<double>() * std::sqrt(50e3 / first.at("payload_kg").get<double>()),
+      1e-3);
 }
 
 TEST_F(PassDeskTest, AScannersErrorsAreThoseOfTheSeedAndThePass) {
