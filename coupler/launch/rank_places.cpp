@@ -86,9 +86,9 @@ std::string list_hosts(const std::vector<RankPlace>& ranks) {
     const auto same = [&](const RankPlace& other) { return other.network == rank.network; };
     if (std::any_of(hosts.begin(), hosts.end(), same)) continue;
     hosts.push_back(rank);
-    const auto count = std::count_if(ranks.begin(), ranks.end(), same);
-    text += fmt::format("{}{} ({} rank{})", text.empty() ? "" : ", ", rank.host, count,
-                        count == 1 ? "" : "s");
+    const auto here = std::count_if(ranks.begin(), ranks.end(), same);
+    text += fmt::format("{}{} ({} rank{})", text.empty() ? "" : ", ", rank.host, here,
+                        here == 1 ? "" : "s");
   }
   return text;
 }
