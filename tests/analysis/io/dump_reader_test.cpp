@@ -120,7 +120,7 @@ TEST(TextDump, WhatIsWrongIsToldWithFileAndLine) {
   EXPECT_THAT(test::message_of([&] {
                 DumpReader({a, s.write("b.dump", text_frame(7, 1, "x", "1\n"))});
               }),
-              HasSubstr("b.dump:9: step 7 is in a.dump already"));
+              HasSubstr("b.dump:9: step 7 is also in a.dump"));
   const auto reading = [&](const std::string& rows, const std::string& column) {
     const DumpReader reader({s.write("r.dump", text_frame(7, 2, "x radius", rows))});
     return test::message_of([&] { all(reader.frames()[0], {column}); });

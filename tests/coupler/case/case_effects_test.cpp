@@ -128,7 +128,7 @@ TEST(Effects, SayWhatIsWrongWithThem) {
   ASSERT_EQ(findings.size(), 4U);
   EXPECT_NE(to_string(findings[0]).find("bad.yaml:2: kind: is 'wind'"), std::string::npos);
   EXPECT_NE(to_string(findings[1]).find("scale: missing"), std::string::npos);
-  EXPECT_NE(to_string(findings[2]).find("must hold 0"), std::string::npos);
+  EXPECT_NE(to_string(findings[2]).find("must contain 0"), std::string::npos);
   EXPECT_NE(to_string(findings[3]).find("bad.yaml:5: overlay.rock.density_kg_m3: write one of"),
             std::string::npos);
 }

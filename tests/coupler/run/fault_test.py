@@ -278,7 +278,7 @@ class Faults(RunTest):
 
     def test_a_settling_that_stops_is_found(self):
         process, out = self.settling("asleep", instead='echo Step 100 > "$screen"; sleep 100')
-        self.assert_ended(process, out, 3, "settling the pile failed: LIGGGHTS hangs: it neither ran",
+        self.assert_ended(process, out, 3, "settling the pile failed: LIGGGHTS hangs: it did not run",
                           "for 4 s", "settle.screen is 'Step 100'", within=20)
 
     def test_a_settling_of_which_one_rank_stops_is_found(self):
