@@ -85,7 +85,7 @@ class PairedRun(RunTest):
         for side, requests in (("dem", 700), ("mbs", 700)):
             done = self.replay(run, side)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("to the bit", done.stdout)
+            self.assertIn("bit for bit", done.stdout)
             self.assertGreater(int(done.stdout.split()[1]), requests)
 
     def test_dumps_open_with_the_readers_users_have(self):
@@ -146,7 +146,7 @@ class PairedRun(RunTest):
         self.assertIn("complete already", text[0] + text[1])
         done = self.replay(run, "mbs")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("to the bit", done.stdout)
+        self.assertIn("bit for bit", done.stdout)
 
     @two_cores
     def test_a_resumed_run_ends_like_an_uninterrupted_one(self):
@@ -162,7 +162,7 @@ class PairedRun(RunTest):
             done = self.replay(parts, side)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("of 2 segments", done.stdout)
-            self.assertIn("to the bit", done.stdout)
+            self.assertIn("bit for bit", done.stdout)
         self.change_an_answer(next(parts.glob("events-*.lcmlog")), b"DIPPER_FROM_MBS")
         done = self.replay(parts, "mbs")
         self.assertEqual(done.returncode, 3, done.stderr)
@@ -274,7 +274,7 @@ class PairedRun(RunTest):
         self.run_case(self.folder / "parts", "--resume", "--set", "end_s=2.1")
         done = subprocess.run([DIPPER, "replay", whole, "--side", "dem"], text=True,
                               capture_output=True, timeout=PATIENCE_S)
-        self.assertIn("to the bit", done.stdout)
+        self.assertIn("bit for bit", done.stdout)
         with h5py.File(whole / "record.h5") as a, \
                 h5py.File(self.folder / "parts" / "record.h5") as b:
             mass, parked = a["rock/rock_mass"][:], a["rock/rock_parked"][:]

@@ -58,7 +58,7 @@ class Planned(RunTest):
             done = subprocess.run([DIPPER, "replay", parts, "--side", side], capture_output=True, text=True,
                                   timeout=PATIENCE_S)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("to the bit", done.stdout)
+            self.assertIn("bit for bit", done.stdout)
 
 
 if __name__ == "__main__":

@@ -58,8 +58,8 @@ class Poses(RunTest):
         self.assertEqual(summary["passes"], [])
         self.assertLess(abs(summary["coupling"]["energy_residual_J"]),
                         1e-3 * abs(summary["coupling"]["interface_work_J"]))
-        self.assertIn("to the bit", self.dipper("replay", run, "--side", "dem"))
-        self.assertIn("to the bit", self.dipper("replay", run, "--side", "mbs"))
+        self.assertIn("bit for bit", self.dipper("replay", run, "--side", "dem"))
+        self.assertIn("bit for bit", self.dipper("replay", run, "--side", "mbs"))
         self.dipper("report", run)
         metrics = json.loads((run / "report/metrics.json").read_text())
         self.assertNotIn("passes", metrics)

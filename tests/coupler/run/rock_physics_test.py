@@ -76,7 +76,7 @@ class RockPhysics(RunTest):
         done = subprocess.run([DIPPER, "replay", whole, "--side", "dem"], text=True,
                               capture_output=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("to the bit", done.stdout)
+        self.assertIn("bit for bit", done.stdout)
 
         self.run_case(parts, *ALL, "--set", "end_s=1.8")
         self.run_case(parts, "--set", "end_s=2.1", "--resume")
