@@ -149,7 +149,6 @@ class DigEvaluator {
     c.dig_s = force_s;
     c.dig_force_mean_N = force_s > 0 ? force_sum / force_s : 0;
     c.crowd_mean_N = rock_m > 0 ? crowd_sum / rock_m : 0;
-    c.swept_kg = facts_.bulk_density_kg_m3 * c.swept_m3;
     c.payload_kg = payload_kg(c.swept_m3);
     PassStart from;
     from.at_dump = cycle_.returns;

@@ -44,7 +44,6 @@ struct DigCandidate {
   std::string refused;      ///< why it is not feasible; empty: it is
   TeethPath dig;            ///< control polygon of the path of the teeth
   double swept_m3 = 0;      ///< removed from the face
-  double swept_kg = 0;      ///< at the bulk density of the pile
   double payload_kg = 0;    ///< loaded of that; divided by `overload` where that is > 1
   double crowd_peak_N = 0;  ///< largest mean over a metre of the path
   double hoist_peak_N = 0;

@@ -170,8 +170,8 @@ TEST_F(PassChoice, UsesResistanceAndLoadOfThePassesBefore) {
   EXPECT_NEAR(harder.crowd_mean_N - plain.crowd_mean_N,
               2 * (hard.crowd_mean_N - plain.crowd_mean_N), 1e-6 * plain.crowd_mean_N);
   EXPECT_GT(hard.crowd_mean_N, 1.2 * plain.crowd_mean_N);
-  EXPECT_DOUBLE_EQ(poor.swept_kg, plain.swept_kg);
-  EXPECT_DOUBLE_EQ(poor.payload_kg, 0.6 * poor.swept_kg);
+  EXPECT_DOUBLE_EQ(poor.swept_m3, plain.swept_m3);
+  EXPECT_DOUBLE_EQ(poor.payload_kg, 0.6 * 1900 * poor.swept_m3);
   EXPECT_LT(plain.rock_from_m, plain.rock_to_m);
 }
 
