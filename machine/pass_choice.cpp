@@ -21,6 +21,17 @@ constexpr double kBeside_m = 0.1;    // between dipper and side wall
 constexpr double kSide_m = 1;        // of the height map beyond the bench
 constexpr double kMostOverload = 2;  // of a drive; from 1 on the dig is slower and loads less
 constexpr double kOver_m = 0.5;      // between the dipper and the rock that it turns over
+constexpr double kScatter = 0.15;    // of one pass's load, standard deviation (docs/operator.md)
+
+/// The mean of what a dipper holds of a load that scatters normally about `mean`: what is beyond
+/// its capacity is left in the face.
+double held_kg(double mean, double capacity_kg) {
+  if (mean <= 0) return 0;
+  const double deviation = kScatter * mean, beyond = mean - capacity_kg, z = beyond / deviation;
+  const double above = 0.5 * std::erfc(-z / std::sqrt(2.0)),
+               density = std::exp(-0.5 * z * z) / std::sqrt(2 * M_PI);
+  return mean - beyond * above - deviation * density;
+}
 
 /// The largest mean over kMean_m of the path.
 class PeakMean {
@@ -115,9 +126,9 @@ class DigEvaluator {
       if (k > 0) {
         c.swept_m3 += left.cut(before * lip_left_B, before * lip_right_B, X.X_WB * lip_left_B,
                                X.X_WB * lip_right_B);
-        const double load_kg = payload_kg(c.swept_m3);
+        const double load_kg = std::min(facts_.capacity_kg, loaded_kg(c.swept_m3));
         const Vector3d moved = (X.X_WB * tip_B - before * tip_B) / ds;  // at 1 m/s
-        const CutAhead ahead = cut_ahead(left, X.X_WB, tip_B, moved);
+        const CutAhead ahead = cut_ahead(left, X.X_WB, lip_left_B, lip_right_B, moved);
         const double resistance = ahead.meets ? before_.resistance * facts_.specific_resistance_Pa *
                                                     ahead.depth_m * 2 * half.y()
                                               : 0;
@@ -149,7 +160,7 @@ class DigEvaluator {
     c.dig_s = force_s;
     c.dig_force_mean_N = force_s > 0 ? force_sum / force_s : 0;
     c.crowd_mean_N = rock_m > 0 ? crowd_sum / rock_m : 0;
-    c.payload_kg = payload_kg(c.swept_m3);
+    c.payload_kg = loaded_kg(c.swept_m3);
     PassStart from;
     from.at_dump = cycle_.returns;
     from.tip = c.dig.front();
@@ -161,6 +172,7 @@ class DigEvaluator {
     const auto& drives = m_.drives;
     c.overload = std::max(c.crowd_peak_N / drives.crowd.stall, c.hoist_peak_N / drives.hoist.stall);
     if (c.overload > 1) c.payload_kg /= c.overload;
+    c.payload_kg = held_kg(c.payload_kg, facts_.capacity_kg);
     if (c.crowd_peak_N > kMostOverload * drives.crowd.stall)
       c.refused = fmt::format("the crowd needs {:.2f} MN and has {:.2f}", c.crowd_peak_N * 1e-6,
                               drives.crowd.stall * 1e-6);
@@ -169,8 +181,8 @@ class DigEvaluator {
                               drives.hoist.stall * 1e-6);
   }
 
-  double payload_kg(double swept_m3) const {
-    return std::min(facts_.capacity_kg, before_.loaded * facts_.bulk_density_kg_m3 * swept_m3);
+  double loaded_kg(double swept_m3) const {
+    return before_.loaded * facts_.bulk_density_kg_m3 * swept_m3;
   }
 
   /// The speed of the teeth that the drives' speeds and powers allow, up to the planned one, m/s.

@@ -39,8 +39,9 @@ DigWish dig_wish(const DigFeel& f, const DigLimits& limits) {
   DigWish wish;
   if (!f.at_face) return wish;
   if (f.carried < kCarried) {
-    wish.rate = kWaits;
-    wish.crowd_back = wish.lift = kFree_m_s;
+    wish.crowd_back = kFree_m_s;
+    wish.lift = kFree_m_s + std::max(0.0, f.pays_out);
+    if (f.raises) wish.rate = kWaits;
     return wish;
   }
   if (!f.raises) return wish;

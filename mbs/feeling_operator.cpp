@@ -8,7 +8,7 @@ namespace dipper::mbs {
 namespace {
 
 constexpr double kWeighs_s = 0.5;
-constexpr double kMostLift_m = 1.5;
+constexpr double kMostLift_m = 3;
 constexpr double kMostDeeper_m = 0.6;
 constexpr double kStands_rad_s = 1e-3;
 constexpr double kShut_rad = 1e-3;
@@ -44,6 +44,7 @@ DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path) {
   DigFeel f;
   f.at_face = std::abs(m.rate.swing) < kStands_rad_s && std::abs(m.position.door) < kShut_rad;
   f.raises = m.rate.hoist < kLevel_m_s;
+  f.pays_out = m.rate.hoist;
   f.overload = felt.motors.crowd.overload();
   f.hoist_overload = felt.motors.hoist.overload();
   f.behind_m = path.relief;

@@ -93,6 +93,7 @@ bool step_through(const cases::Case& c, EstimatedRock& estimated, core::Machine&
                  folder.decisions(), nullptr, reporter);
     stepper.add(*desk);
     stepper.end_when([&](const core::MachineState&) { return desk->finished(); });
+    progress.follow([&] { return run::Progress::Passes{desk->passes(), desk->expected_end_s()}; });
   }
   bool complete = false;
   try {

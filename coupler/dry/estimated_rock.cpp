@@ -83,8 +83,8 @@ Wrench EstimatedRock::dig(const Pose& from, const core::RockStep& step) {
     return {};
   }
   const Vector3d tip_W = to * tip_B_;
-  const machine::CutAhead ahead =
-      machine::cut_ahead(bench_, to, tip_B_, (tip_W - from * tip_B_) / window_s);
+  const machine::CutAhead ahead = machine::cut_ahead(bench_, to, e.lip_left_B, e.lip_right_B,
+                                                     (tip_W - from * tip_B_) / window_s);
   depth_m_ = ahead.depth_m;
   resistance_N_ =
       ahead.meets ? e.specific_resistance_Pa * depth_m_ * (e.lip_left_B - e.lip_right_B).norm() : 0;

@@ -126,6 +126,16 @@ double PassDesk::along_s(const core::Window& w) const {
   return path_time_ ? w.machine.channels[*path_time_] : static_cast<double>(w.rock.t_ns) * 1e-9;
 }
 
+double PassDesk::expected_end_s() const {
+  if (finished_ || passes_ == 0) return end_s_;
+  double left = case_.op.passes - passes_;
+  if (case_.truck.rated_t > 0 && pass_.payload_kg > 0) {
+    const double to_fill = (case_.truck.rated_t * 1e3 - truck_kg_) / pass_.payload_kg;
+    left = std::min(left, std::max(0.0, std::round(to_fill) - 1));
+  }
+  return end_s_ * (1 + left / passes_);
+}
+
 bool PassDesk::needs_rest(const core::Window& w) const {
   return !finished_ && (w.step_index == 0 || (passes_ > 0 && along_s(w) >= end_s_));
 }
@@ -160,7 +170,7 @@ std::string PassDesk::reason_to_stop(double truck_kg) const {
     return fmt::format("the truck is full: {:.1f} t of {:.0f} t, and a pass loads {:.0f} t",
                        truck_kg * 1e-3, case_.truck.rated_t, mean_kg * 1e-3);
   if (passes_ >= case_.op.passes)
-    return fmt::format("{} passes are done (operator.passes)", passes_);
+    return fmt::format("the passes that operator.passes allows are done: {}", passes_);
   return "";
 }
 

@@ -40,6 +40,11 @@ class PassDesk final : public Observer {
   /// Whether the last pass is done and no other follows.
   bool finished() const { return finished_; }
 
+  int passes() const { return passes_; }  ///< planned so far
+  /// When the last pass will be done, on the motion: as many as the truck or operator.passes allow,
+  /// each as long as those before, s.
+  double expected_end_s() const;
+
   /// What a checkpoint keeps of it.
   nlohmann::json state() const;
 

@@ -113,8 +113,9 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
 
   const RunEnd end = run_end(c, program_drives);
   const std::int64_t steps = end.step;
+  const bool end_by_operator = program_drives || c.machine.operated_by == cases::OperatorKind::plan;
   reporter.line(fmt::format("{}: {}{:.2f} s, {} sync steps of {} DEM steps, {} rank{}", c.name,
-                            end.path_s || (program_drives && c.end_s == 0) ? "at most " : "",
+                            end.path_s || (c.end_s == 0 && end_by_operator) ? "at most " : "",
                             static_cast<double>(steps) * c.dem.timestep_s,
                             (steps + c.coupling.sync_steps - 1) / c.coupling.sync_steps,
                             c.coupling.sync_steps, c.dem.ranks, c.dem.ranks == 1 ? "" : "s"));

@@ -31,29 +31,34 @@ Progress::Progress(Reporter& reporter, const cases::Case& c, const RunEnd& end,
       by_motion_(end.path_s.has_value()) {
   if (c.machine.kind != cases::MachineKind::shovel) return;
   payload_ = core::channel_index(rock, "mass_in_dipper");
-  if (end.program_drives || c.machine.operated_by == cases::OperatorKind::plan) return;
-  phases_.emplace(machine::Motion::load(c.machine.motion));
+  if (end.program_drives) return;
   if (c.machine.drives == machine::DriveMode::limited)
     path_time_ = core::channel_index(machine, "path_time");
+  if (c.machine.operated_by == cases::OperatorKind::motion)
+    phases_.emplace(machine::Motion::load(c.machine.motion));
 }
 
 void Progress::window(const core::Window& w) {
   if (w.step_index == 0) return;
   constexpr int kBar = 6;
   const double t_s = static_cast<double>(w.rock.t_ns) * 1e-9;
+  const std::optional<Passes> passes = passes_ ? std::optional(passes_()) : std::nullopt;
+  const double end_s = passes ? passes->end_s : end_s_;
+  const bool by_motion = by_motion_ || passes;
   const double along_s = path_time_ ? w.machine.channels[*path_time_] : t_s;
-  const State now = {now_(), t_s, by_motion_ ? along_s : t_s};
+  const State now = {now_(), t_s, by_motion ? along_s : t_s};
   if (!first_) first_ = now;
-  const auto filled = static_cast<std::size_t>(
-      std::clamp(now.progress_s / std::max(end_s_, 1e-9), 0.0, 1.0) * kBar);
+  const auto filled =
+      static_cast<std::size_t>(std::clamp(now.progress_s / std::max(end_s, 1e-9), 0.0, 1.0) * kBar);
   std::string line =
       fmt::format("[{}{}] {:.1f}{} s", std::string(filled, '#'), std::string(kBar - filled, '.'),
-                  t_s, by_motion_ ? "" : fmt::format("/{:.1f}", end_s_));
+                  t_s, by_motion ? "" : fmt::format("/{:.1f}", end_s));
+  if (passes) line += fmt::format("  pass {}", passes->pass);
   if (phases_) line += fmt::format("  {:<11}", phases_->at(along_s));
   if (payload_) line += fmt::format("  payload {:4.1f} t", w.rock.channels[*payload_] * 1e-3);
   const double wall_s = std::chrono::duration<double>(now.wall - first_->wall).count();
   const double done_s = now.progress_s - first_->progress_s,
-               left_s = std::max(0.0, end_s_ - now.progress_s);
+               left_s = std::max(0.0, end_s - now.progress_s);
   if (wall_s >= kShownAfter_s && done_s >= kShownAfter * (done_s + left_s))
     line += fmt::format("  {} left", duration(left_s * wall_s / done_s));
   if (wall_s > 0) line += fmt::format("  speed {:.3g}", (t_s - first_->t_s) / wall_s);

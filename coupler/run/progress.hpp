@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
@@ -27,6 +28,14 @@ class Progress final : public Observer {
            std::function<Clock::time_point()> now = Clock::now);
   void window(const core::Window& w) override;
 
+  /// The passes of an operator who plans, as far as they are known.
+  struct Passes {
+    int pass = 0;      ///< the current one, from 1
+    double end_s = 0;  ///< of the last one, expected; on the motion that limited drives follow
+  };
+  /// Measures progress by the passes, which end earlier than the run's time allows.
+  void follow(std::function<Passes()> passes) { passes_ = std::move(passes); }
+
  private:
   Reporter& reporter_;
   std::function<Clock::time_point()> now_;
@@ -38,6 +47,7 @@ class Progress final : public Observer {
   std::optional<State> first_;  ///< at the end of the first window: starting up does not count
   double end_s_;
   bool by_motion_;                        ///< the run ends with the motion
+  std::function<Passes()> passes_;        ///< empty unless an operator plans
   std::optional<MotionPhases> phases_;    ///< only for a shovel that follows its motion
   std::optional<std::size_t> payload_;    ///< only for a shovel
   std::optional<std::size_t> path_time_;  ///< only for limited drives: their position on the motion

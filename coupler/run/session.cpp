@@ -79,6 +79,7 @@ Session::Session(const cases::Case& c, const result::RunFolder& folder,
                   folder.decisions(), from ? from->desk : nlohmann::json(), reporter);
     stepper_.add(*desk_);  // before the checkpointer, which saves its decision
     stepper_.end_when([this](const core::MachineState&) { return desk_->finished(); });
+    progress_.follow([this] { return Progress::Passes{desk_->passes(), desk_->expected_end_s()}; });
   }
   stepper_.add(checkpointer_);
 }

@@ -101,14 +101,20 @@ TEST_F(DigRules, FullHeBreaksOutUntilTheTeethAreFree) {
 
 TEST_F(DigRules, CaughtHeLiftsAndDrawsBackInPlaceOfPushingOn) {
   feel.carried = 0.49;
-  for (const bool raises : {true, false}) {  // on the way down as well
-    feel.raises = raises;
-    EXPECT_EQ(wish().crowd_back, 0.3);
-    EXPECT_EQ(wish().lift, 0.3);
-    EXPECT_EQ(wish().rate, 0.25);
-  }
+  EXPECT_EQ(wish().crowd_back, 0.3);
+  EXPECT_EQ(wish().lift, 0.3);
+  EXPECT_EQ(wish().rate, 0.25);
   feel.carried = 0.5;
   EXPECT_FALSE(wish().lift);
+}
+
+TEST_F(DigRules, ADipperThatComesDownOnRockIsHeldThereUntilTheDigBegins) {
+  feel.carried = 0.49;
+  feel.raises = false;
+  feel.pays_out = 0.8;
+  EXPECT_EQ(wish().crowd_back, 0.3);
+  EXPECT_NEAR(wish().lift.value(), 0.8 + 0.3, 1e-12) << "0.3 m/s more than the motion pays out";
+  EXPECT_EQ(wish().rate, 1) << "the rest of the way down takes no longer";
 }
 
 TEST_F(DigRules, NothingWhileHeTurnsEmptiesOrComesDown) {

@@ -79,12 +79,12 @@ TEST_F(FeelingOperatorTest, FreesWhatIsCaughtAndGivesBack) {
   EXPECT_NEAR(number(one, 3, 1), 0.25, 1e-3);
   const machine::DriveState sent = one.setpoint(3), told = way->at(number(one, 3, 0));
   EXPECT_NEAR(sent.position.hoist, told.position.hoist - number(one, 3, 4), 1e-12);
-  go(one, 3, 10, held(0, 0, 0.3));
-  EXPECT_NEAR(number(one, 10, 4), 1.5, 0.07) << "no more than that";
-  go(one, 10, 14, held(0, 0));
-  EXPECT_NEAR(number(one, 14, 4), 1.5 * std::exp(-2), 0.05);
-  EXPECT_NEAR(number(one, 14, 1), 0.25, 1e-3) << "until the crowd is out again";
-  EXPECT_LT(number(one, 14, 2), number(one, 10, 2) - 0.5 * 3.5);
+  go(one, 3, 15, held(0, 0, 0.3));
+  EXPECT_NEAR(number(one, 15, 4), 3, 0.07) << "no more than that";
+  go(one, 15, 19, held(0, 0));
+  EXPECT_NEAR(number(one, 19, 4), 3 * std::exp(-2), 0.05);
+  EXPECT_NEAR(number(one, 19, 1), 0.25, 1e-3) << "until the crowd is out again";
+  EXPECT_LT(number(one, 19, 2), number(one, 15, 2) - 0.5 * 3.5);
 }
 
 TEST_F(FeelingOperatorTest, GoesOnFromItsStateToTheBit) {

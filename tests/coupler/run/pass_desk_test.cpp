@@ -179,13 +179,28 @@ TEST_F(PassDeskTest, StopsWhenNoPassPays) {
   EXPECT_TRUE(read("pass_1.json").at("chosen").is_null()) << "what he saw is kept";
 }
 
+TEST_F(PassDeskTest, ExpectsTheRunsEndByTheTruckAndThePassesAllowed) {
+  set("operator.passes", "4");
+  set("truck.rated_t", "0");
+  PassDesk one = desk();
+  EXPECT_EQ(one.expected_end_s(), 0) << "nothing is planned yet";
+  go_through(one, {0, 60});
+  const double two_s = one.state().at("end_s");
+  EXPECT_EQ(one.passes(), 2);
+  EXPECT_DOUBLE_EQ(one.expected_end_s(), 2 * two_s) << "four passes, as long as the first two";
+  set("truck.rated_t", "125");
+  PassDesk full = desk();
+  go_through(full, {0, 60});
+  EXPECT_DOUBLE_EQ(full.expected_end_s(), two_s) << "the second pass fills the truck";
+}
+
 TEST_F(PassDeskTest, StopsAfterSoManyPasses) {
   set("operator.passes", "2");
   PassDesk one = desk();
   go_through(one, {0, 10, 20, 30});
   EXPECT_TRUE(one.finished());
   EXPECT_EQ(machine.sent.size(), 2U);
-  EXPECT_THAT(said.lines.back(), HasSubstr("2 passes are done"));
+  EXPECT_THAT(said.lines.back(), HasSubstr("operator.passes allows are done: 2"));
 }
 
 TEST_F(PassDeskTest, GoesOnFromACheckpointAsItWouldHaveWithoutAndForgetsWhatCameAfter) {

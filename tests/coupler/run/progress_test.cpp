@@ -91,6 +91,22 @@ TEST_F(ProgressTest, LimitedDrivesAreWhereTheirPathIs) {
       << "no end: the drives take as long as they need";
 }
 
+TEST_F(ProgressTest, AnOperatorsRunLastsAsLongAsItsPasses) {
+  c_.dem.timestep_s = 1.3e-4;
+  c_.machine.drives = machine::DriveMode::limited;
+  c_.machine.operated_by = cases::OperatorKind::plan;
+  Progress progress(lines_, c_, {4 * end_.step, std::nullopt}, info("path_time"),
+                    info("mass_in_dipper"), clock_);
+  progress.follow([] { return Progress::Passes{2, 90}; });
+  core::Window w = window(3);
+  progress.window(w);
+  now_ += std::chrono::minutes(1);
+  w = window(41);
+  w.machine.channels = {39};  // on the motion; 2 s late
+  progress.window(w);
+  EXPECT_THAT(lines_.last, HasSubstr("[##....] 41.0 s  pass 2  payload 81.9 t  2 min left"));
+}
+
 TEST_F(ProgressTest, TellsNoTimeLeftBeforeItCanBeToldWell) {
   c_.dem.timestep_s = 1.3e-4;
   Progress progress(lines_, c_, end_, info("energy"), info("mass_in_dipper"), clock_);
