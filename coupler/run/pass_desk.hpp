@@ -1,5 +1,5 @@
-// The planning operator's part of a run: between two passes he surveys the rock, decides, and sends
-// the machine his motion.
+// The planning operator's part of a run: between two passes the operator surveys the rock, chooses a
+// dig, and sends its motion to the machine.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,11 +15,11 @@
 namespace dipper::run {
 
 /// Plans a pass when the one before is done, both sides at rest: the rock's surface as a scanner
-/// sees it, the best dig (machine/pass_choice.hpp), its rows to the machine. He stops when the
+/// sees it, the best dig (machine/pass_choice.hpp), its rows to the machine. The run ends when the
 /// truck is full, when no pass pays, or after operator.passes.
 ///
-/// Each decision is in operator/pass_N.json of the run's folder: what he saw, every dig he weighed,
-/// the way he chose and why.
+/// Each decision is in operator/pass_N.json of the run's folder: the face as seen, every dig that
+/// was evaluated, the chosen one and why.
 class PassDesk final : public Observer {
  public:
   struct Sides {

@@ -28,7 +28,7 @@ struct RunEnd {
 /// The end of a run by end_s. Where that is 0: prescribed drives end with the motion; limited
 /// drives when they reach its end, after twice its duration at most; so does a run that a program
 /// drives (`program_drives`), which the program can end earlier. A planning operator ends the run
-/// himself (pass_desk.hpp), after four times the motion's duration for each of his passes at most.
+/// (pass_desk.hpp), after four times the motion's duration for each of the passes at most.
 /// Throws InputError for a motion that cannot be read.
 RunEnd run_end(const cases::Case& c, bool program_drives = false);
 

@@ -26,7 +26,7 @@ class DigRules : public testing::Test {
   DigLimits limits{80e3, 3e6};
 };
 
-TEST_F(DigRules, LightHeGoesDeeper) {
+TEST_F(DigRules, ALightDipperGoesDeeper) {
   EXPECT_EQ(wish().crowd_back, -0.2);
   EXPECT_FALSE(wish().lift);
   EXPECT_EQ(wish().rate, 1);
@@ -34,7 +34,7 @@ TEST_F(DigRules, LightHeGoesDeeper) {
   EXPECT_TRUE(as_the_motion_says()) << "as good as full";
 }
 
-TEST_F(DigRules, HeDoesNotGoDeeperWhereThatIsDownNorWithoutRockRoomOrForce) {
+TEST_F(DigRules, NotDeeperWhereThatIsDownNorWithoutRockRoomOrForce) {
   const DigFeel light = feel;
   feel.handle_rise = -0.75;
   EXPECT_TRUE(as_the_motion_says()) << "into the ground";
@@ -92,14 +92,14 @@ TEST_F(DigRules, NearItsForceTheCrowdGoesOutMoreSlowly) {
   EXPECT_NEAR(wish().crowd_back.value(), -0.05, 1e-12);
 }
 
-TEST_F(DigRules, FullHeBreaksOutUntilTheTeethAreFree) {
+TEST_F(DigRules, AFullDipperBreaksOutUntilTheTeethAreFree) {
   feel.load_kg = 80e3;
   EXPECT_EQ(wish().crowd_back, 0.3);
   feel.resistance_N = 0;
   EXPECT_EQ(wish().crowd_back, 0.0) << "and does not go in again";
 }
 
-TEST_F(DigRules, CaughtHeLiftsAndDrawsBackInPlaceOfPushingOn) {
+TEST_F(DigRules, ACaughtDipperIsLiftedAndDrawnBackInPlaceOfPushedOn) {
   feel.carried = 0.49;
   EXPECT_EQ(wish().crowd_back, 0.3);
   EXPECT_EQ(wish().lift, 0.3);
@@ -117,7 +117,7 @@ TEST_F(DigRules, ADipperThatComesDownOnRockIsHeldThereUntilTheDigBegins) {
   EXPECT_EQ(wish().rate, 1) << "the rest of the way down takes no longer";
 }
 
-TEST_F(DigRules, NothingWhileHeTurnsEmptiesOrComesDown) {
+TEST_F(DigRules, NothingWhileTheHouseTurnsTheDoorOpensOrTheDipperComesDown) {
   feel.raises = false;
   EXPECT_TRUE(as_the_motion_says());
   feel.raises = true;

@@ -100,7 +100,7 @@ TEST_F(FeelingOperatorTest, GoesOnFromItsStateToTheBit) {
 }
 
 /// What is sent has no jump of position or rate.
-TEST_F(FeelingOperatorTest, WhatHeSendsIsOneCurve) {
+TEST_F(FeelingOperatorTest, TheSetpointIsOneCurve) {
   double t = 0;
   machine::DriveState last = one.setpoint(0);
   for (int i = 0; i < 6000; ++i, t += h) {

@@ -1,5 +1,5 @@
-// What an operator who plans does at his desk: when he looks, what he sends, when he stops, what a
-// checkpoint keeps of it, and the files he leaves.
+// What an operator who plans does between two passes: when the face is looked at, what is sent, when
+// the run ends, what a checkpoint keeps of it, and the files that are left.
 #include "coupler/run/pass_desk.hpp"
 
 #include <gmock/gmock.h>
@@ -176,7 +176,7 @@ TEST_F(PassDeskTest, StopsWhenNoPassPays) {
   EXPECT_TRUE(one.finished());
   EXPECT_TRUE(machine.sent.empty());
   EXPECT_THAT(read("end.json").at("reason").get<std::string>(), HasSubstr("no dig pays"));
-  EXPECT_TRUE(read("pass_1.json").at("chosen").is_null()) << "what he saw is kept";
+  EXPECT_TRUE(read("pass_1.json").at("chosen").is_null()) << "the face as seen is kept";
 }
 
 TEST_F(PassDeskTest, ExpectsTheRunsEndByTheTruckAndThePassesAllowed) {
