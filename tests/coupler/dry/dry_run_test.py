@@ -136,7 +136,8 @@ class DryRun(RunTest):
         names = ("motion.csv", "quick-motion.html")
         self.assertEqual(sorted(file.name for file in self.folder.iterdir()), sorted(names))
         run = self.folder / "run"
-        self.run_case(run, "--no-rock", *COARSE, "--set", f"machine.motion={self.folder / 'motion.csv'}", case=QUICK)
+        self.run_case(run, "--no-rock", *COARSE, "--set", "machine.operator=motion",
+                      f"machine.motion={self.folder / 'motion.csv'}", case=QUICK)
         points = np.genfromtxt(SOURCE / "docs/data/path.csv", delimiter=",", names=True, skip_header=1)
         with h5py.File(run / "record.h5") as record:
             out = np.hypot(record["rock/teeth_x"][:], record["rock/teeth_y"][:])
