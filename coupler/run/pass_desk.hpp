@@ -1,5 +1,5 @@
-// The planning operator's part of a run: between two passes the operator surveys the rock, chooses a
-// dig, and sends its motion to the machine.
+// The planning operator's part of a run: between two passes the operator surveys the rock, chooses
+// a dig, and sends its motion to the machine.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -27,7 +27,7 @@ class Tutorials(unittest.TestCase):
         (here / "build/release").mkdir(parents=True)
         (here / "build/release/bin").symlink_to(program)
         script = "set -eu\n" + "\n".join(commands(ROOT / "docs" / page))
-        run = subprocess.run(["bash", "-c", script], cwd=here, capture_output=True, text=True, timeout=500)
+        run = subprocess.run(["bash", "-c", script], cwd=here, capture_output=True, text=True, timeout=900)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         return run.stdout + run.stderr
 

@@ -5,7 +5,7 @@ import pytest
 
 from dipper_study.results import FIGURES, operator_figures, write_hdf5
 
-PLANNED = {"passes": 3, "stopped": "the passes that operator.passes allows are done: 3", "cycles_s": [50.0, 54.0], "truck_kg": 2.1e5,
+PLANNED = {"passes": 3, "stopped": "the truck is full", "cycles_s": [50.0, 54.0], "truck_kg": 2.1e5,
            "truck_s": 150.0, "tonnes_per_hour": 5040.0, "energy_J_per_kg": 310.0}
 
 

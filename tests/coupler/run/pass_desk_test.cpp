@@ -1,5 +1,5 @@
-// What an operator who plans does between two passes: when the face is looked at, what is sent, when
-// the run ends, what a checkpoint keeps of it, and the files that are left.
+// What an operator who plans does between two passes: when the face is looked at, what is sent,
+// when the run ends, what a checkpoint keeps of it, and the files that are left.
 #include "coupler/run/pass_desk.hpp"
 
 #include <gmock/gmock.h>
