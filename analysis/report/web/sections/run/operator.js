@@ -1,4 +1,4 @@
-// What an operator who plans saw before each pass, the digs that he weighed, and the path he chose.
+// What an operator who plans saw before each pass, the digs compared, and the path chosen.
 import { h, section, svg } from '../../dom.js';
 import { fixed, meganewtons, tonnes } from '../../format.js';
 import { passColour, ramp, SIZE } from '../../palette.js';
@@ -12,8 +12,8 @@ export function operator(data) {
   const decisions = data?.decisions ?? [];
   if (!decisions.length) return null;
   return section('operator', 'What the operator saw and chose',
-    'Before each pass: the face as he saw it, in the plane of the boom, and the path of the teeth that he chose. Map: the height of the rock '
-    + 'from above, darker is higher; the line is his heading. Expected figures are of his estimate, not of the run.',
+    'Before each pass: the face as the operator saw it, in the plane of the boom, and the chosen path of the teeth. Map: the height of the rock '
+    + 'from above, darker is higher; the line is the chosen heading. Expected figures are the operator\'s estimate, not the run\'s.',
     decisions.map(decision), data.end && h('p.note', `End: ${data.end.reason}.`));
 }
 
@@ -28,7 +28,7 @@ function profile(d) {
   const steps = (to) => Array.from({ length: Math.floor(to / STEP) + 1 }, (_, k) => k * STEP);
   const line = (list) => list.map(([x, z]) => `${x} ${-z}`).join('L');
   const surface = d.profile_m.filter(([x]) => x <= right);
-  return h('figure.way', h('figcaption', 'The face he saw, and the path of the teeth (control points), in m'),
+  return h('figure.way', h('figcaption', 'The face as seen, and the path of the teeth (control points), in m'),
     svg('svg', { viewBox: `-2 ${-top - 0.5} ${right + 2.5} ${top + 2.5}`, role: 'img',
       'aria-label': `A face up to ${fixed(Math.max(...surface.map(([, z]) => z)), 1)} m, and a path from ${d.path_m[0][0]} m out to `
         + `${d.path_m[d.path_m.length - 1][0]} m out.` },
