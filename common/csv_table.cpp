@@ -37,7 +37,7 @@ constexpr std::array<std::pair<std::string_view, char>, 14> kLookAlikes{{{"\u221
                                                                          {"\u2028", '\n'},
                                                                          {"\u2029", '\n'}}};
 
-/// The text with line ends of Windows and of old Macs as \n, and plain minus signs and blanks.
+/// The text with line ends of Windows and of early Macs as \n, and plain minus signs and blanks.
 std::string plain(std::string_view text) {
   std::string out;
   out.reserve(text.size());
@@ -221,10 +221,10 @@ class RowFaults {
   bool empty() const { return faults_.empty(); }
 
   void tell(const std::filesystem::path& file, std::vector<Finding>& findings) const {
-    std::set<std::string> told;
+    std::set<std::string> seen_kinds;
     for (const Fault& f : faults_) {
       const int n = count_.at(f.kind);
-      if (n > kFew && !told.insert(f.kind).second) continue;
+      if (n > kFew && !seen_kinds.insert(f.kind).second) continue;
       const std::string more =
           n > kFew ? fmt::format(", and the same in {} more lines", n - 1) : "";
       findings.push_back({file, f.line, "", f.wrong + more + "; " + f.right, f.column});

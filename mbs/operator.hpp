@@ -1,4 +1,4 @@
-// Who sends the drives where, when they have limits and so may not get there.
+// The operator of drives with limits: sends them set points that they may not reach.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace dipper::mbs {
 
-/// What he feels of the machine.
+/// What the operator feels of the machine.
 struct Felt {
   machine::DriveState drives;  ///< where they are, and how fast; no accelerations
   DriveEfforts motors;
@@ -29,8 +29,8 @@ class Operator {
   /// Continues at a time, s, from a state that `state` returned at that time.
   virtual void reset(double t_s, const std::vector<double>& state) = 0;
 
-  /// Decides the set points from now on. \param feel  what he feels at that time, computed when
-  /// called
+  /// Decides the set points from now on. \param feel  what the operator feels at that time,
+  /// computed when called
   virtual void update(double t_s, const std::function<Felt()>& feel) = 0;
 
   /// Takes an order at the start of a sync step. Throws std::invalid_argument unless a program
@@ -39,17 +39,17 @@ class Operator {
     throw std::invalid_argument("an order for drives that follow their motion");
   }
 
-  /// All that his later decisions depend on, except measurements; always the same count of numbers.
+  /// All that later decisions depend on, except measurements; always the same count of numbers.
   virtual std::vector<double> state(double t_s) const = 0;
 
   /// The drives' set points at a time after the last update, at most a sub-step later: positions
   /// [m, rad], rates and accelerations per second.
   virtual machine::DriveState setpoint(double t_s) const = 0;
 
-  /// His time on the case's motion, s; none when he does not follow it.
+  /// The operator's time on the case's motion, s; none when it is not followed.
   virtual std::optional<double> motion_s(double t_s) const = 0;
 
-  /// His channels of the record, and their values at a time.
+  /// The operator's channels of the record, and their values at a time.
   virtual std::vector<core::Channel> channels() const = 0;
   virtual std::vector<double> values(double t_s, const DriveEfforts& motors) const = 0;
 };

@@ -30,9 +30,10 @@ struct PathWish {
 /// the reaction time 0.2 s. The target of the rate along the motion is
 ///   rate = min(1 - e_others, 1 - 0.75 e_crowd):
 /// the operator waits for a hoist or swing that cannot follow. A crowd that stalls is normal in a
-/// dig: he keeps hoisting, at a quarter of the rate, and retracts the crowd as it is pushed back,
+/// dig: the operator keeps hoisting, at a quarter of the rate, and retracts the crowd as it is
+/// pushed back,
 ///   relief_rate = 0.5 m/s (r_crowd - 1.4) / 0.1, within 0 ... 0.5 m/s.
-/// Where the motion nearly stops all the same (rate < 0.2), he retracts the crowd for a shallower
+/// Where the motion nearly stops all the same (rate < 0.2), the crowd retracts for a shallower
 /// cut,
 ///   relief_rate = 0.1 m/s (1 - rate / 0.2),
 /// and otherwise extends it again, relief_rate = -(1 - e_crowd) relief / 2 s. The motion never runs
@@ -40,7 +41,7 @@ struct PathWish {
 class PathFollower final : public Operator {
  public:
   static constexpr double kReaction_s = 0.2;  ///< of a hand on a lever
-  static constexpr double kGiveOut_s = 2.0;   ///< in which he gives back what he has bent
+  static constexpr double kGiveOut_s = 2.0;   ///< in which the relief of the crowd ends
 
   /// \param crowd_min  m, the crowd's stop
   PathFollower(std::shared_ptr<const machine::Motion> motion, double crowd_min);
@@ -62,7 +63,7 @@ class PathFollower final : public Operator {
       double t_s, const std::function<Overload()>& overload,
       const std::function<PathWish()>& wish = [] { return PathWish{}; });
 
-  /// Where he is at a time after the last update, at most a sub-step later.
+  /// The state at a time after the last update, at most a sub-step later.
   PathState at(double t_s) const;
 
  private:

@@ -214,8 +214,8 @@ core::MachineState Shovel::Impl::report(const Snapshot& at, std::int64_t t_next_
   };
   if (sender) {
     const DriveEfforts& motors = *i.loads.motors;
-    const std::vector<double> his = sender->values(seconds(at.t_ns), motors);
-    out.channels.insert(out.channels.end(), his.begin(), his.end());
+    const std::vector<double> sent = sender->values(seconds(at.t_ns), motors);
+    out.channels.insert(out.channels.end(), sent.begin(), sent.end());
     const auto yes = [](bool is) { return is ? 1.0 : 0.0; };
     out.channels.insert(out.channels.end(),
                         {yes(motors.hoist.saturated()), yes(motors.crowd.saturated()),

@@ -8,8 +8,8 @@
 
 namespace dipper::mbs {
 
-/// In the order of a MachineState's channels. `from`: who drives, with what he and the limits of
-/// his drives add; none: the drives are prescribed.
+/// In the order of a MachineState's channels. `from`: the operator, whose channels and those of the
+/// drives' limits are added; none: the drives are prescribed.
 std::vector<core::Channel> shovel_channels(const Operator* from);
 
 }  // namespace dipper::mbs

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kMostRows = 1 << 26;  // bytes: a day's motion is shorter
 constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
 constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
-// Drives that are told where to go, by more numbers.
+// Drives that follow set points, by more numbers.
 constexpr char kTold[] = "DIPMBST1", kToldSegmented[] = "DIPMBSC1";
 // Drives that an operator leads who feels the dig.
 constexpr char kFeeling[] = "DIPMBSF1", kFeelingSegmented[] = "DIPMBSG1";

@@ -39,15 +39,15 @@ json json_of(const fs::path& file) {
 }
 
 /// The regions the rock side has weighed in, and what the dipper holds. Runs made before there was
-/// scales.json have the regions in what it was told, which its owner alone may read.
+/// scales.json have the regions in its input, which its owner alone may read.
 void read_scales(RunData& run) {
   const fs::path& folder = run.folder;
   rock::LoadRegions& regions = run.regions;
   const bool apart = fs::exists(folder / "scales.json");
   const fs::path file = apart ? folder / "scales.json" : folder / "logs" / "dem.json";
-  const json told = json_of(file);
+  const json setup = json_of(file);
   try {
-    for (const json& s : apart ? told.at("scales") : told.at("settings").at("scales")) {
+    for (const json& s : apart ? setup.at("scales") : setup.at("settings").at("scales")) {
       const Box region{vector_from(s.at("min_m")), vector_from(s.at("max_m"))};
       run.masses.push_back(s.at("name"));
       if (run.is_shovel && s.at("name") == "mass_in_dipper") regions.dipper = region;
@@ -55,7 +55,8 @@ void read_scales(RunData& run) {
       regions.truck = region;
       regions.X_WT = {quaternion_from(s.at("R_WS")), vector_from(s.at("p_WS"))};
     }
-    run.struck_given_m3 = told.value("struck_volume_m3", 0.0);  // 0: a run made before it was there
+    run.struck_given_m3 =
+        setup.value("struck_volume_m3", 0.0);  // 0: a run made before it was there
   } catch (const json::exception& e) {
     throw io::input_error(file, 0, e.what());
   }

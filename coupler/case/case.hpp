@@ -43,7 +43,7 @@ struct MachineCase {
   /// Exactly as the motion says, or as far as they can (docs/drives.md).
   machine::DriveMode drives = machine::DriveMode::prescribed;
   OperatorKind operated_by = OperatorKind::motion;
-  std::filesystem::path plan;  ///< of an operator who plans: the cycle, and what he chooses from
+  std::filesystem::path plan;  ///< of an operator who plans: the cycle, and the digs to choose from
   /// false: the dipper meets no rock from the truck back to the next dig (machine/return_legs.hpp).
   bool contact_on_return = true;
 
@@ -61,7 +61,7 @@ struct OperatorCase {
   machine::DigGoal goal = machine::DigGoal::time;  ///< the most payload for time, or for energy
   int passes = 10;                                 ///< at most
   double least_fill = 0.3;  ///< of the dipper: a pass that is expected to load less does not pay
-  double scan_error_m = 0;  ///< standard error of a height that he sees
+  double scan_error_m = 0;  ///< standard error of a height that is seen
   double scan_dead_angle_deg = 0;  ///< rock that is seen at less than this is not seen
 };
 

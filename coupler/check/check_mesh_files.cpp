@@ -49,7 +49,7 @@ void check_box(const cases::Case& c, const std::string& key, const std::string& 
 void check_profile_points(const cases::Case& c, Findings& findings) {
   std::vector<int> lines;
   const cases::BenchOutline points = cases::read_outline(c.pile.profile, &lines);
-  std::set<std::string> told;
+  std::set<std::string> seen_corners;
   for (std::size_t k = 0; k < points.size(); ++k)
     for (const int i : {0, 1}) {
       const double at = points[k][i];
@@ -57,7 +57,7 @@ void check_profile_points(const cases::Case& c, Findings& findings) {
       const double low = c.domain.min_m[axis], high = c.domain.max_m[axis];
       if (at >= low && at <= high) continue;
       const std::string corner = at < low ? "domain.min_m" : "domain.max_m";
-      if (!told.insert(corner + "xz"[i]).second) continue;
+      if (!seen_corners.insert(corner + "xz"[i]).second) continue;
       findings.push_back({c.pile.profile, lines[k], "pile.profile",
                           fmt::format("{}_m is {:g}, outside {} ({:g}); end the profile there or "
                                       "enlarge the domain",

@@ -62,13 +62,13 @@ json of_readings(std::istream& in) {
     spans.push_back({row["t_start_s"], row["t_end_s"]});
     passes.push_back(row);
   }
-  json told = {{"passes", passes}};
+  json answer = {{"passes", passes}};
   if (readings.contains("hoist_m")) {  // what a law's force may depend on, at each reading
     drive.hoist_m = readings["hoist_m"].get<std::vector<double>>();
-    told["terms"] = signals::kDriveTerms;
-    told["values"] = signals::drive_terms(drive, spans);
+    answer["terms"] = signals::kDriveTerms;
+    answer["values"] = signals::drive_terms(drive, spans);
   }
-  return told;
+  return answer;
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ int run_python(const std::string& package, const std::vector<std::string>& words
   // Before what a user has installed for the whole system: another numpy than the one that Debian's
   // packages are built with.
   path += ":/usr/lib/python3/dist-packages";
-  // The user's settings are for other programs: PYTHONINSPECT waits for him after the end,
+  // The user's settings are for other programs: PYTHONINSPECT waits for input after the end,
   // PYTHONOPTIMIZE removes texts, MPLBACKEND is a notebook's.
   unset_variables("PYTHON");
   unset_variables("MPLBACKEND");

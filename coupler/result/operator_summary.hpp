@@ -9,7 +9,7 @@
 namespace dipper::result {
 
 /// Read from the decisions and the record in a run's folder; null if nobody planned: passes,
-/// stopped (the reason; null: he has not stopped), cycles_s (from empty over the truck to empty
+/// stopped (the reason; null: not stopped), cycles_s (from empty over the truck to empty
 /// again; none for the first pass, which begins in front of the face), truck_kg, truck_s (all
 /// passes, each with a return), tonnes_per_hour, energy_J_per_kg (of the drives, by the mass in the
 /// truck)

@@ -1,4 +1,4 @@
-// The planner of a case's operator, with what he knows before the run.
+// The planner of a case's operator, with what is known before the run.
 #pragma once
 
 #include <filesystem>

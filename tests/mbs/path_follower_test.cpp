@@ -39,7 +39,7 @@ class PathFollowerTest : public testing::Test {
                              "m.csv"));
   PathFollower path{motion, -1.7};
 
-  /// Goes on with an overload; where he then is.
+  /// Goes on with an overload; the state after it.
   PathState go(double& t_s, double for_s, const Overload& overload) {
     const double end = t_s + for_s;
     for (; t_s < end - h / 2; t_s += h) path.ease(t_s, [&] { return overload; });
@@ -94,7 +94,7 @@ TEST_F(PathFollowerTest, LiftsOnWithACrowdThatStalls) {
   EXPECT_NEAR(after.relief, 4 * 0.25, 0.06);
 }
 
-// Where he sends the drives has the speed that it says, also while he slows.
+// The set point's speed is the change of its position, also while the operator slows.
 TEST_F(PathFollowerTest, IsAskedForMoreBackOrSlowerButAStallCounts) {
   const auto asked = [&](const Overload& overload, const PathWish& wish) {
     PathFollower one{motion, -1.7};

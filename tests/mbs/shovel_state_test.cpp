@@ -195,7 +195,7 @@ TEST_P(ShovelState, RefusesAForeignOrBrokenFile) {
   EXPECT_EQ(shovel.state(0).t_ns, 0);
 }
 
-// An operator who feels the dig: weak hoist, so that he is caught, weighs and lifts.
+// An operator who feels the dig: weak hoist, so that the dipper is caught, weighed and lifted.
 TEST_F(ShovelTest, AnOperatorWhoFeelsGoesOnFromACheckpointToTheBit) {
   const auto file = std::filesystem::path(testing::TempDir()) / "feeling.bin";
   const auto another = [&] {

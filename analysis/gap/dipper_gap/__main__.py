@@ -105,7 +105,7 @@ def main(words=None):
         catalogue = read_catalogue(args.case)
         measured, before = (None, None) if args.plan else readings(args, data)
         channels = planned_channels(args) if args.plan else {}
-        fidelity = told_fidelity(args.case, bool(before))
+        fidelity = usable_fidelity(args.case, bool(before))
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
         make_cache(run_cache.cache_folder("gap"))
@@ -123,10 +123,10 @@ def main(words=None):
             channels = fidelity.compared(channels)
             measured = measured and measured.seen_by(fidelity.compared(measured.channels))
         if args.plan:
-            told = forecast(channels, simulator, catalogue, first_seed, say)
+            planned = forecast(channels, simulator, catalogue, first_seed, say)
             folder.mkdir(parents=True, exist_ok=True)
-            write_forecast(told, catalogue, folder / "plan.json")
-            for line in as_lines(told, catalogue):
+            write_forecast(planned, catalogue, folder / "plan.json")
+            for line in as_lines(planned, catalogue):
                 say(line)
             say(f"gap: {folder / 'plan.json'}")
             return 0
@@ -165,7 +165,7 @@ def readings(args, data):
     return measured, before
 
 
-def told_fidelity(case, with_reference):
+def usable_fidelity(case, with_reference):
     """What the case's folder says of the model's errors; None where it says nothing, or a reference takes them out.
     Throws BadInput."""
     fidelity = read_fidelity(case)

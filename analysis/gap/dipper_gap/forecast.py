@@ -66,18 +66,18 @@ def _limits(model, catalogue, mine, trucks, with_reference):
     return {n: float(x) if np.isfinite(x) else None for n, x in zip(table.names, table.limits)}
 
 
-def as_lines(told, catalogue):
+def as_lines(outlook, catalogue):
     """Tables to print, without and with surveys of the face."""
-    if told.faceless is None:
-        return _table(told, told.limits, catalogue)
-    return ["without the face:", *_table(told, told.faceless, catalogue), "",
-            "with the face surveyed before and after each pass:", *_table(told, told.limits, catalogue)]
+    if outlook.faceless is None:
+        return _table(outlook, outlook.limits, catalogue)
+    return ["without the face:", *_table(outlook, outlook.faceless, catalogue), "",
+            "with the face surveyed before and after each pass:", *_table(outlook, outlook.limits, catalogue)]
 
 
-def _table(told, limits, catalogue):
+def _table(outlook, limits, catalogue):
     """An effect a line, the most easily found (by its prior) first."""
-    head = [f"{t} trucks" for t in told.trucks]
-    rows = [["", "unit", *head, *(f"+ {t} before" for t in told.trucks)]]
+    head = [f"{t} trucks" for t in outlook.trucks]
+    rows = [["", "unit", *head, *(f"+ {t} before" for t in outlook.trucks)]]
     for n in sorted(limits, key=lambda n: _ease(limits[n], catalogue[n])):
         e, ways = catalogue[n], limits[n]
         unit = "" if e.unit in ("-", "1") else e.unit
@@ -95,8 +95,8 @@ def _text(x):
     return "none" if x is None else f"{x:.2g}"
 
 
-def write_forecast(told, catalogue, file):
-    data = {"trucks": list(told.trucks), "channels": list(told.channels), "runs": told.runs, "effects": {
+def write_forecast(outlook, catalogue, file):
+    data = {"trucks": list(outlook.trucks), "channels": list(outlook.channels), "runs": outlook.runs, "effects": {
         n: {"title": catalogue[n].title, "unit": catalogue[n].unit, "high": catalogue[n].high, "low": catalogue[n].low,
-            **ways, "without_face": told.faceless and told.faceless[n]} for n, ways in told.limits.items()}}
+            **ways, "without_face": outlook.faceless and outlook.faceless[n]} for n, ways in outlook.limits.items()}}
     file.write_text(json.dumps(data, indent=2, allow_nan=False) + "\n")

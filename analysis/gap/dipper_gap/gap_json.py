@@ -58,12 +58,12 @@ def _law(out):
 
 
 def _fidelity(known):
-    """What was told of the model's errors, and the factor on the rock's resistance that follows from it."""
+    """The known errors of the model, and the factor on the rock's resistance that follows from it."""
     if not known:
         return None
-    told = {n: [f.low, f.value, f.high] for n, f in (("dig_force", known.fidelity.dig_force),
-            ("payload", known.fidelity.payload), ("resistance", known.resistance))}
-    return {**told, "by_phase": known.fidelity.by_phase, "not_compared": list(known.fidelity.not_compared)}
+    of = {"dig_force": known.fidelity.dig_force, "payload": known.fidelity.payload, "resistance": known.resistance}
+    factors = {n: [f.low, f.value, f.high] for n, f in of.items()}
+    return {**factors, "by_phase": known.fidelity.by_phase, "not_compared": list(known.fidelity.not_compared)}
 
 
 def _reference(out):

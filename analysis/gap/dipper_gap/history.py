@@ -7,7 +7,7 @@ from dipper_run.csv_text import stamp_text
 
 from .statistics.trend import Trend, find_trend, weights
 
-CHANGES_SD = 3.0  # of a change among the measured trucks, from which it is told where no reference says when
+CHANGES_SD = 3.0  # of a change among the measured trucks, from which it is reported where no reference says when
 LEAST_SIDE = 2  # trucks on each side of a change that has no name: each is left out in turn
 ROUNDS = 3
 
@@ -58,11 +58,11 @@ def history(model, prediction, names, training, measured, before):
                 break
             began = found[2].began
     strength, variance, trend = found
-    told = [("reference", t) for t in before.trucks()] + [("measured", t) for t in measured.trucks()]
-    times = _times([t.passes[0].t_start_s for _, t in told])
+    both = [("reference", t) for t in before.trucks()] + [("measured", t) for t in measured.trucks()]
+    times = _times([t.passes[0].t_start_s for _, t in both])
     return History(names[0] if names else None,
                    tuple(Truck(period, t.passes[0].truck, time, float(a), float(np.sqrt(v)))
-                         for (period, t), time, a, v in zip(told, times, strength, variance)), trend)
+                         for (period, t), time, a, v in zip(both, times, strength, variance)), trend)
 
 
 def within_the_shift(model, prediction, names, measured):

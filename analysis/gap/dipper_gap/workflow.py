@@ -120,10 +120,10 @@ def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None
         known = learn_and_predict(first, measured, before, runner)
         if omnibus(known[1], *compare(*known, measured)) >= EARLY_P:
             left = len(plan.requests()) - len(first.requests())
-            told = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs "
-                    "and the effects that need none show no gap to explain",)
+            early = (f"it ended before {left} runs of effects on rock or motion: the {len(first.baseline)} plain runs "
+                     "and the effects that need none show no gap to explain",)
             out = conclude(*known, measured, runner, before)
-            return replace(out, early=True, warnings=(*out.warnings, *told))
+            return replace(out, early=True, warnings=(*out.warnings, *early))
     return conclude(*learn_and_predict(plan, measured, before, runner, known[0]), measured, runner, before)
 
 
@@ -171,11 +171,11 @@ def conclude(model, prediction, measured, runner, before=None):
                       faces=compare_faces(measured, before))
         out = replace(out, warnings=(*out.warnings, *other_faces(out.faces)))
         if out.look.verdict.verdict != "no-gap":
-            told = history(model, prediction, names, seen.training.at, measured, before)
-            out = replace(out, history=told, warnings=(*out.warnings, *within(told, reference.trucks)))
+            by_truck = history(model, prediction, names, seen.training.at, measured, before)
+            out = replace(out, history=by_truck, warnings=(*out.warnings, *within(by_truck, reference.trucks)))
     elif out.effects:
-        told = within_the_shift(model, prediction, list(out.effects), measured)
-        out = replace(out, history=told, warnings=(*out.warnings, *changing(told, runner.catalogue)))
+        by_truck = within_the_shift(model, prediction, list(out.effects), measured)
+        out = replace(out, history=by_truck, warnings=(*out.warnings, *changing(by_truck, runner.catalogue)))
     if out.look.verdict.verdict == "unknown":
         out, with_them = with_laws(out, model, prediction, measured, runner, before)
         after = with_them or after
@@ -224,22 +224,22 @@ def other_faces(faces):
                  for f in faces if f.kind in ("slope", "toe", "crest") and f.p < CHANGED_P)
 
 
-def changing(told, catalogue):
+def changing(by_truck, catalogue):
     """Of an effect that is not the same in all trucks: what is named is its mean over them."""
-    if not told:
+    if not by_truck:
         return ()
-    t, unit = told.trend, catalogue[told.effect].unit
+    t, unit = by_truck.trend, catalogue[by_truck.effect].unit
     how = {"step": "at once", "ramp": "little by little", "unclear": "in some way"}[t.shape]
     size = f"{t.size:.3g} {unit} +- {2 * t.size_sd:.2g} (2 sd)"
-    return (f"{told.effect} is not the same in all trucks: it changes by {size}, {how}, after truck "
-            f"{told.trucks[t.began - 1].truck}; the named strength is the mean over the trucks",)
+    return (f"{by_truck.effect} is not the same in all trucks: it changes by {size}, {how}, after truck "
+            f"{by_truck.trucks[t.began - 1].truck}; the named strength is the mean over the trucks",)
 
 
-def within(told, before):
+def within(by_truck, before):
     """Of a change that came while the measured trucks were loaded: their mean, which is what is named, is less."""
-    if not (told and told.trend and told.trend.interval90[0] > before):
+    if not (by_truck and by_truck.trend and by_truck.trend.interval90[0] > before):
         return ()
-    return (f"it began after {told.trend.began - before} of the measured trucks: the results here are for the "
+    return (f"it began after {by_truck.trend.began - before} of the measured trucks: the results here are for the "
             "mean of all of them; give the trucks since then alone, and those before it to the reference",)
 
 

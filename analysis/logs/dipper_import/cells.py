@@ -84,9 +84,9 @@ class CellReader:
                            "list what says that one is under file.good"
                            + (" ('' for empty)" if "" in texts else "")))
         elif bad.any():
-            told = some_names(sorted({t or "empty" for t, b in zip(texts, bad) if b}), 4)
+            bad_names = some_names(sorted({t or "empty" for t, b in zip(texts, bad) if b}), 4)
             lines = np.array(group.lines)[bad]
-            notes.append(f"{name}: {some_rows(lines, 'reading')} with the quality {told}, left out")
+            notes.append(f"{name}: {some_rows(lines, 'reading')} with the quality {bad_names}, left out")
         raw[bad] = np.nan
 
     def _good(self, text):
@@ -108,7 +108,7 @@ def _bare(text, units):
 
 def _warn_of_sentinels(name, channel, limits, lines, raw, notes):
     """Warns of readings such as -9999 that stand far off their neighbours: loggers write them for "no reading". Those
-    of a drive outside its limits are left out later on, and told."""
+    of a drive outside its limits are left out later on, and reported."""
     if name in DRIVES and limits is not None and np.isfinite([limits.min, limits.max]).all():
         return
     there = np.flatnonzero(np.isfinite(raw))

@@ -136,15 +136,15 @@ def _merge(log, index, stamp, interval, what, notes):
             continue
         known, new = time[:start], time[start:end]
         last = known.max()
-        told = int(line[start]) in clock_set_at
+        declared = int(line[start]) in clock_set_at
         if new[-1] < known.min():
             set_back = goes_on(log.values, what.smooth(), index[max(start - 2, 0):start + 2])
         else:
             set_back = new[0] < last and _doubled(log, index, known, new, last, interval)
-        if told or set_back:
+        if declared or set_back:
             by = last + interval - new[0]
             notes.append(f"the clock is set {'back' if by > 0 else 'forward'} by {abs(by):.6g} s at line {line[start]}"
-                         f"{' (clock_set_at)' if told else ''}: that row is taken to follow the one before by "
+                         f"{' (clock_set_at)' if declared else ''}: that row is taken to follow the one before by "
                          f"{interval:.3g} s")
             shift += by
             time[start:end] += by

@@ -59,7 +59,7 @@ class Channel:
     held: bool                 # a row without a reading has the last one before it
     quality: str               # None, or the column that says whether a reading is good
     time: str                  # None, or the column of its own time
-    sigma: float               # of a reading, own unit; None: not told
+    sigma: float               # of a reading, own unit; None: not given
     common_sigma: float
     reads: str                 # of a scale: one of READS
     line: int

@@ -15,8 +15,8 @@ def join(logs, what, notes):
         if log is not base:
             for name, value in log.values.items():
                 values[name] = _at(base.stamp_s, log.stamp_s, value, what.channels[name].held, what.longest_gap_s)
-    told = ", ".join(n for log in logs if log is not base for n in log.values)
-    notes.append(f"{told}: logged at times of their own, taken at those of "
+    joined = ", ".join(n for log in logs if log is not base for n in log.values)
+    notes.append(f"{joined}: logged at times of their own, taken at those of "
                  + next(n for n in base.values if n in DRIVES))
     order = [n for n in what.channels if n in values]
     return type(base)(base.lines, base.stamp_s, base.stamps, {n: values[n] for n in order}, base.has_date,

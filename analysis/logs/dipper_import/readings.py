@@ -106,7 +106,7 @@ def _tell(which, rows, name, value, why, notes):
 
 
 def _find_gaps(kept, rows, name, what, path, found, notes):
-    """Holes in the readings of a channel. What is missing of all of them, whole rows, is told once (row_gaps)."""
+    """Holes in the readings of a channel. What is missing of all of them, whole rows, is reported once (row_gaps)."""
     too_long = []
     for k in np.flatnonzero(np.diff(kept.time_s) > HOLE * rows.interval_s):
         a, b = kept.lines[k], kept.lines[k + 1]

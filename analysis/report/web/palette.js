@@ -1,5 +1,5 @@
 // Colours that are the same in light and dark, and which of style.css's a phase has. Curves and
-// classes: Okabe and Ito 2008, told apart with any colour vision. Scales get darker all the way, so
+// classes: Okabe and Ito 2008, distinguishable with any colour vision. Scales get darker all the way, so
 // that they also read in grey; both as in scripts/plot_run.
 
 export const CLASSES = ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#f0e442', '#555555'];

@@ -35,11 +35,11 @@ def arguments(given):
 
 def read_case(case):
     """The values of a case whose pile.profile may still be to be made; BadInput of any other fault."""
-    told = check_json(case)
-    faults = [f for f in told["findings"] if not f["key"].startswith("pile")]
-    if faults or "values" not in told:
-        raise BadInput([f"{f['file']}:{f['line']}: {f['key']}: {f['message']}" for f in faults or told["findings"]])
-    return told["values"]
+    answer = check_json(case)
+    faults = [f for f in answer["findings"] if not f["key"].startswith("pile")]
+    if faults or "values" not in answer:
+        raise BadInput([f"{f['file']}:{f['line']}: {f['key']}: {f['message']}" for f in faults or answer["findings"]])
+    return answer["values"]
 
 
 def numbers_of(text, n, option, right):
@@ -110,11 +110,12 @@ def next_step(case, out, values):
     """What the case makes of the file: what `dipper check` says where it names it, else what to write."""
     profile = values.get("pile.profile")
     if profile and (case / profile).resolve() == out.resolve():
-        told = check_json(case)
-        if told["sound"]:
-            return [f"check: {told['case']} is sound with it: about {told['size']['rocks']:.0f} rocks; look at "
+        answer = check_json(case)
+        if answer["sound"]:
+            return [f"check: {answer['case']} is sound with it: about {answer['size']['rocks']:.0f} rocks; look at "
                     f"{out.stem}.png, and at dipper preview {case}"]
-        return ["check: the case has these errors with it:"] + [f"{f['key']}: {f['message']}" for f in told["findings"]]
+        errors = [f"{f['key']}: {f['message']}" for f in answer["findings"]]
+        return ["check: the case has these errors with it:", *errors]
     path = os.path.relpath(out, case)
     return [f"in {case / 'case.yaml'}, in place of {REPLACED}:",
             f"pile: {{profile: {path}, width_m: {values['pile.width_m']:g}, settle_s: {values['pile.settle_s']:g}, "

@@ -4,7 +4,7 @@ import numpy as np
 from dipper_run.figures import pyplot
 
 FILLED, LEFT_OUT = "#c2410c", "#2563eb"
-MOST = 5  # islands that are told one by one
+MOST = 5  # islands that are listed one by one
 
 
 def words(made, path):

@@ -22,7 +22,7 @@ LOW_LONG_m = 4.0
 
 @dataclass(frozen=True)
 class Looked:
-    """What a first look at a cloud told."""
+    """What a first look at a cloud showed."""
 
     points: int
     none: int            # rows without numbers: nothing came back
@@ -154,7 +154,7 @@ def _nothing_there(path, cloud, looked, site, box):
 
 
 def _steps(looked):
-    """What is told of coordinates in steps."""
+    """The message on coordinates in steps."""
     return [f"{axis} stand{'s' * (axis != 'heights')} in steps of {step:g} m: a grid, or coordinates that an export "
             "has rounded (single precision, too few digits)"
             for axis, step in zip(("x", "y", "heights"), looked.steps) if step]

@@ -81,7 +81,7 @@ def test_help():
 
 
 def test_the_current_folder_and_a_user_s_packages_are_no_part_of_it(tmp_path):
-    """A csv.py beside the logs is not run, a user's own numpy not taken, his settings are for other programs."""
+    """A csv.py beside the logs is not run, a user's own numpy not taken, a user's settings are for other programs."""
     here, home = tmp_path / "here", tmp_path / "home"
     site = home / f".local/lib/python3.{sys.version_info.minor}/site-packages"
     for folder, names in ((here, ("csv", "numpy", "yaml")), (site, ("numpy",))):

@@ -220,6 +220,18 @@ class Stored(unittest.TestCase):
                 self.assertTrue(browser.run("return document.querySelector('.verdict').classList.contains(arguments[0])", verdict))
                 self.assertEqual(browser.errors(), [])
 
+    def test_tables_fit_a_phone(self):
+        answer = json.loads((STORED / "m30/gap.json").read_text())
+        with tempfile.TemporaryDirectory(prefix="dipper-gap-page-") as folder, Browser(390, 844, phone=True) as phone:
+            file = pathlib.Path(folder) / "page.html"
+            made = dipper_page(json.dumps({"kind": "gap", "title": "m30", "answer": answer}), file)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            phone.open(file)
+            phone.drawn()
+            cut = phone.run("""return [...document.querySelectorAll('.table')]
+                .filter((e) => e.scrollWidth > e.clientWidth).map((e) => e.textContent.slice(0, 40))""")
+            self.assertEqual(cut, [], "columns out of sight")
+
 
 class Refused(unittest.TestCase):
     def test_what_is_no_page_ends_with_2_and_writes_nothing(self):

@@ -53,7 +53,7 @@ class Planned(RunTest):
         with h5py.File(whole / "record.h5") as a, h5py.File(parts / "record.h5") as b:
             for name in ("path_time", "hoist_lift", "load_felt", "crowd", "hoist_force"):
                 np.testing.assert_array_equal(a["machine"][name][:], b["machine"][name][:], name)
-            self.assertGreater(np.ptp(a["machine/load_felt"][:]), 100, "he feels the dig")
+            self.assertGreater(np.ptp(a["machine/load_felt"][:]), 100, "the operator feels the dig")
         for side in ("mbs", "dem"):
             done = subprocess.run([DIPPER, "replay", parts, "--side", side], capture_output=True, text=True,
                                   timeout=PATIENCE_S)

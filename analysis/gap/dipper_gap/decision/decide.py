@@ -108,7 +108,7 @@ def _rejected(lead, members, m, by_name):
         if n in members or (lead and m.presence(n) >= PROBABILITY):
             continue
         factor = m.log_bayes(lead, n) / np.log(10) if lead else None
-        reason = (f"10^{factor:.1f} times less likely than {lead}" if lead
+        reason = (f"in place of {lead} it is 10^{factor:.1f} times less likely" if lead
                   else f"alone it explains the data 10^{_behind(m, n):.1f} times worse than the best")
         out.append((n, m.presence(n), reason))
     return tuple(out)

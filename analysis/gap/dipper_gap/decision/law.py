@@ -4,7 +4,7 @@ The residual of each force, measured less usual (the model's mean, or the refere
 explained by a constant and few terms that the driven signals give. Terms are added greedily while they make the
 training passes, each predicted from the others, likelier. Both the number of terms and how much they explain by chance
 are judged by the same search on residuals in which there is no law: differences of the model's own runs, scaled to the
-mine's scatter and read by its instruments. A law is told if fewer than ALARMS of those do as well, on the training
+mine's scatter and read by its instruments. A law is reported if fewer than ALARMS of those do as well, on the training
 passes and then on those held out. Where no term helps, the constant itself is a law, if fewer than ALARMS of those
 residuals, with the error that all readings share, have so large a one.
 """
@@ -23,7 +23,7 @@ LEAST_GAIN = 0.10     # of the weighted square that is left, for one more term
 LEAST_EXPLAINED = 0.25  # of the residual's weighted square on the passes held out: less is no law
 CONSTANT = "constant"
 
-# What may be in a law: the terms of drive_terms.hpp that it adds up, and how its number a is told.
+# What may be in a law: the terms of drive_terms.hpp that it adds up, and how its number a is reported.
 TERMS = {
     CONSTANT: ({"constant_kN": 1}, "{a:+.0f} kN at all times"),
     "hoist moves in": ({"hoist_in_kN": 1}, "{a:+.0f} kN while the ropes come in"),

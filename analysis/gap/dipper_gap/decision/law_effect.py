@@ -13,8 +13,8 @@ def law_effect(laws):
     drive = {law: law.channel.removesuffix("_force_kN") for law in laws}
     overlay = tuple(sorted((f"observation.{drive[law]}_law.{term}", "add", float(f"{number:.4g}"))
                            for law in laws for term, number in law.numbers().items()))
-    told = ". ".join(f"{drive[law].capitalize()} force: {law.words}" for law in laws)
-    return Effect(NAME, TITLE, "observation", told, "size", "of the law", 0.0, MOST,
+    law_words = ". ".join(f"{drive[law].capitalize()} force: {law.words}" for law in laws)
+    return Effect(NAME, TITLE, "observation", law_words, "size", "of the law", 0.0, MOST,
                   1.0, "fitted to the training passes, confirmed on those held out (docs/gap_method.md)", overlay,
                   affects="instruments")
 

@@ -34,9 +34,9 @@ def write_patched_case(case, effects, out, files=None):
         if own.exists():
             (out / "effects").mkdir(exist_ok=True)
             shutil.copyfile(own, out / "effects" / own.name)
-    for name, told in (files or {}).items():
+    for name, effect_text in (files or {}).items():
         (out / "effects").mkdir(exist_ok=True)
-        (out / "effects" / f"{name}.yaml").write_text(told)
+        (out / "effects" / f"{name}.yaml").write_text(effect_text)
     return out
 
 

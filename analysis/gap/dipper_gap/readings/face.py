@@ -72,7 +72,7 @@ def binned(face):
 
 
 def truck_faces(measured):
-    """{kind: (trucks,)} of a folder with a profile.csv; each truck's mean over its passes, nan where it is not told.
+    """{kind: (trucks,)} of a folder with a profile.csv; each truck's mean over its passes, nan where it is not given.
 
     Toe, crest and slope are of the face before the truck's first pass.
     """

@@ -58,10 +58,10 @@ class Fidelity:
     file: str = FILE
 
     def __str__(self):
-        told = [f"{self.file}: the model's runs are corrected: dig force times {self.dig_force}"]
-        told += [f"payload times {self.payload}"] if self.payload != Factor() else []
-        told += [f"{', '.join(self.not_compared)} not compared"] if self.not_compared else []
-        return "; ".join(told)
+        words = [f"{self.file}: the model's runs are corrected: dig force times {self.dig_force}"]
+        words += [f"payload times {self.payload}"] if self.payload != Factor() else []
+        words += [f"{', '.join(self.not_compared)} not compared"] if self.not_compared else []
+        return "; ".join(words)
 
     def compared(self, channels):
         """The channels {name: ...} but those that the model is known not to show."""
@@ -69,18 +69,18 @@ class Fidelity:
 
 
 def read_fidelity(case):
-    """The Fidelity beside a case, None where nothing is told; throws BadInput with every fault."""
+    """The Fidelity beside a case, None without the file; throws BadInput with every fault."""
     file, found = case / FILE, Findings()
     if not file.is_file():
         return None
     section = Section(read_yaml(file, found, WHATS), file, found)
     dig, payload = (section.section(key) for key in ("dig_force", "payload"))
     by_phase = dig.number("by_phase", 0.0, "a relative sd, 0 to 1", needed=bool(dig), allowed=lambda x: 0 <= x <= 1)
-    told = section.texts("not_compared", "a list of response channels") if "not_compared" in section else []
-    for name in told:
+    not_compared = section.texts("not_compared", "a list of response channels") if "not_compared" in section else []
+    for name in not_compared:
         if name not in (MASS, FACE, "hoist_force_kN", "crowd_force_kN"):
             section.wrong("not_compared", f"has {name}", "response channels of " + ", ".join(KNOWN))
-    out = Fidelity(_factor(dig), by_phase, _factor(payload), tuple(told), str(file))
+    out = Fidelity(_factor(dig), by_phase, _factor(payload), tuple(not_compared), str(file))
     section.end()
     found.raise_if_any()
     return out
@@ -132,8 +132,8 @@ class KnownErrors:
 
     def altered(self, folders, rows_of):
         """(n,) features by which the corrected runs `folders` differ from what they were."""
-        folders, told = folders[:USED], self.fidelity.payload.value
-        before = [self._scaled(m, 1.0 / self.resistance.value, 1.0 / told) for m in folders]
+        folders, payload = folders[:USED], self.fidelity.payload.value
+        before = [self._scaled(m, 1.0 / self.resistance.value, 1.0 / payload) for m in folders]
         return (rows_of(folders) - rows_of(before)).mean(axis=0)
 
     def _without(self, m, half, phases, forces):
@@ -158,8 +158,8 @@ class KnownErrors:
 
 def known_errors(fidelity, empty, plain):
     """KnownErrors from runs of the unchanged case and its empty cycle."""
-    told = fidelity.dig_force
-    value, low, high = (resistance_of(x, empty, plain) for x in (told.value, told.low, told.high))
+    dig_force = fidelity.dig_force
+    value, low, high = (resistance_of(x, empty, plain) for x in (dig_force.value, dig_force.low, dig_force.high))
     return KnownErrors(fidelity, empty, Factor(value, low, high))
 
 

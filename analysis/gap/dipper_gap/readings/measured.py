@@ -64,7 +64,7 @@ class Channel:
     role: str
     sigma: float
     common_sigma: float
-    drift_sigma: float = None  # None: not told
+    drift_sigma: float = None  # None: not given
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ class Measured:
     signals: dict
     folder: str = ""
     profiles: dict = field(default_factory=dict)  # {(truck, pass): (x, z)}, x rising: the face before that pass
-    left: dict = field(default_factory=dict)      # likewise what that pass left in the same plane, where it is told
+    left: dict = field(default_factory=dict)      # likewise what that pass left in the same plane, where it is given
 
     def seen_by(self, channels):
         """The same as a mine with these channels would have it: what it does not log is left out."""
@@ -169,8 +169,8 @@ def _channel(channels, name):
     if not section:
         return None
     right = f"{unit}, in the values too"
-    if (told := section.text("unit", unit, right, needed=True)) != unit:
-        section.wrong("unit", f"is {told}", right)
+    if (read_unit := section.text("unit", unit, right, needed=True)) != unit:
+        section.wrong("unit", f"is {read_unit}", right)
     role = section.one_of("role", (DRIVEN, RESPONSE) if name in MOTION else (RESPONSE,), needed=True)
     sigma, common = (section.number(key, 0.0, f"a number in {unit}, 0 or more", needed=True, allowed=lambda x: x >= 0)
                      for key in ("sigma", "common_sigma"))
@@ -281,7 +281,7 @@ def _passes(file, channels, need_passes, found):
         if truck != last_truck:
             last_number = 0
         if not (math.isfinite(index) and math.isfinite(truck)):
-            continue  # the table has told it
+            continue  # the table has reported it
         if not (truck == int(truck) and truck >= max(1, last_truck)):
             found.add(file, line, TRUCK, f"is {truck:g}", "rising whole numbers from 1, a new one for each load")
         if index != int(index) or index <= last_number:
@@ -326,7 +326,7 @@ def _signals(file, channels, passes, found):
             found.add(file, 0, name, "not declared in channels.yaml",
                       "the phases of a pass are found from hoist, crowd and swing")
     time = table["time_s"]
-    back = np.flatnonzero(np.diff(time) <= 0)  # no time at all has been told
+    back = np.flatnonzero(np.diff(time) <= 0)  # no time at all has been reported
     found.add_rows(file, [(lines[k + 1], "time_s", f"is {time[k + 1]:g} after {time[k]:g}", "later times only")
                           for k in back])
     for p in passes:

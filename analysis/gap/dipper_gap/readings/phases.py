@@ -40,23 +40,23 @@ def in_order(passes):
 
 def planned_passes(time_s, door_rad):
     """((start, end), ...) in s of the passes of a motion that end with a dump."""
-    told = ask("phases", "-", given={"time_s": time_s.tolist(), "door_rad": door_rad.tolist()})
-    return tuple((p["t_start_s"], p["t_end_s"]) for p in told["passes"])
+    answer = ask("phases", "-", given={"time_s": time_s.tolist(), "door_rad": door_rad.tolist()})
+    return tuple((p["t_start_s"], p["t_end_s"]) for p in answer["passes"])
 
 
-def _told(spans, **signals):
+def _drive_terms(spans, **signals):
     readings = {name: np.frombuffer(x).tolist() for name, x in signals.items()}
     return ask("phases", "-", given={**readings, "passes": [{"t_start_s": a, "t_end_s": b} for a, b in spans]})
 
 
 @functools.lru_cache(maxsize=64)
 def _asked_terms(time_s, crowd_m, swing_rad, hoist_m, spans):
-    told = _told(spans, time_s=time_s, crowd_m=crowd_m, swing_rad=swing_rad, hoist_m=hoist_m)
-    return tuple(told["terms"]), np.array(told["values"], float)
+    answer = _drive_terms(spans, time_s=time_s, crowd_m=crowd_m, swing_rad=swing_rad, hoist_m=hoist_m)
+    return tuple(answer["terms"]), np.array(answer["values"], float)
 
 
 @functools.lru_cache(maxsize=64)  # many runs of a case have the same motion
 def _asked(time_s, crowd_m, swing_rad, spans):
-    told = _told(spans, time_s=time_s, crowd_m=crowd_m, swing_rad=swing_rad)
+    answer = _drive_terms(spans, time_s=time_s, crowd_m=crowd_m, swing_rad=swing_rad)
     return [tuple((phase["phase"], (phase["t_start_s"], phase["t_end_s"])) for phase in p["phases"])
-            for p in told["passes"]]
+            for p in answer["passes"]]

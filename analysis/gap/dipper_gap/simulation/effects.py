@@ -55,13 +55,13 @@ class Effect:
 def read_catalogue(case):
     """Effects that a case can take, by name: the catalogue's and its own; throws BadInput with every fault."""
     try:
-        return {told["name"]: _effect(told) for told in ask("effects", case)["effects"]}
+        return {row["name"]: _effect(row) for row in ask("effects", case)["effects"]}
     except ProgramFailed as e:
         raise BadInput(str(e).splitlines()) from e
 
 
-def _effect(told):
-    p = told["parameter"]
-    overlay = tuple(sorted((o["key"], o["how"], o["factor"]) for o in told["overlay"]))
-    return Effect(told["name"], told["title"], told["kind"], told["signature"], p["name"], p["unit"], p["low"],
-                  p["high"], p["scale"], p["source"], overlay, told["nuisance"], told["affects"])
+def _effect(row):
+    p = row["parameter"]
+    overlay = tuple(sorted((o["key"], o["how"], o["factor"]) for o in row["overlay"]))
+    return Effect(row["name"], row["title"], row["kind"], row["signature"], p["name"], p["unit"], p["low"],
+                  p["high"], p["scale"], p["source"], overlay, row["nuisance"], row["affects"])

@@ -15,7 +15,7 @@ def left_out_trucks(now, before, baseline, tails, seed=2):
 
     Each truck is predicted from the others of its period; the mean T2 is compared with that of trucks drawn from the
     baseline's own covariance, which is estimated anew from each set. So a mine whose features move together
-    otherwise than the model's is told from one whose do not.
+    otherwise than the model's is distinguished from one whose do not.
     """
     periods = [k for k, rows in enumerate((now, before)) if len(rows) > 1]
     if not periods:

@@ -40,11 +40,11 @@ class Reference:
 def drift_sigmas(now, before, names):
     """(channels,) sd of what the shared error of each channel has changed by between two folders' channels.
 
-    Where it is not told two errors are taken, each as large as its folder says: another calibration, another scale.
+    Where it is not given two errors are taken, each as large as its folder says: another calibration, another scale.
     """
-    told = [now[n].drift_sigma for n in names]
+    drifts = [now[n].drift_sigma for n in names]
     return np.array([np.hypot(now[n].common_sigma, before[n].common_sigma) if d is None else d
-                     for n, d in zip(names, told)])
+                     for n, d in zip(names, drifts)])
 
 
 def mine_scatter(now, before, own_now, own_before, seed, keys):

@@ -111,10 +111,10 @@ def _memory(s, v, b, baseline):
     spans = [(c.pass_number, c.phase in BEFORE_BREAKOUT) for c in baseline.cells]
     for span in dict.fromkeys(spans):
         at = np.array([other == span for other in spans])
-        told = at & moves
-        v_left, b_left = (off @ x[:, told] / sd[told] for x in (v, b))
+        at_moving = at & moves
+        v_left, b_left = (off @ x[:, at_moving] / sd[at_moving] for x in (v, b))
         kept = float(np.clip((v_left * b_left).sum() / max((b_left**2).sum(), 1e-300), 0.0, 1.0))
-        yield at, kept, float(((v_left - kept * b_left) ** 2).mean()) if told.any() else 0.0
+        yield at, kept, float(((v_left - kept * b_left) ** 2).mean()) if at_moving.any() else 0.0
 
 
 def _off_line(s):

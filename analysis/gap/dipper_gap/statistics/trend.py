@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-LEAST_TRUCKS = 4  # of both periods: with fewer nothing can be told of when
+LEAST_TRUCKS = 4  # of both periods: with fewer nothing can be said of when
 INTERVAL = 0.90
 SURELY = 0.90     # probability from which the one or the other shape is named
 

@@ -3,7 +3,7 @@ import { h, svg } from '../dom.js';
 import { fixed, tonnes } from '../format.js';
 
 /// slice: {time_s, spheres [[out, up, radius, relative speed, x, y, z in B, rock]], walls, stage};
-/// stage.near: what its time cannot be told from; zone(speed, p_B): 'flow', 'bulk' or null for rock that is not in the dipper.
+/// stage.near: what its time cannot be distinguished from; zone(speed, p_B): 'flow', 'bulk' or null for rock that is not in the dipper.
 export function sliceFigure(slice, zone, clock, index) {
   const kinds = slice.spheres.map((s) => zone(s[3], s.slice(4, 7)));
   const count = (kind) => kinds.filter((k) => k === kind).length;

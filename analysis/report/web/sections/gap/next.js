@@ -22,7 +22,7 @@ export function rejected(data) {
   return section('rejected', verdict === 'unknown' ? 'Considered and not named' : 'Rejected', null,
     list?.length > 0 && h('div.stack', table(null, [
       { name: 'Effect', cell: (r) => [title(data, r.effect), h('small', r.effect)] },
-      { name: 'Probability', cell: (r) => percent(r.probability, 2) },
+      { name: 'Probability that it is present', cell: (r) => percent(r.probability, 2) },
       { name: 'Why', kind: 'text', cell: (r) => r.reason },
     ], list)),
     held && table('Rivals on the held-out passes, by T²: smaller is better. A rival that makes the data ten times likelier counts as an objection', [

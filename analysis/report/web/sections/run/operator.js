@@ -1,4 +1,4 @@
-// What an operator who plans saw before each pass, the digs that were evaluated, and the chosen path.
+// What an operator who plans saw before each pass, the digs compared, and the path chosen.
 import { h, section, svg } from '../../dom.js';
 import { fixed, meganewtons, tonnes } from '../../format.js';
 import { passColour, ramp, SIZE } from '../../palette.js';
@@ -12,8 +12,8 @@ export function operator(data) {
   const decisions = data?.decisions ?? [];
   if (!decisions.length) return null;
   return section('operator', 'What the operator saw and chose',
-    'Before each pass: the face as seen, in the plane of the boom, and the chosen path of the teeth. Map: the height of the rock '
-    + 'from above, darker is higher; the line is the heading. Expected figures are of the estimate, not of the run.',
+    'Before each pass: the face as the operator saw it, in the plane of the boom, and the chosen path of the teeth. Map: the height of the rock '
+    + 'from above, darker is higher; the line is the chosen heading. Expected figures are the operator\'s estimate, not the run\'s.',
     decisions.map(decision), data.end && h('p.note', `End: ${data.end.reason}.`));
 }
 
