@@ -37,6 +37,36 @@ constexpr std::array<std::pair<std::string_view, char>, 14> kLookAlikes{{{"\u221
                                                                          {"\u2028", '\n'},
                                                                          {"\u2029", '\n'}}};
 
+bool begins_with(std::string_view text, std::string_view what) {
+  return text.substr(0, what.size()) == what;
+}
+
+/// What a file is and what would be right, where it begins as something that is no text; else
+/// nothing. dipper import knows the same (dipper_run/text_file.py).
+std::string no_text(std::string_view text) {
+  if (begins_with(text, "PK\x03\x04")) {
+    for (const std::string_view sheet :
+         {"xl/workbook", "xl/worksheets", "application/vnd.oasis.opendocument.spreadsheet"})
+      if (text.find(sheet) != std::string_view::npos)
+        return "is a spreadsheet; save its sheet as CSV";
+    return "is a ZIP; unpack it";
+  }
+  if (begins_with(text, "\xD0\xCF\x11\xE0"))
+    return "is a spreadsheet (.xls), or another document of an office program; save its sheet as "
+           "CSV";
+  if (begins_with(text, "\x1F\x8B")) return "is compressed by gzip; unpack it with gunzip";
+  if (begins_with(text, "%PDF")) return "is a PDF; a table as CSV";
+  if (begins_with(text, kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  std::string begin(text.substr(0, 16));
+  for (char& c : begin)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (const std::string_view tag : {"<html", "<!doctype", "<table", "<?xml", "<meta"})
+    if (begins_with(begin, tag))
+      return "is HTML or XML, which some programs save as .xls; save its table as CSV";
+  return {};
+}
+
 /// The text with line ends of Windows and of early Macs as \n, and plain minus signs and blanks.
 std::string plain(std::string_view text) {
   std::string out;
@@ -246,8 +276,11 @@ class RowFaults {
 std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path& file,
                               const std::vector<std::string>& columns,
                               std::vector<Finding>& findings, const std::string& name_column) {
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark)
-    text.remove_prefix(kByteOrderMark.size());
+  if (const std::string other = no_text(text); !other.empty()) {
+    findings.push_back({file, 0, "", other});
+    return {};
+  }
+  if (begins_with(text, kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (text.find('\0') != std::string_view::npos) {
     findings.push_back({file, 0, "", "is UTF-16, or no text; save it as plain text in UTF-8"});
     return {};

@@ -349,7 +349,8 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
     const bool is_file = fs::is_regular_file(folder);
     findings.push_back(
         {is_file ? folder : file, 0, "",
-         is_file ? fmt::format("is a file; name its folder, {}", folder.parent_path().string())
+         is_file ? fmt::format("is a file; name its folder, {}",
+                               folder.has_parent_path() ? folder.parent_path().string() : ".")
                  : "cannot be read; a case is a folder with a case.yaml"});
     return c;
   }

@@ -88,6 +88,15 @@ void check_rock(const cases::Case& c, Findings& findings) {
   const std::vector<deck::ClassCount> counts = deck::rock_counts(unmixed);
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i].rocks >= 1) continue;
+    if (!c.rock.sieve.file.empty()) {
+      findings.push_back(cases::finding_at(
+          c, "rock.sieve.file",
+          fmt::format("the pile holds only {:.2g} rocks of the {:.3g} m that stand for {:.2g} % of "
+                      "the curve; sizes in mm or cm, perhaps? Else a rock.sieve.max_size_m, fewer "
+                      "rock.sieve.classes, or a larger pile",
+                      counts[i].rocks, c.rock.classes[i].size_m, c.rock.classes[i].mass_percent)));
+      continue;
+    }
     // The number is proportional to the share and to one over the cube of the size.
     const double percent = c.rock.classes[i].mass_percent / counts[i].rocks;
     findings.push_back(cases::finding_at(

@@ -64,7 +64,7 @@ void read_environment() {
   leave_mpirun();
   const std::filesystem::path cache = variable("XDG_CACHE_HOME"), home = variable("HOME");
   if (!cache.empty()) {
-    set_cache_folder(cache / "dipper");
+    set_cache_folder(std::filesystem::absolute(cache) / "dipper");  // the two sides start elsewhere
   } else if (!home.empty()) {
     set_cache_folder(home / ".cache" / "dipper");
   }

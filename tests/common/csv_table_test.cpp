@@ -156,6 +156,14 @@ TEST(CsvTable, OneCauseIsOneLine) {
               ElementsAre("t.csv: is UTF-16, or no text; save it as plain text in UTF-8"));
 }
 
+TEST(CsvTable, OldSpreadsheetsAndCompressedFilesAreNamed) {
+  EXPECT_THAT(read(std::string_view("\xD0\xCF\x11\xE0\0\0", 6)).faults,
+              ElementsAre("t.csv: is a spreadsheet (.xls), or another document of an office "
+                          "program; save its sheet as CSV"));
+  EXPECT_THAT(read("\x1F\x8B\x08").faults,
+              ElementsAre("t.csv: is compressed by gzip; unpack it with gunzip"));
+}
+
 TEST(CsvTable, WhatSpreadsheetsLeaveIsNoPartOfIt) {
   for (const char* text :
        {"sep=,\nx_m,z_m,,\n1,-2,,\n,,,\n3,4,,\n,\n", "x_m|z_m\r1|\u22122\r3|4\r",

@@ -8,7 +8,7 @@ import numpy as np
 
 from dipper_run.csv_text import (DELIMITERS, cells_of, decimal_number, find_decimal, find_delimiter, lines_of,
                                  one_blank, read_stamp, stamp_seconds)
-from dipper_run.text_file import read_text
+from dipper_run.text_file import read_bytes, text_of
 
 from .cells import CellReader
 from .import_map import NUMBER_FORMATS
@@ -101,15 +101,16 @@ def _has_date(form):
 
 
 def _text(path, encoding, found):
+    data = read_bytes(path, found)
+    if data is None:
+        return None
     if encoding is None:
-        text = read_text(path, found)
+        text = text_of(data, path, found)
         if text is None:
             found.all[-1] += ", or name its encoding in the map: file: {encoding: utf-16}, or cp1252"
         return text
     try:
-        return path.read_bytes().decode(encoding).lstrip("\ufeff")
-    except OSError as e:
-        found.add(path, 0, "file", f"cannot be read: {e.strerror}", "a file that may be read")
+        return data.decode(encoding).lstrip("\ufeff")
     except UnicodeDecodeError as e:
         found.add(path, 0, "encoding", f"is not {encoding}: {e.reason} at byte {e.start}", "another file.encoding")
     return None

@@ -24,7 +24,7 @@ WAIT_S = 0.5  # between looks at an entry that another process makes
 def cache_folder(kind):
     """Where entries of a kind ("gap", "study") are."""
     base = os.environ.get("XDG_CACHE_HOME")
-    return (Path(base) if base else Path.home() / ".cache") / "dipper" / kind
+    return (Path(base).absolute() if base else Path.home() / ".cache") / "dipper" / kind
 
 
 def entry_of(cache, checked, *what):

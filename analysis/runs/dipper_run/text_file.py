@@ -10,15 +10,49 @@ UTF_16 = (b"\xff\xfe", b"\xfe\xff")
 # As the program reads numbers (common/numbers.hpp): Python's float() takes 1_000 and digits of other scripts, too.
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 RIGHT = "save it as plain text in UTF-8"
+SHEETS = (b"xl/workbook", b"xl/worksheets", b"application/vnd.oasis.opendocument.spreadsheet")  # in a ZIP
 
 
-def read_text(file, found):
-    """The text of a file, without a byte-order mark; None after a finding."""
+def no_text(data):
+    """(what it is, what would be right) of a file that is no text, by how it begins; None of any other. The program's
+    own reader knows the same (common/csv_table.cpp)."""
+    if data.startswith(b"PK\x03\x04"):
+        if any(part in data for part in SHEETS):
+            return "is a spreadsheet", "save its sheet as CSV"
+        return "is a ZIP", "unpack it"
+    if data.startswith(b"\xd0\xcf\x11\xe0"):
+        return "is a spreadsheet (.xls), or another document of an office program", "save its sheet as CSV"
+    if data.startswith(b"\x1f\x8b"):
+        return "is compressed by gzip", "unpack it with gunzip"
+    if data.startswith(b"%PDF"):
+        return "is a PDF", "a table as CSV"
+    if data.removeprefix(BOM)[:64].lstrip().lower().startswith((b"<html", b"<!doctype", b"<table", b"<?xml", b"<meta")):
+        return "is HTML or XML, which some programs save as .xls", "save its table as CSV"
+    return None
+
+
+def read_bytes(file, found):
+    """What a file holds; None after a finding: it cannot be read, or begins as what is no text."""
     try:
         data = file.read_bytes()
     except OSError as e:
         found.add(file, 0, "file", f"cannot be read: {e.strerror}", "a file that may be read")
         return None
+    other = no_text(data)
+    if other:
+        found.add(file, 0, "file", *other)
+        return None
+    return data
+
+
+def read_text(file, found):
+    """The text of a file, without a byte-order mark; None after a finding."""
+    data = read_bytes(file, found)
+    return None if data is None else text_of(data, file, found)
+
+
+def text_of(data, file, found):
+    """The text that bytes in UTF-8 say, without a byte-order mark; None after a finding."""
     if data.startswith(UTF_16):
         found.add(file, 1, "encoding", "is UTF-16", RIGHT)
         return None

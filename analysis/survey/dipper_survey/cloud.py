@@ -2,6 +2,8 @@
 from dataclasses import dataclass
 from typing import Callable
 
+from dipper_run.text_file import no_text
+
 from .las import open_las
 from .ply import open_ply
 from .text_cloud import open_text
@@ -9,8 +11,6 @@ from .text_cloud import open_text
 NOT_READ = (  # begins with, what it is, what to do
     (b"ASTM-E57", "an E57", "export it as LAS, PLY or text"),
     (b"# .PCD", "a PCD", "export it as LAS, PLY or text"),
-    (b"\x1f\x8b", "compressed by gzip", "unpack it with gunzip"),
-    (b"PK\x03\x04", "a ZIP, or a spreadsheet", "unpack it, or save the table as CSV"),
     (b"\xff\xfe", "UTF-16", "save it as plain text in UTF-8"),
     (b"\xfe\xff", "UTF-16", "save it as plain text in UTF-8"),
     (b"solid ", "an STL", "it is a mesh already: crop it and name it in pile.profile (docs/rock.md)"),
@@ -31,7 +31,7 @@ def open_cloud(path, found):
     """The Cloud of a file; None after a finding."""
     try:
         with open(path, "rb") as file:
-            head = file.read(64)
+            head = file.read(1 << 16)
     except OSError as e:
         found.add(path, 0, "file", f"cannot be read: {e.strerror}", "a point cloud: text, CSV, PLY or LAS")
         return None
@@ -39,6 +39,10 @@ def open_cloud(path, found):
         if head.startswith(begins):
             found.add(path, 0, "file", f"is {what}", right)
             return None
+    other = no_text(head)
+    if other:
+        found.add(path, 0, "file", *other)
+        return None
     if not head:
         found.add(path, 0, "file", "is empty", "a point cloud: text, CSV, PLY or LAS")
         return None

@@ -137,6 +137,16 @@ def test_encodings(read):
         assert not found and is_whole(log)
 
 
+@pytest.mark.parametrize("more", ["", "file: {encoding: cp1252}\n"])
+@pytest.mark.parametrize("begins, said", [
+    ("\xd0\xcf\x11\xe0\xa1\xb1", "is a spreadsheet (.xls), or another document of an office program; save its sheet"),
+    ("\x1f\x8b\x08\0", "is compressed by gzip; unpack it with gunzip"),
+    ("PK\x03\x04\0\0xl/workbook.xml", "is a spreadsheet; save its sheet as CSV")])
+def test_files_that_are_no_text_are_named(read, begins, said, more):
+    _, found, _ = read(begins, more, "latin-1")
+    assert len(found) == 1 and f"log.csv: file: {said}" in found[0] and "encoding" not in found[0]
+
+
 def test_one_cause_is_one_line(read):
     text = joined(ROWS[:1], ";") + "".join(f"{k / 2};up;0;0;0\n" for k in range(114))
     _, found, _ = read(text)

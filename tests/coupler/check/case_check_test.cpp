@@ -675,6 +675,13 @@ TEST(CheckCase, SieveFaults) {
                   {{checkout.file(), line, "rock.sieve", "nothing between the smallest size"}});
 }
 
+TEST(CheckCase, SieveInMillimetresBelowTen) {
+  Checkout checkout;
+  use_sieve(checkout, "1.5,10\n4,60\n9,100\n", "classes: 1");
+  expect_findings(check(checkout), {{checkout.file(), checkout.line("sieve:"), "rock.sieve.file",
+                                     "sizes in mm or cm, perhaps?"}});
+}
+
 TEST(CheckCase, SieveAndClasses) {
   Checkout checkout;
   const int line = checkout.replace("coarse_graining", "coarse_graining: 2\nsieve: {file: a.csv}");

@@ -115,6 +115,12 @@ class Start(RunTest):
         self.assertIn("set XDG_CACHE_HOME to a folder", err)
         self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_a_cache_named_from_the_working_directory(self):
+        with unittest.mock.patch.dict(os.environ, XDG_CACHE_HOME=os.path.relpath(self.folder / "cache")):
+            self.run_case(self.folder / "run", "--ranks", "1", "--set", "end_s=0.03", "--set", "pile.settle_s=0.3",
+                          "--set", "pile.relax_s=0.1", case=TINY)
+        self.assertTrue(any((self.folder / "cache/dipper/piles").iterdir()))
+
     def test_blanks_in_the_paths_of_a_run(self):
         """Settled anew, in a cache with a blank: the case, its meshes and the run's folder have one too."""
         case = self.folder / "my mine" / "a" / "run" / "my case"
