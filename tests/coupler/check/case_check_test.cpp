@@ -677,7 +677,7 @@ TEST(CheckCase, SieveFaults) {
 
 TEST(CheckCase, SieveInMillimetresBelowTen) {
   Checkout checkout;
-  use_sieve(checkout, "1.5,10\n4,60\n9,100\n", "classes: 1");
+  use_sieve(checkout, "1.5,10\n4,99\n9,100\n", "classes: 2");
   expect_findings(check(checkout), {{checkout.file(), checkout.line("sieve:"), "rock.sieve.file",
                                      "sizes in mm or cm, perhaps?"}});
 }
