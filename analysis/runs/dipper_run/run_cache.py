@@ -15,6 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from .file_hash import sha256_of
+from .findings import BadInput
 
 MANIFEST = "manifest.json"
 NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)  # Lustre without -o flock, NFS without lockd
@@ -22,9 +23,12 @@ WAIT_S = 0.5  # between looks at an entry that another process makes
 
 
 def cache_folder(kind):
-    """Where entries of a kind ("gap", "study") are."""
-    base = os.environ.get("XDG_CACHE_HOME")
-    return (Path(base).absolute() if base else Path.home() / ".cache") / "dipper" / kind
+    """Where entries of a kind ("gap", "study") are: where the program has its cache. Raises BadInput."""
+    base, home = (os.environ.get(name) for name in ("XDG_CACHE_HOME", "HOME"))
+    if not base and not home:
+        raise BadInput(["no place for runs that can be used again: neither XDG_CACHE_HOME nor HOME is set; "
+                        "set XDG_CACHE_HOME to a folder for them"])
+    return (Path(base).absolute() if base else Path(home) / ".cache") / "dipper" / kind
 
 
 def entry_of(cache, checked, *what):

@@ -1,14 +1,29 @@
 """Where an entry of the cache is, by what decides it."""
 from pathlib import Path
 
-from dipper_run.run_cache import entry_of
+import pytest
+from dipper_run.findings import BadInput
+from dipper_run.run_cache import cache_folder, entry_of
 
-TOLD = {"case_hash": "c", "source_hash": "s", "cost": {}}
+CHECKED = {"case_hash": "c", "source_hash": "s", "cost": {}}
 
 
 def test_an_entry_is_named_by_case_sources_and_what_else_decides_it():
-    first = entry_of(Path("cache"), TOLD, 1, "")
-    assert first == entry_of(Path("cache"), {**TOLD, "cost": {"wall_s": 3}}, "1", "") and first.parent == Path("cache")
-    others = {entry_of(Path("cache"), TOLD, 2, ""), entry_of(Path("cache"), {**TOLD, "source_hash": "t"}, 1, ""),
-              entry_of(Path("cache"), {**TOLD, "case_hash": "d"}, 1, "")}
+    first = entry_of(Path("cache"), CHECKED, 1, "")
+    assert first == entry_of(Path("cache"), {**CHECKED, "cost": {"wall_s": 3}}, "1", "") and first.parent == Path("cache")
+    others = {entry_of(Path("cache"), CHECKED, 2, ""), entry_of(Path("cache"), {**CHECKED, "source_hash": "t"}, 1, ""),
+              entry_of(Path("cache"), {**CHECKED, "case_hash": "d"}, 1, "")}
     assert len(others) == 3 and first not in others
+
+
+def test_the_cache_is_where_the_program_has_its_own(monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("HOME", "/home/somebody")
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    assert cache_folder("gap") == Path("/home/somebody/.cache/dipper/gap")
+    monkeypatch.setenv("XDG_CACHE_HOME", "near")
+    assert cache_folder("gap") == tmp_path / "near/dipper/gap", "from the working directory"
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.delenv("HOME")
+    with pytest.raises(BadInput, match="set XDG_CACHE_HOME to a folder"):
+        cache_folder("gap")
