@@ -5,14 +5,14 @@ import pytest
 from dipper_run.findings import BadInput
 from dipper_run.run_cache import cache_folder, entry_of
 
-CHECKED = {"case_hash": "c", "source_hash": "s", "cost": {}}
+FACTS = {"case_hash": "c", "source_hash": "s", "cost": {}}
 
 
 def test_an_entry_is_named_by_case_sources_and_what_else_decides_it():
-    first = entry_of(Path("cache"), CHECKED, 1, "")
-    assert first == entry_of(Path("cache"), {**CHECKED, "cost": {"wall_s": 3}}, "1", "") and first.parent == Path("cache")
-    others = {entry_of(Path("cache"), CHECKED, 2, ""), entry_of(Path("cache"), {**CHECKED, "source_hash": "t"}, 1, ""),
-              entry_of(Path("cache"), {**CHECKED, "case_hash": "d"}, 1, "")}
+    first = entry_of(Path("cache"), FACTS, 1, "")
+    assert first == entry_of(Path("cache"), {**FACTS, "cost": {"wall_s": 3}}, "1", "") and first.parent == Path("cache")
+    others = {entry_of(Path("cache"), FACTS, 2, ""), entry_of(Path("cache"), {**FACTS, "source_hash": "t"}, 1, ""),
+              entry_of(Path("cache"), {**FACTS, "case_hash": "d"}, 1, "")}
     assert len(others) == 3 and first not in others
 
 
