@@ -50,6 +50,9 @@ def read_case(folder):
     data = yaml.safe_load(text)
     if data.get("effects"):
         raise BadInput([f"{folder / 'case.yaml'}: effects: the case has some already; give the case without them"])
+    if data.get("machine", {}).get("operator") == "plan":
+        raise BadInput([f"{folder / 'case.yaml'}: machine.operator: is plan, so each run digs where its operator "
+                        "chooses; give the case the measured motion, and motion here"])
     return data
 
 

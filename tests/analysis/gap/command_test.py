@@ -169,3 +169,11 @@ def test_masses_alone_are_refused_before_a_run_unless_asked_for(words, tmp_path)
     gap.send_signal(signal.SIGINT)
     gap.communicate(timeout=60)
     assert gap.returncode == 4
+
+
+def test_a_case_whose_operator_plans_is_refused(words, tmp_path):
+    (tmp_path / "case" / "case.yaml").write_text("seed: 1\nmachine: {motion: motion.csv, operator: plan}\n")
+    gap = start(words, tmp_path)
+    _, err = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and "machine.operator: is plan" in err
+    assert not (tmp_path / "started").exists() and not (tmp_path / "out").exists()
