@@ -12,6 +12,7 @@
 #include <set>
 #include <utility>
 
+#include "common/begins_with.hpp"
 #include "common/numbers.hpp"
 
 namespace dipper {
@@ -36,10 +37,6 @@ constexpr std::array<std::pair<std::string_view, char>, 14> kLookAlikes{{{"\u221
                                                                          {"\xC2\x85", '\n'},
                                                                          {"\u2028", '\n'},
                                                                          {"\u2029", '\n'}}};
-
-bool begins_with(std::string_view text, std::string_view what) {
-  return text.substr(0, what.size()) == what;
-}
 
 /// What a file is and what would be right, where it begins as something that is no text; else
 /// nothing. dipper import knows the same (dipper_run/text_file.py).

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "common/begins_with.hpp"
 #include "common/cache_folder.hpp"
 #include "common/case_lines.hpp"
 #include "common/input_error.hpp"
@@ -25,13 +26,9 @@ std::vector<cases::Override> with(const CalibrationRequest& request,
   return all;
 }
 
-bool starts_with(const std::string& text, const std::string& begin) {
-  return text.compare(0, begin.size(), begin) == 0;
-}
-
 /// Refuses a key that has no effect in these decks.
 std::string fault_of(const SearchRange& r) {
-  if (!starts_with(r.key, "contact.") && !starts_with(r.key, "rock."))
+  if (!begins_with(r.key, "contact.") && !begins_with(r.key, "rock."))
     return "the pile does not depend on this key; search keys of contact or rock";
   for (const char* wall : {"friction_dipper", "rolling_friction_dipper", "friction_truck",
                            "friction_truck_sphere", "rolling_friction_truck", "adhesion_Pa"})

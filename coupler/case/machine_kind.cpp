@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "common/begins_with.hpp"
 #include "common/seconds.hpp"
 #include "coupler/case/schema.hpp"
 #include "machine/motion.hpp"
@@ -9,10 +10,6 @@
 
 namespace dipper::cases {
 namespace {
-
-bool begins_with(const std::string& key, const std::string& section) {
-  return key.compare(0, section.size(), section) == 0;
-}
 
 /// Keys that make sense only with a shovel's motion: swing to a truck, open door, return.
 bool is_shovels(const std::string& key) {
