@@ -17,6 +17,7 @@ constexpr double kHeld = 0.9;          // overload that the crowd is held at
 constexpr double kGain_m_s = 2.5;      // m/s by overload
 constexpr double kSteeper = 0.8;       // of the speed at which the crowd retracts
 constexpr double kHoistSpare = 0.9;    // overload of the hoist
+constexpr double kLevel_m_s = 0.02;    // of the hoist: still level
 constexpr double kMeets = 0.05;        // of the crowd's stall force
 constexpr double kSteepest = -0.7071;  // sine of the handle's angle
 constexpr double kRoom_m = 0.1;        // to the crowd's stop
@@ -38,13 +39,14 @@ void go_in(const DigFeel& f, double spare_m_s, DigWish& wish) {
 DigWish dig_wish(const DigFeel& f, const DigLimits& limits) {
   DigWish wish;
   if (!f.at_face) return wish;
+  const bool raises = f.pays_out < kLevel_m_s;
   if (f.carried < kCarried) {
     wish.crowd_back = kFree_m_s;
     wish.lift = kFree_m_s + std::max(0.0, f.pays_out);
-    if (f.raises) wish.rate = kWaits;
+    if (raises) wish.rate = kWaits;
     return wish;
   }
-  if (!f.raises) return wish;
+  if (!raises) return wish;
   const bool meets = f.resistance_N > kMeets * limits.crowd_stall_N;
   const double back = std::min(kGain_m_s * (f.overload - kHeld), kEases_m_s);
   if (f.load_kg >= limits.full_kg) {

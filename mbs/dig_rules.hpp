@@ -8,8 +8,7 @@ namespace dipper::mbs {
 /// The dig as positions and forces of hoist and crowd show it.
 struct DigFeel {
   bool at_face = false;  ///< the house stands and the door is shut
-  bool raises = false;   ///< the motion does not lower the dipper
-  double pays_out = 0;   ///< rope by the motion, m/s
+  double pays_out = 0;   ///< rope by the motion, m/s: it lowers the dipper
   double carried = 1;    ///< moment that the ropes hold, over that of the empty dipper
   double load_kg = 0;    ///< machine/handle_statics.hpp
   double resistance_N = 0;

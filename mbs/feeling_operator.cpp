@@ -12,7 +12,6 @@ constexpr double kMostLift_m = 3;
 constexpr double kMostDeeper_m = 0.6;
 constexpr double kStands_rad_s = 1e-3;
 constexpr double kShut_rad = 1e-3;
-constexpr double kLevel_m_s = 0.02;  // of the hoist: still level
 constexpr std::size_t kPathNumbers = 4;
 
 }  // namespace
@@ -43,7 +42,6 @@ DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path) {
   const machine::DriveState m = motion_->at(path.time);
   DigFeel f;
   f.at_face = std::abs(m.rate.swing) < kStands_rad_s && std::abs(m.position.door) < kShut_rad;
-  f.raises = m.rate.hoist < kLevel_m_s;
   f.pays_out = m.rate.hoist;
   f.overload = felt.motors.crowd.overload();
   f.hoist_overload = felt.motors.hoist.overload();

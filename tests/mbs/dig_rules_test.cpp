@@ -9,7 +9,7 @@ namespace {
 class DigRules : public testing::Test {
  protected:
   DigRules() {
-    feel.at_face = feel.raises = true;
+    feel.at_face = true;
     feel.load_kg = 40e3;
     feel.resistance_N = 1e6;
     feel.handle_rise = -0.5;
@@ -110,7 +110,6 @@ TEST_F(DigRules, ACaughtDipperIsLiftedAndDrawnBackInPlaceOfPushedOn) {
 
 TEST_F(DigRules, ADipperThatComesDownOnRockIsHeldThereUntilTheDigBegins) {
   feel.carried = 0.49;
-  feel.raises = false;
   feel.pays_out = 0.8;
   EXPECT_EQ(wish().crowd_back, 0.3);
   EXPECT_NEAR(wish().lift.value(), 0.8 + 0.3, 1e-12) << "0.3 m/s more than the motion pays out";
@@ -118,9 +117,9 @@ TEST_F(DigRules, ADipperThatComesDownOnRockIsHeldThereUntilTheDigBegins) {
 }
 
 TEST_F(DigRules, NothingWhileTheHouseTurnsTheDoorOpensOrTheDipperComesDown) {
-  feel.raises = false;
+  feel.pays_out = 0.8;
   EXPECT_TRUE(as_the_motion_says());
-  feel.raises = true;
+  feel.pays_out = 0;
   feel.at_face = false;
   feel.carried = 0;
   EXPECT_TRUE(as_the_motion_says());
