@@ -27,9 +27,10 @@ void fill_missing_from(YamlTree& section, const YamlTree& other) {
   }
 }
 
-// `include: FILE`: sections that several cases share, in a file of their own. The case's own keys
-// override it.
-void merge_include(YamlTree& root, const fs::path& folder, std::vector<Finding>& findings) {
+// `include: FILE`: sections that several cases share, in a file of their own, or another case. The
+// keys of the file that includes override it. `from`: the files on the way here.
+void merge_include(YamlTree& root, const fs::path& folder, std::vector<fs::path> from,
+                   std::vector<Finding>& findings) {
   const auto at = std::find_if(root.children.begin(), root.children.end(),
                                [](const auto& child) { return child.first == kInclude; });
   if (at == root.children.end()) return;
@@ -42,8 +43,11 @@ void merge_include(YamlTree& root, const fs::path& folder, std::vector<Finding>&
     return fault(fmt::format("is {}; write a path", shown(include)));
   const fs::path file = resolved(folder / include.scalar);
   if (!fs::is_regular_file(file)) return fault(file.string() + " is not a file");
-  const YamlTree other = read_yaml(file, findings);
-  if (other.find(kInclude) != nullptr) return fault(file.string() + " has an include of its own");
+  if (std::find(from.begin(), from.end(), file) != from.end())
+    return fault(file.string() + " includes this file: a circle");
+  from.push_back(file);
+  YamlTree other = read_yaml(file, findings);
+  merge_include(other, file.parent_path(), std::move(from), findings);
   fill_missing_from(root, other);
 }
 
@@ -104,7 +108,7 @@ void drop_sieve_for_set_classes(YamlTree& root) {
 
 void complete_tree(YamlTree& root, const fs::path& folder, const std::vector<Override>& overrides,
                    std::vector<Finding>& findings) {
-  merge_include(root, folder, findings);
+  merge_include(root, folder, {folder / "case.yaml"}, findings);
   for (const Override& set : overrides) apply(root, set, findings);
   drop_sieve_for_set_classes(root);
 }
