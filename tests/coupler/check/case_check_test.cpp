@@ -758,7 +758,7 @@ TEST(CheckedCase, SoundCase) {
   EXPECT_TRUE(checked_case(checkout.folder(), {}, out));
   EXPECT_THAT(
       out.lines,
-      MatchesRegex("quick is sound: about [0-9]+ rocks; [0-9.]+ s simulated in [0-9]+ DEM "
+      MatchesRegex("quick is sound: about [0-9]+ rocks poured; [0-9.]+ s simulated in [0-9]+ DEM "
                    "steps and [0-9]+ sync steps of [0-9.]+ ms, after [0-9]+ DEM steps to settle "
                    "the pile; the DEM step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"
                    "estimate: .* accurate within a factor of 1.5\n"
