@@ -228,16 +228,22 @@ class DigEvaluator {
 std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
   int diggable = 0;
   double most_kg = 0;
+  std::string refused;
   for (const DigCandidate& c : decision.candidates) {
-    if (!c.refused.empty()) continue;
+    if (!c.refused.empty()) {
+      if (refused.empty())
+        refused = fmt::format("; refused, for example, heading {:.0f} deg, depth {:.2f} m: {}",
+                              degrees(c.heading_rad), c.depth_m, c.refused);
+      continue;
+    }
     ++diggable;
     most_kg = std::max(most_kg, c.payload_kg);
   }
   if (decision.chosen < 0)
     return fmt::format(
         "no dig pays: of {} digs {} are feasible, and the best is expected to load {:.0f} t; the "
-        "least is {:.0f} t",
-        decision.candidates.size(), diggable, most_kg * 1e-3, least_kg * 1e-3);
+        "least is {:.0f} t{}",
+        decision.candidates.size(), diggable, most_kg * 1e-3, least_kg * 1e-3, refused);
   const DigCandidate& c = decision.candidates[static_cast<std::size_t>(decision.chosen)];
   const bool time = goal == DigGoal::time;
   return fmt::format(
