@@ -98,7 +98,8 @@ void warn_of_masses(const CaseParts& parts, std::vector<Finding>& warnings) {
   }
 }
 
-/// A sieve curve that ends well below 100 % says nothing of the coarsest rock.
+/// A sieve curve that ends well below 100 % says nothing of the coarsest rock; one that jumps from
+/// a share up to 1 may have that in shares of 1.
 void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings) {
   if (c.rock.sieve.file.empty()) return;
   const cases::SieveCurve curve = cases::read_sieve(c.rock.sieve.file);
@@ -109,6 +110,14 @@ void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings) {
         fmt::format("the curve ends at {:g} %, at {:g} m: the {:g} % of rock that are coarser are "
                     "taken to be of the largest class; are these shares of each sieve?",
                     passing, curve.largest_m(), 100 - passing)));
+  if (const auto jump = cases::find_share_jump(curve.points()))
+    warnings.push_back(
+        {c.rock.sieve.file, jump->to.line, "",
+         fmt::format(
+             "passing_percent jumps from {:g} at {:g} m, line {}, to {:g} at {:g} m: is the "
+             "{:g} a share of 1? 1 = 100 %",
+             jump->from.passing_percent, jump->from.size_m, jump->from.line,
+             jump->to.passing_percent, jump->to.size_m, jump->from.passing_percent)});
 }
 
 void warn_of_rock(const CaseParts& parts, std::vector<Finding>& warnings) {
