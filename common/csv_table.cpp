@@ -7,19 +7,17 @@
 #include <array>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "common/begins_with.hpp"
 #include "common/numbers.hpp"
+#include "common/row_faults.hpp"
 
 namespace dipper {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr int kFew = 3;  // faults of one kind that are reported one by one
 
 // The minus signs, blanks and line ends of word processors and spreadsheets, in UTF-8. dipper
 // import knows the same (dipper_run/csv_text.py); tests/common/tables.jsonl holds both to it.
@@ -259,37 +257,6 @@ class NumberReader {
  private:
   char decimal_ = 0;
   bool commas_are_decimal_ = false;
-};
-
-/// Faults of rows. If there are more than a few of one kind, only the first is reported.
-class RowFaults {
- public:
-  void add(std::string kind, int line, int column, std::string wrong, std::string right) {
-    ++count_[kind];
-    faults_.push_back({std::move(kind), line, column, std::move(wrong), std::move(right)});
-  }
-
-  bool empty() const { return faults_.empty(); }
-
-  void tell(const std::filesystem::path& file, std::vector<Finding>& findings) const {
-    std::set<std::string> seen_kinds;
-    for (const Fault& f : faults_) {
-      const int n = count_.at(f.kind);
-      if (n > kFew && !seen_kinds.insert(f.kind).second) continue;
-      const std::string more =
-          n > kFew ? fmt::format(", and the same in {} more lines", n - 1) : "";
-      findings.push_back({file, f.line, "", f.wrong + more + "; " + f.right, f.column});
-    }
-  }
-
- private:
-  struct Fault {
-    std::string kind;
-    int line, column;
-    std::string wrong, right;
-  };
-  std::vector<Fault> faults_;
-  std::map<std::string, int> count_;
 };
 
 }  // namespace

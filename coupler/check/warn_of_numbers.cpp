@@ -7,7 +7,6 @@
 
 #include "common/angles.hpp"
 #include "common/seconds.hpp"
-#include "coupler/case/sieve.hpp"
 #include "coupler/check/warning_parts.hpp"
 #include "coupler/deck/contact_table.hpp"
 
@@ -18,9 +17,8 @@ constexpr double kOtherUnit = 5;          ///< a mesh so many times too large or
 constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger rocks bridge it
 constexpr double kShift_m = 0.5;
 constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
-constexpr double kWhole_percent = 95;
-constexpr double kHole_s = 3;       ///< between two rows of a motion in which drives go far
-constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
+constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
+constexpr double kWindow_s = 0.01;   ///< the empty dipper on its ropes swings with some 0.2 s
 
 void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Vector3d wanted = parts.machine.dipper.inside;  // without plates and teeth
@@ -98,28 +96,6 @@ void warn_of_masses(const CaseParts& parts, std::vector<Finding>& warnings) {
   }
 }
 
-/// A sieve curve that ends well below 100 % says nothing of the coarsest rock; one that jumps from
-/// a share up to 1 may have that in shares of 1.
-void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings) {
-  if (c.rock.sieve.file.empty()) return;
-  const cases::SieveCurve curve = cases::read_sieve(c.rock.sieve.file);
-  const double passing = curve.passing_percent(curve.largest_m());
-  if (passing < kWhole_percent)
-    warnings.push_back(cases::finding_at(
-        c, "rock.sieve.file",
-        fmt::format("the curve ends at {:g} %, at {:g} m: the {:g} % of rock that are coarser are "
-                    "taken to be of the largest class; are these shares of each sieve?",
-                    passing, curve.largest_m(), 100 - passing)));
-  if (const auto jump = cases::find_share_jump(curve.points()))
-    warnings.push_back(
-        {c.rock.sieve.file, jump->to.line, "",
-         fmt::format(
-             "passing_percent jumps from {:g} at {:g} m, line {}, to {:g} at {:g} m: is the "
-             "{:g} a share of 1? 1 = 100 %",
-             jump->from.passing_percent, jump->from.size_m, jump->from.line,
-             jump->to.passing_percent, jump->to.size_m, jump->from.passing_percent)});
-}
-
 void warn_of_rock(const CaseParts& parts, std::vector<Finding>& warnings) {
   const cases::Case& c = parts.c;
   double largest = 0;
@@ -175,7 +151,6 @@ void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_mesh(parts, warnings);
   warn_of_angles(parts, warnings);
   warn_of_masses(parts, warnings);
-  warn_of_sieve(parts.c, warnings);
   warn_of_rock(parts, warnings);
   warn_of_times(parts, warnings);
 }
