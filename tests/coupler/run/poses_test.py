@@ -109,9 +109,12 @@ class Poses(RunTest):
             return "\n".join([header, *(",".join(change(r)) for r in rows)]) + "\n"
 
         for changed, said in (
-                (table(lambda r: r[:5] + r[6:] + r[5:6]), r"poses.csv: machine.poses: qz is the largest of .* scalar last"),
-                (table(lambda r: [f"{1e5 / 60 * float(r[0]):g}", *r[1:]]), r"time_s has a row every \d+ s: in ms, perhaps"),
-                (table(lambda r: [str(float(r[0]) + 4), *r[1:]]), r"the first row is at 4 s; .* nothing moves until then"),
+                (table(lambda r: r[:5] + r[6:] + r[5:6]),
+                 r"poses.csv: machine.poses: qz is the largest of .* scalar last"),
+                (table(lambda r: [f"{1e5 / 60 * float(r[0]):g}", *r[1:]]),
+                 r"time_s has a row every \d+ s: in ms, perhaps"),
+                (table(lambda r: [str(float(r[0]) + 4), *r[1:]]),
+                 r"the first row is at 4 s; .* nothing moves until then"),
                 (table(lambda r: [str(float(r[0]) - 0.5), *r[1:]]), r"the first row is at -0.5 s; .* is left out"),
                 (TABLE.replace("0.9,scoop", "0.01,scoop"),
                  r"poses.csv:4: machine.poses: scoop moves 1.4 m in 0.01 s, 140 m/s: a wrong row"),

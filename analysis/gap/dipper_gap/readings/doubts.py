@@ -14,11 +14,11 @@ def doubtful_masses(passes):
     if 0 < max(masses, default=0) < LEAST_LARGEST_T:
         out.append(f"truck_mass_t is {max(masses):g} at most: is it in t?")
     if _rise_as_totals(passes):
-        out.append(f"truck_mass_t rises with every pass of every truck, to {max(masses):g}, as the total on a scale does: "
-                   "write what each pass brought")
+        out.append(f"truck_mass_t rises with every pass of every truck, to {max(masses):g}, as the total on a scale "
+                   "does: write what each pass brought")
     else:
-        out += [f"pass {p.number} of truck {p.truck} brought {p.truck_mass_t:g} t, and the median is {usual:g}: is that a "
-                "reading?" for p in passes if usual > 0 and p.truck_mass_t > FAR_ABOVE * usual]
+        out += [f"pass {p.number} of truck {p.truck} brought {p.truck_mass_t:g} t, and the median is {usual:g}: is "
+                "that a reading?" for p in passes if usual > 0 and p.truck_mass_t > FAR_ABOVE * usual]
     out += [f"pass {p.number} of truck {p.truck} brought nothing: is that a reading?" for p in passes
             if p.truck_mass_t == 0]
     return out

@@ -228,8 +228,8 @@ def read_table(file, need, found, allowed=None):
     decimal, doubtful = find_decimal(cell for row in rows for cell in row)
     if doubtful and decimal == ",":
         line, name = next((i, n) for i, row in zip(lines, rows) for n, cell in zip(header, row) if cell == doubtful)
-        faults.append((line, name, f"is '{doubtful}', and every comma in the file has three digits after it: it may part "
-                       "thousands", "write decimals with a point, and nothing between thousands"))
+        faults.append((line, name, f"is '{doubtful}', and every comma in the file has three digits after it: it may "
+                       "part thousands", "write decimals with a point, and nothing between thousands"))
     values = {}
     for name, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
         read = _stamps if name in TIMES and cells and read_stamp(cells[0]) else _numbers
