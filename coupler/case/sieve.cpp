@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 using Point = SieveCurve::Point;
 
 constexpr double kLargestSize = 10;  // [m]; of rock.sieve.max_size_m, too
+constexpr double kLeast_mm = 200;    // of a curve's largest size: a smaller one is no bench's in mm
 
 /// A share up to this may be one of 1, with per cent a hundred times as large.
 constexpr double kWholeShare = 1;
@@ -39,9 +40,10 @@ Finding fault_of_all(const fs::path& file, const std::vector<Point>& points) {
       [](const Point& a, const Point& b) { return a.passing_percent < b.passing_percent; });
   if (coarsest.size_m > kLargestSize)
     return {file, 0, "",
-            fmt::format("size_m goes from {:g} to {:g} m; up to {:g} m: in mm, perhaps? 1000 mm = "
+            fmt::format("size_m goes from {:g} to {:g} m; up to {:g} m: in {}, perhaps? 1000 mm = "
                         "1 m",
-                        finest.size_m, coarsest.size_m, kLargestSize)};
+                        finest.size_m, coarsest.size_m, kLargestSize,
+                        coarsest.size_m < kLeast_mm ? "mm, cm or inches" : "mm")};
   if (most->passing_percent <= kWholeShare)
     return {file, 0, "",
             fmt::format("passing_percent goes from {:g} to {:g}; up to 100 %: shares of 1, "

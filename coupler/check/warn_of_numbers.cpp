@@ -13,7 +13,8 @@
 namespace dipper::check {
 namespace {
 
-constexpr double kOtherUnit = 5;          ///< a mesh so many times too large or small is not in m
+constexpr double kOtherUnit = 2.5;        ///< a mesh so many times too large or small is not in m
+constexpr double kMostFeet = 5;           ///< a mesh in feet is some 3.3 times too large
 constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger rocks bridge it
 constexpr double kShift_m = 0.5;
 constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
@@ -29,11 +30,16 @@ void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
     warnings.push_back(cases::finding_at(parts.c, "bodies.dipper", what));
   };
   if (scale > kOtherUnit || scale < 1 / kOtherUnit) {
-    const double factor = scale > 100 ? 0.001 : 1 / scale;
+    const bool feet = scale > kOtherUnit && scale < kMostFeet;
+    const double factor = scale > 100 ? 0.001 : feet ? 0.3048 : 1 / scale;
     return say(fmt::format(
         "the mesh is {:.4g} units long, but the machine's dipper is {:g} m: is it in {}? scale it "
         "by {:.3g}",
-        sides.maxCoeff(), wanted.maxCoeff(), scale > 100 ? "mm" : "another unit", factor));
+        sides.maxCoeff(), wanted.maxCoeff(),
+        scale > 100 ? "mm"
+        : feet      ? "ft"
+                    : "another unit",
+        factor));
   }
   const auto misfit = [&](const Vector3d& s) { return (s - wanted).cwiseAbs().sum(); };
   const Vector3d y_up(sides.x(), sides.z(), sides.y());

@@ -95,6 +95,8 @@ TEST(Sieve, AnotherUnitIsToldOnceWithTheRange) {
   const std::string mm = errors_of("63,2\n125,6\n1000,100\n"),
                     shares = errors_of("0.063,0.02\n0.5,0.52\n1,1.0\n"),
                     retained = errors_of("0.063,98\n0.125,94\n1,0\n");
+  EXPECT_NE(errors_of("4,4\n16,35\n48,100\n").find("up to 10 m: in mm, cm or inches, perhaps?"),
+            std::string::npos);
   EXPECT_NE(mm.find("sieve.csv: size_m goes from 63 to 1000 m; up to 10 m: in mm, perhaps?"),
             std::string::npos)
       << mm;

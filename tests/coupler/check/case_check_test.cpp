@@ -386,6 +386,18 @@ TEST(CheckCase, AMeshElsewhereIsToldAndNothingElseOfIt) {
   }
 }
 
+TEST(CheckCase, ADipperInFeetIsToldInPlaceOfWhereItLeavesTheDomain) {
+  const Checkout checkout;
+  mesh::TriangleMesh dipper = mesh::read_stl(checkout.root / "meshes/dipper.stl");
+  const auto file = std::filesystem::path(testing::TempDir()) / "dipper_feet.stl";
+  write_text(file.parent_path() / "dipper_feet.yaml",
+             test::read_text(checkout.root / "meshes/dipper.yaml"));
+  for (auto& v : dipper.vertices) v /= 0.3048;
+  write_text(file, mesh::to_stl("dipper", dipper));
+  expect_findings(check(checkout, {{"bodies.dipper", file.string()}}),
+                  {{"--set", 0, "bodies.dipper", "in ft, perhaps? 15.11 ft are 4.605 m"}});
+}
+
 TEST(CheckCase, AFacetTooThinForLiggghtsIsTold) {
   Checkout checkout;
   mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");

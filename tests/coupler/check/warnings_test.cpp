@@ -180,6 +180,8 @@ TEST(Warnings, HeelThatClosesOnTheGround) {
 TEST(Warnings, MeshesThatLookWrong) {
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(1000 * v); }),
               testing::Contains(HasSubstr("in mm? scale it by 0.001")));
+  EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v / 0.3048); }),
+              testing::Contains(HasSubstr("is it in ft? scale it by 0.305")));
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x(), -v.z(), v.y()); }),
               testing::Contains(HasSubstr("is its y up?")));
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x() + 1, v.y(), v.z()); }),
