@@ -55,6 +55,7 @@ PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
 TRUCK = "truck"
 TIMES = ("time_s", "t_start_s", "t_end_s")
 LONGEST_SHOWN = 40  # characters of a cell that is no number
+FARTHEST_M = {"x_m": 200.0, "z_m": 100.0}  # of a face from the swing axis at ground level: beyond any shovel's
 LEAST_SAMPLES = 10  # a pass with fewer readings cannot be cut into phases
 
 
@@ -362,6 +363,10 @@ def read_profiles(file, found):
     table, lines = read_table(file, ("pass", "x_m", "z_m"), found)
     if not lines or any(name not in table for name in ("pass", "x_m", "z_m")):
         return out, left
+    found.add_rows(file, [(line, name, f"is {value:g}", f"within {most:g} m of the swing axis at ground level: in the "
+                           "mine's coordinates, or in mm, perhaps?")
+                          for name, most in FARTHEST_M.items() for line, value in zip(lines, table[name])
+                          if abs(value) > most])
     trucks, after = table.get(TRUCK, np.ones(len(lines))), table.get("after", np.zeros(len(lines)))
     for line, is_after in zip(lines, after):
         if is_after not in (0, 1) and np.isfinite(is_after):
