@@ -7,19 +7,17 @@
 #include <array>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "common/begins_with.hpp"
 #include "common/numbers.hpp"
+#include "common/row_faults.hpp"
 
 namespace dipper {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr int kFew = 3;  // faults of one kind that are reported one by one
 
 // The minus signs, blanks and line ends of word processors and spreadsheets, in UTF-8. dipper
 // import knows the same (dipper_run/csv_text.py); tests/common/tables.jsonl holds both to it.
@@ -38,9 +36,38 @@ constexpr std::array<std::pair<std::string_view, char>, 14> kLookAlikes{{{"\u221
                                                                          {"\u2028", '\n'},
                                                                          {"\u2029", '\n'}}};
 
+/// What begins as no text, what it is, and what would be right. dipper import knows the same
+/// (dipper_run/text_file.py); tests/common/tables.jsonl holds both to it.
+constexpr std::string_view kHdf5 = "\x89HDF\r\n\x1A\n";  // or after a block of its writer's own
+constexpr std::string_view kHdf5Is = "is HDF5; save its channels as CSV";
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kNoTexts{
+    {{kHdf5, kHdf5Is},
+     {"MATLAB 7.3 MAT-file", kHdf5Is},
+     {"MATLAB 5.0 MAT-file", "is a MAT file of MATLAB; save its channels as CSV"},
+     {"CDF\x01", "is NetCDF; save its channels as CSV"},
+     {"CDF\x02", "is NetCDF; save its channels as CSV"},
+     {"CDF\x05", "is NetCDF; save its channels as CSV"},
+     {"MDF     ", "is MDF, of a measurement system; save its channels as CSV"},
+     {"TDSm", "is TDMS, of a measurement system; save its channels as CSV"},
+     {"PAR1\x15", "is Parquet; save its table as CSV"},
+     {"SQLite format 3", "is a database of SQLite; save its table as CSV"},
+     {"\xD0\xCF\x11\xE0",
+      "is a spreadsheet (.xls), or another document of an office program; save its sheet as CSV"},
+     {"{\\rtf", "is RTF, of a word processor; save it as plain text in UTF-8"},
+     {"%PDF", "is a PDF; a table as CSV"},
+     {"\x1F\x8B", "is compressed by gzip; unpack it with gunzip"},
+     {"BZh91AY&SY", "is compressed by bzip2; unpack it with bunzip2"},
+     {"\xFD\x37zXZ", "is compressed by xz; unpack it with unxz"},
+     {"\x28\xB5\x2F\xFD", "is compressed by Zstandard; unpack it with unzstd"},
+     {"7z\xBC\xAF\x27\x1C", "is an archive of 7-Zip; unpack it"}}};
+
 /// What a file is and what would be right, where it begins as something that is no text; else
-/// nothing. dipper import knows the same (dipper_run/text_file.py).
+/// nothing.
 std::string no_text(std::string_view text) {
+  for (const auto& [begin, is] : kNoTexts)
+    if (begins_with(text, begin)) return std::string(is);
+  for (std::size_t at = 512; at < text.size(); at *= 2)
+    if (text.substr(at, kHdf5.size()) == kHdf5) return std::string(kHdf5Is);
   if (begins_with(text, "PK\x03\x04")) {
     for (const std::string_view sheet :
          {"xl/workbook", "xl/worksheets", "application/vnd.oasis.opendocument.spreadsheet"})
@@ -48,11 +75,6 @@ std::string no_text(std::string_view text) {
         return "is a spreadsheet; save its sheet as CSV";
     return "is a ZIP; unpack it";
   }
-  if (begins_with(text, "\xD0\xCF\x11\xE0"))
-    return "is a spreadsheet (.xls), or another document of an office program; save its sheet as "
-           "CSV";
-  if (begins_with(text, "\x1F\x8B")) return "is compressed by gzip; unpack it with gunzip";
-  if (begins_with(text, "%PDF")) return "is a PDF; a table as CSV";
   if (begins_with(text, kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   std::string begin(text.substr(0, 16));
@@ -235,37 +257,6 @@ class NumberReader {
  private:
   char decimal_ = 0;
   bool commas_are_decimal_ = false;
-};
-
-/// Faults of rows. If there are more than a few of one kind, only the first is reported.
-class RowFaults {
- public:
-  void add(std::string kind, int line, int column, std::string wrong, std::string right) {
-    ++count_[kind];
-    faults_.push_back({std::move(kind), line, column, std::move(wrong), std::move(right)});
-  }
-
-  bool empty() const { return faults_.empty(); }
-
-  void tell(const std::filesystem::path& file, std::vector<Finding>& findings) const {
-    std::set<std::string> seen_kinds;
-    for (const Fault& f : faults_) {
-      const int n = count_.at(f.kind);
-      if (n > kFew && !seen_kinds.insert(f.kind).second) continue;
-      const std::string more =
-          n > kFew ? fmt::format(", and the same in {} more lines", n - 1) : "";
-      findings.push_back({file, f.line, "", f.wrong + more + "; " + f.right, f.column});
-    }
-  }
-
- private:
-  struct Fault {
-    std::string kind;
-    int line, column;
-    std::string wrong, right;
-  };
-  std::vector<Fault> faults_;
-  std::map<std::string, int> count_;
 };
 
 }  // namespace

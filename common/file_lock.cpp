@@ -15,6 +15,15 @@
 #include "common/host_identity.hpp"
 
 namespace dipper {
+namespace {
+
+/// Whether flock's error says that the file system has no locks. The Python commands know the same
+/// (dipper_run/run_cache.py).
+bool has_no_locks(int error) {
+  return error == ENOSYS || error == ENOLCK || error == EOPNOTSUPP || error == EINVAL;
+}
+
+}  // namespace
 
 FileLock::~FileLock() {
   if (fd_ < 0) return;
@@ -28,7 +37,7 @@ bool FileLock::try_lock() {
   if (fd < 0) throw std::system_error(errno, std::generic_category(), file_.string());
   if (flock(fd, LOCK_EX | LOCK_NB) != 0) {
     const int why = errno;
-    if (why == ENOSYS || why == ENOLCK || why == EOPNOTSUPP) {
+    if (has_no_locks(why)) {
       fd_ = fd;
       if (make_held()) return true;
       fd_ = -1;

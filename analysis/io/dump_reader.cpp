@@ -109,6 +109,7 @@ Source source_of(const DumpFrame& frame, const std::string& column) {
       return {column + "s", frame.box->min_m[axis], frame.box->sides_m()[axis]};
     }
   }
+  if (column == "radius" && frame.has("diameter")) return {"diameter", 0, 0.5};
   throw input_error(
       frame.file, frame.line,
       fmt::format("particles without {}; add {} to the dump's columns", column, column));

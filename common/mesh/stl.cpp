@@ -245,25 +245,6 @@ Facets parse_binary(const std::string& bytes, const std::filesystem::path& file)
   return facets;
 }
 
-// The format of a file that does not begin as an STL file; empty: it may be one.
-std::string other_format(std::string_view bytes) {
-  using Beginning = std::pair<std::string_view, const char*>;
-  for (const auto& [begin, name] :
-       {Beginning{"ply", "PLY"}, Beginning{"ISO-10303", "STEP"}, Beginning{"PK", "3MF or zip"},
-        Beginning{"glTF", "glTF"}, Beginning{"OFF", "OFF"}, Beginning{"# vtk", "VTK"},
-        Beginning{"<?xml", "XML"}, Beginning{"\x1F\x8B", "gzip"}, Beginning{"\xFF\xFE", "UTF-16"},
-        Beginning{"\xFE\xFF", "UTF-16"}})
-    if (bytes.substr(0, begin.size()) == begin) return name;
-  for (std::size_t at = 0; at < bytes.size();) {  // OBJ: comments, then such words
-    const std::string_view line = bytes.substr(at, bytes.find('\n', at) - at);
-    at += line.size() + 1;
-    for (const std::string_view word : {"v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl "})
-      if (line.substr(0, word.size()) == word) return "OBJ";
-    if (!line.empty() && line[0] != '#' && line[0] != '\r') break;
-  }
-  return "";
-}
-
 // Many binary files also begin with "solid"; only their size decides. A file that fits neither is
 // read as ascii when it is text, so that the message has a line.
 bool is_binary(const std::string& bytes, std::string_view text) {
@@ -308,6 +289,24 @@ std::string bytes_of(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string other_format(std::string_view bytes) {
+  using Beginning = std::pair<std::string_view, const char*>;
+  for (const auto& [begin, name] :
+       {Beginning{"ply", "PLY"}, Beginning{"ISO-10303", "STEP"}, Beginning{"PK", "3MF or zip"},
+        Beginning{"glTF", "glTF"}, Beginning{"OFF", "OFF"}, Beginning{"# vtk", "VTK"},
+        Beginning{"<?xml", "XML"}, Beginning{"\x1F\x8B", "gzip"}, Beginning{"\xFF\xFE", "UTF-16"},
+        Beginning{"\xFE\xFF", "UTF-16"}})
+    if (bytes.substr(0, begin.size()) == begin) return name;
+  for (std::size_t at = 0; at < bytes.size();) {  // OBJ: comments, then such words
+    const std::string_view line = bytes.substr(at, bytes.find('\n', at) - at);
+    at += line.size() + 1;
+    for (const std::string_view word : {"v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl "})
+      if (line.substr(0, word.size()) == word) return "OBJ";
+    if (!line.empty() && line[0] != '#' && line[0] != '\r') break;
+  }
+  return "";
+}
 
 TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& file) {
   const std::string_view text = text_of(bytes), begin = without_blanks(text);

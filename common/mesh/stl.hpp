@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "common/mesh/triangle_mesh.hpp"
 
@@ -17,6 +18,10 @@ TriangleMesh read_stl(const std::filesystem::path& file);
 
 /// The same from a file's bytes; errors name `file`.
 TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& file = {});
+
+/// The format of a mesh or archive that a file's bytes begin as, "OBJ" or "PLY" for two; empty: it
+/// may be an STL, or no mesh.
+std::string other_format(std::string_view bytes);
 
 /// A micrometre, and less for a mesh of less than a metre: a millionth of its diagonal.
 double weld_distance(double diagonal_m);

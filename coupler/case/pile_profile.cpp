@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <fstream>
+#include <string>
 
 #include "common/input_error.hpp"
 #include "common/mesh/stl.hpp"
@@ -11,6 +13,25 @@
 #include "coupler/case/outline_file.hpp"
 
 namespace dipper::cases {
+namespace {
+
+constexpr std::size_t kHead = 4096;  // bytes in which a mesh of another format shows itself
+
+void refuse_other_meshes(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string head(kHead, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  const std::string format = mesh::other_format(head);
+  for (const char* meshes : {"PLY", "OBJ", "OFF", "VTK", "STEP", "glTF"})
+    if (format == meshes)
+      throw InputError({{file, 0, "",
+                         fmt::format("begins as {}; an STL file, or a CSV x_m,z_m. dipper survey "
+                                     "makes both of a point cloud (PLY, LAS, text)",
+                                     format)}});
+}
+
+}  // namespace
 
 bool is_replaced_by_profile(const Case& c, const std::string& key) {
   return !c.pile.profile.empty() && std::find(kReplacedByProfile.begin(), kReplacedByProfile.end(),
@@ -31,6 +52,7 @@ void read_pile_profile(Case& c, std::vector<Finding>& findings) {
       c.pile.surface = std::make_shared<BenchSurface>(mesh::read_stl(c.pile.profile));
       c.pile.outline_m = c.pile.surface->section(c.pile.width_m / 2, 1);
     } else {
+      refuse_other_meshes(c.pile.profile);
       c.pile.outline_m = read_outline(c.pile.profile);
     }
   } catch (const InputError& e) {

@@ -14,43 +14,56 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Row {
-  SieveCurve::Point point;
-  int line;
-};
+using Point = SieveCurve::Point;
 
 constexpr double kLargestSize = 10;  // [m]; of rock.sieve.max_size_m, too
+constexpr double kLeast_mm = 200;    // of a curve's largest size: a smaller one is no bench's in mm
 
-/// Faults of a curve as a whole: another unit, shares of 1, shares retained. Reported once, not for
-/// each row.
-std::string fault_of_all(const std::vector<Row>& rows) {
-  if (rows.size() < 2) return "";
-  double smallest = rows[0].point.size_m, largest = 0, least = rows[0].point.passing_percent;
-  double most = least;
-  const Row *finest = &rows[0], *coarsest = &rows[0];
-  for (const Row& row : rows) {
-    if (row.point.size_m < finest->point.size_m) finest = &row;
-    if (row.point.size_m > coarsest->point.size_m) coarsest = &row;
-    smallest = std::min(smallest, row.point.size_m);
-    largest = std::max(largest, row.point.size_m);
-    least = std::min(least, row.point.passing_percent);
-    most = std::max(most, row.point.passing_percent);
-  }
-  if (largest > kLargestSize)
-    return fmt::format(
-        "size_m goes from {:g} to {:g} m; up to {:g} m: in mm, perhaps? 1000 mm = 1 m", smallest,
-        largest, kLargestSize);
-  if (most <= 1)
-    return fmt::format(
-        "passing_percent goes from {:g} to {:g}; up to 100 %: shares of 1, perhaps? 1 = 100 %",
-        least, most);
-  if (finest->point.passing_percent > coarsest->point.passing_percent)
-    return fmt::format(
-        "passing_percent falls from {:g} to {:g} as size_m rises from {:g} to {:g} m; what passes "
-        "a "
-        "sieve passes every larger one: shares retained, perhaps? passing is 100 less retained",
-        finest->point.passing_percent, coarsest->point.passing_percent, smallest, largest);
-  return "";
+/// A share up to this may be one of 1, with per cent a hundred times as large.
+constexpr double kWholeShare = 1;
+constexpr double kPercent = 100;
+constexpr double kFarAbove = 10;  ///< so many times what the finer sieves lead to
+
+bool rises_somewhere(const std::vector<Point>& points) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].passing_percent > points[i - 1].passing_percent) return true;
+  return false;
+}
+
+/// A fault of a curve as a whole, with sizes that rise: another unit, shares of 1, shares retained.
+/// Reported once, not for each row.
+Finding fault_of_all(const fs::path& file, const std::vector<Point>& points) {
+  if (points.size() < 2) return {};
+  const Point &finest = points.front(), &coarsest = points.back();
+  const auto [least, most] = std::minmax_element(
+      points.begin(), points.end(),
+      [](const Point& a, const Point& b) { return a.passing_percent < b.passing_percent; });
+  if (coarsest.size_m > kLargestSize)
+    return {file, 0, "",
+            fmt::format("size_m goes from {:g} to {:g} m; up to {:g} m: in {}, perhaps? 1000 mm = "
+                        "1 m",
+                        finest.size_m, coarsest.size_m, kLargestSize,
+                        coarsest.size_m < kLeast_mm ? "mm, cm or inches" : "mm")};
+  if (most->passing_percent <= kWholeShare)
+    return {file, 0, "",
+            fmt::format("passing_percent goes from {:g} to {:g}; up to 100 %: shares of 1, "
+                        "perhaps? 1 = 100 %",
+                        least->passing_percent, most->passing_percent)};
+  if (finest.passing_percent > coarsest.passing_percent && !rises_somewhere(points))
+    return {file, 0, "",
+            fmt::format("passing_percent falls from {:g} to {:g} as size_m rises from {:g} to {:g} "
+                        "m; what passes a sieve passes every larger one: shares retained, perhaps? "
+                        "passing is 100 less retained",
+                        finest.passing_percent, coarsest.passing_percent, finest.size_m,
+                        coarsest.size_m)};
+  if (const auto jump = find_share_jump(points); jump && jump->certain)
+    return {file, jump->to.line, "",
+            fmt::format("passing_percent jumps from {:g} at {:g} m, line {}, to {:g} at {:g} m: "
+                        "shares of 1 and per cent in one curve, perhaps? write all in per cent, "
+                        "1 = 100 %; if all are per cent, leave out those up to 1 but one",
+                        jump->from.passing_percent, jump->from.size_m, jump->from.line,
+                        jump->to.passing_percent, jump->to.size_m)};
+  return {};
 }
 
 }  // namespace
@@ -79,7 +92,7 @@ SieveCurve read_sieve(const fs::path& file) {
   const auto fault = [&](int line, const std::string& what) {
     faults.push_back({file, line, "", what});
   };
-  std::vector<Row> rows;
+  std::vector<Point> points;
   for (const CsvRow& row : read_csv(file, {"size_m", "passing_percent"}, faults)) {
     const double size = row.values[0], passing = row.values[1];
     if (size <= 0) {
@@ -87,29 +100,24 @@ SieveCurve read_sieve(const fs::path& file) {
     } else if (passing < 0 || passing > 100) {
       fault(row.line, fmt::format("passing_percent is {:g}; it must be 0 ... 100", passing));
     } else {
-      rows.push_back({{size, passing}, row.line});
+      points.push_back({size, passing, row.line});
     }
   }
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const Row& a, const Row& b) { return a.point.size_m < b.point.size_m; });
-  if (const std::string wrong = fault_of_all(rows); faults.empty() && !wrong.empty()) {
-    fault(0, wrong);
+  std::stable_sort(points.begin(), points.end(),
+                   [](const Point& a, const Point& b) { return a.size_m < b.size_m; });
+  if (Finding wrong = fault_of_all(file, points); faults.empty() && !wrong.message.empty()) {
+    faults.push_back(std::move(wrong));
     throw InputError(std::move(faults));
   }
-  std::vector<SieveCurve::Point> points;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    points.push_back(rows[i].point);
-    if (i == 0) continue;
-    const Row &a = rows[i - 1], &b = rows[i];
-    if (a.point.size_m == b.point.size_m) {
-      fault(b.line, fmt::format("size_m {:g} is in line {} already", b.point.size_m, a.line));
-    } else if (b.point.passing_percent < a.point.passing_percent) {
-      fault(
-          b.line,
-          fmt::format("passing_percent {:g} at {:g} m is below the {:g} at {:g} m of line {}; what "
-                      "passes a sieve passes every larger one",
-                      b.point.passing_percent, b.point.size_m, a.point.passing_percent,
-                      a.point.size_m, a.line));
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Point &a = points[i - 1], &b = points[i];
+    if (a.size_m == b.size_m) {
+      fault(b.line, fmt::format("size_m {:g} is in line {} already", b.size_m, a.line));
+    } else if (b.passing_percent < a.passing_percent) {
+      fault(b.line,
+            fmt::format("passing_percent {:g} at {:g} m is below the {:g} at {:g} m of line {}; "
+                        "what passes a sieve passes every larger one",
+                        b.passing_percent, b.size_m, a.passing_percent, a.size_m, a.line));
     }
   }
   if (faults.empty() && points.size() < 2)
@@ -117,6 +125,23 @@ SieveCurve read_sieve(const fs::path& file) {
   if (faults.empty()) return SieveCurve(std::move(points));
   sort_by_line(faults);
   throw InputError(std::move(faults));
+}
+
+std::optional<ShareJump> find_share_jump(const std::vector<Point>& points) {
+  const auto to = std::find_if(points.begin(), points.end(),
+                               [](const Point& p) { return p.passing_percent > kWholeShare; });
+  if (to == points.begin() || to == points.end()) return std::nullopt;
+  const auto from = to - 1;
+  if (from->passing_percent <= 0 || to->passing_percent < kPercent * from->passing_percent)
+    return std::nullopt;
+  int shares = 1;
+  double steepest = 0;
+  for (auto b = from; b != points.begin() && (b - 1)->passing_percent > 0; --b, ++shares)
+    if (const auto a = b - 1; b->size_m > a->size_m)
+      steepest = std::max(steepest, std::log(b->passing_percent / a->passing_percent) /
+                                        std::log(b->size_m / a->size_m));
+  const double led_to = from->passing_percent * std::pow(to->size_m / from->size_m, steepest);
+  return ShareJump{*from, *to, shares > 1 && to->passing_percent > kFarAbove * led_to};
 }
 
 std::vector<SizeClass> size_classes(const SieveCurve& curve, const SieveCase& how) {

@@ -27,6 +27,7 @@ namespace {
 const double kThinnestFacet = 1.01 * std::acos(0.9999995);
 
 constexpr double kLeast_mm = 1000;  // of a mesh's longest side: a shorter one is no body's
+constexpr double kPile_mm = 100;    // times the domain: a face that was not cropped is shorter
 
 constexpr std::size_t faults_shown = 10;  // per file: the first few show what is wrong with it
 
@@ -63,6 +64,37 @@ void check_profile_points(const cases::Case& c, Findings& findings) {
                                       "enlarge the domain",
                                       "xz"[i], at, corner, at < low ? low : high)});
     }
+}
+
+// Whether pile.profile is in another unit or place; then a finding says so, and others about its
+// place would add nothing.
+bool is_elsewhere(const cases::Case& c, Findings& findings) {
+  Box box;
+  if (c.pile.surface) box = mesh::bounding_box(c.pile.surface->mesh());
+  for (std::size_t i = 0; !c.pile.surface && i < c.pile.outline_m.size(); ++i) {
+    const auto& p = c.pile.outline_m[i];
+    box.min_m = box.min_m.cwiseMin(Eigen::Vector3d(p.x(), 0, p.y()));
+    box.max_m = box.max_m.cwiseMax(Eigen::Vector3d(p.x(), 0, p.y()));
+  }
+  const double longest = box.sides_m().maxCoeff();
+  const double away = std::max(box.min_m.cwiseAbs().maxCoeff(), box.max_m.cwiseAbs().maxCoeff());
+  const double domain = (c.domain.max_m - c.domain.min_m).maxCoeff();
+  const auto say = [&](const std::string& what) {
+    findings.push_back({c.pile.profile, 0, "pile.profile", what});
+    return true;
+  };
+  if (longest > kPile_mm * domain)
+    return say(
+        fmt::format("is {:.4g} m long, and the whole domain {:.4g} m: in mm, perhaps? write "
+                    "it in m",
+                    longest, domain));
+  if (away > domain + longest || box.min_m.z() > c.domain.max_m.z())
+    return say(fmt::format(
+        "lies at x = {:.8g} to {:.8g} m, z = {:.6g} to {:.6g} m: in the mine's coordinates, "
+        "perhaps? It belongs into W, whose origin is the swing axis at ground level "
+        "(docs/frames.md); dipper survey moves a point cloud there",
+        box.min_m.x(), box.max_m.x(), box.min_m.z(), box.max_m.z()));
+  return false;
 }
 
 }  // namespace
@@ -148,6 +180,7 @@ void check_truck_in_domain(const cases::Case& c, const mesh::TriangleMesh& truck
 // The bench from the toe to its rear wall, and the rock above it before it falls; that of bricks
 // falls elsewhere.
 void check_pile_in_domain(const cases::Case& c, Findings& findings) {
+  if (!c.pile.profile.empty() && is_elsewhere(c, findings)) return;
   const deck::PileShape shape = deck::pile_shape(c);
   const double half = c.pile.width_m / 2;
   Box box{{shape.toe_x_m, -half, 0}, {shape.rear_x_m, half, shape.height_m}};

@@ -78,6 +78,25 @@ void check_operator(const cases::Case& c, const machine::MachineData& machine,
   }
 }
 
+constexpr double kFeet =
+    2.5;  // times the machine's dipper: no dipper's mesh in m, 3.3 for one in ft
+
+// Whether the dipper's mesh is in feet, by the machine's dipper; else nothing.
+std::optional<Finding> dipper_in_feet(const cases::Case& c, const machine::MachineData& machine,
+                                      const std::map<std::string, mesh::TriangleMesh>& bodies) {
+  const auto found = bodies.find("dipper");
+  if (found == bodies.end()) return std::nullopt;
+  const double longest = mesh::bounding_box(found->second).sides_m().maxCoeff();
+  const double wanted = machine.dipper.inside.maxCoeff();
+  if (longest < kFeet * wanted) return std::nullopt;
+  return cases::finding_at(
+      c, "bodies.dipper",
+      fmt::format(
+          "the mesh is {:.4g} m long and leaves the domain, and the machine's dipper is {:g} "
+          "m: in ft, perhaps? {:.4g} ft are {:.4g} m, scale it by 0.3048",
+          longest, wanted, longest, 0.3048 * longest));
+}
+
 }  // namespace
 
 std::optional<machine::Motion> check_motion(const cases::Case& c,
@@ -115,6 +134,7 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
   for (const std::string& message : shovel.check(*motion)) {
     findings.push_back({c.machine.motion, 0, "machine.motion", message});
   }
+  Findings outside;
   check_bodies_in_domain(
       c,
       [&](const std::string& body, std::int64_t t_ns) -> std::optional<Pose> {
@@ -126,7 +146,11 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
           return std::nullopt;
         }
       },
-      motion->start_ns(), motion->end_ns(), known, findings);
+      motion->start_ns(), motion->end_ns(), known, outside);
+  if (const auto feet = dipper_in_feet(c, *machine, known); feet && !outside.empty())
+    findings.push_back(*feet);
+  else
+    findings.insert(findings.end(), outside.begin(), outside.end());
   check_operator(c, *machine, shovel, findings);
   check_times_of_motion(c, findings);
   check_clean_floor(c, findings);

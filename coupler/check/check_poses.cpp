@@ -1,4 +1,10 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "common/input_error.hpp"
 #include "coupler/check/check_parts.hpp"
@@ -12,6 +18,29 @@ namespace {
 const std::set<std::string> kTaken = {"box",          "gravity",    "ground", "pour",
                                       "rocks",        "rocks_move", "sides",  "slab",
                                       "spheres_move", "truck",      "walls"};
+
+// So many times the domain's own size off it, positions are in another unit.
+constexpr double kFarOff = 5;
+
+/// The unit in which all positions are in the domain, if as they are they go far beyond it; else
+/// nothing.
+std::string unit_of_positions(const cases::Case& c, const machine::PoseTable& table) {
+  Vector3d low = Vector3d::Constant(INFINITY), high = -low;
+  for (const std::string& name : table.bodies())
+    for (const machine::PoseTable::Row& row : table.rows(name)) {
+      low = low.cwiseMin(row.X_WB.p);
+      high = high.cwiseMax(row.X_WB.p);
+    }
+  const double size = (c.domain.max_m - c.domain.min_m).maxCoeff();
+  const double beyond =
+      std::max((c.domain.min_m - low).maxCoeff(), (high - c.domain.max_m).maxCoeff());
+  if (beyond < kFarOff * size) return "";
+  for (const auto& [unit, scale] : {std::pair{"cm", 0.01}, std::pair{"mm", 0.001}})
+    if (((scale * low - c.domain.min_m).array() >= 0).all() &&
+        ((c.domain.max_m - scale * high).array() >= 0).all())
+      return unit;
+  return "";
+}
 
 }  // namespace
 
@@ -36,6 +65,18 @@ void check_poses(const cases::Case& c, const std::map<std::string, mesh::Triangl
     if (kTaken.count(body.first) != 0)
       findings.push_back(cases::finding_at(c, "bodies." + body.first,
                                            "the rock's scripts use this name; choose another"));
+  if (table->end_ns() <= 0 && c.end_s <= 0) {
+    findings.push_back({c.machine.poses, 0, "machine.poses",
+                        "has no row after 0 s, where the run begins; write later rows, or end_s"});
+    return;
+  }
+  if (const std::string unit = unit_of_positions(c, *table); !unit.empty()) {
+    findings.push_back({c.machine.poses, 0, "machine.poses",
+                        fmt::format("x_m,y_m,z_m go far beyond the domain: in {}, perhaps? in {} "
+                                    "all are in it; write them in m",
+                                    unit, unit)});
+    return;
+  }
   std::map<std::string, mesh::TriangleMesh> known = bodies;
   for (const auto& body : bodies)
     if (!table->has(body.first)) known.erase(body.first);

@@ -7,20 +7,19 @@
 
 #include "common/angles.hpp"
 #include "common/seconds.hpp"
-#include "coupler/case/sieve.hpp"
 #include "coupler/check/warning_parts.hpp"
 #include "coupler/deck/contact_table.hpp"
 
 namespace dipper::check {
 namespace {
 
-constexpr double kOtherUnit = 5;          ///< a mesh so many times too large or small is not in m
+constexpr double kOtherUnit = 2.5;        ///< a mesh so many times too large or small is not in m
+constexpr double kMostFeet = 5;           ///< a mesh in feet is some 3.3 times too large
 constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger rocks bridge it
 constexpr double kShift_m = 0.5;
 constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
-constexpr double kWhole_percent = 95;
-constexpr double kHole_s = 3;       ///< between two rows of a motion in which drives go far
-constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
+constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
+constexpr double kWindow_s = 0.01;   ///< the empty dipper on its ropes swings with some 0.2 s
 
 void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Vector3d wanted = parts.machine.dipper.inside;  // without plates and teeth
@@ -31,11 +30,16 @@ void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
     warnings.push_back(cases::finding_at(parts.c, "bodies.dipper", what));
   };
   if (scale > kOtherUnit || scale < 1 / kOtherUnit) {
-    const double factor = scale > 100 ? 0.001 : 1 / scale;
+    const bool feet = scale > kOtherUnit && scale < kMostFeet;
+    const double factor = scale > 100 ? 0.001 : feet ? 0.3048 : 1 / scale;
     return say(fmt::format(
         "the mesh is {:.4g} units long, but the machine's dipper is {:g} m: is it in {}? scale it "
         "by {:.3g}",
-        sides.maxCoeff(), wanted.maxCoeff(), scale > 100 ? "mm" : "another unit", factor));
+        sides.maxCoeff(), wanted.maxCoeff(),
+        scale > 100 ? "mm"
+        : feet      ? "ft"
+                    : "another unit",
+        factor));
   }
   const auto misfit = [&](const Vector3d& s) { return (s - wanted).cwiseAbs().sum(); };
   const Vector3d y_up(sides.x(), sides.z(), sides.y());
@@ -98,19 +102,6 @@ void warn_of_masses(const CaseParts& parts, std::vector<Finding>& warnings) {
   }
 }
 
-/// A sieve curve that ends well below 100 % says nothing of the coarsest rock.
-void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings) {
-  if (c.rock.sieve.file.empty()) return;
-  const cases::SieveCurve curve = cases::read_sieve(c.rock.sieve.file);
-  const double passing = curve.passing_percent(curve.largest_m());
-  if (passing < kWhole_percent)
-    warnings.push_back(cases::finding_at(
-        c, "rock.sieve.file",
-        fmt::format("the curve ends at {:g} %, at {:g} m: the {:g} % of rock that are coarser are "
-                    "taken to be of the largest class; are these shares of each sieve?",
-                    passing, curve.largest_m(), 100 - passing)));
-}
-
 void warn_of_rock(const CaseParts& parts, std::vector<Finding>& warnings) {
   const cases::Case& c = parts.c;
   double largest = 0;
@@ -166,7 +157,6 @@ void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_mesh(parts, warnings);
   warn_of_angles(parts, warnings);
   warn_of_masses(parts, warnings);
-  warn_of_sieve(parts.c, warnings);
   warn_of_rock(parts, warnings);
   warn_of_times(parts, warnings);
 }

@@ -23,6 +23,13 @@ struct CaseParts {
   mesh::TriangleMesh truck;         ///< in W
 };
 
+/// A sieve curve that says nothing of the coarsest rock, or may have a share of 1.
+void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings);
+
+/// A table of poses (machine.kind poses) that is legal and hardly meant: times in ms, or that do
+/// not begin at 0; speeds that no tool has; the scalar of its quaternions last.
+void warn_of_poses(const cases::Case& c, std::vector<Finding>& warnings);
+
 /// Positions: machine and truck against the bench at the start, the dipper's path against the
 /// truck, the truck against the dump, the return against the next dig, the heel against the path of
 /// the teeth.

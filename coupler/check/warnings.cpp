@@ -22,7 +22,11 @@ CaseParts::CaseParts(const cases::Case& the_case)
 
 std::vector<Finding> warnings(const cases::Case& c) {
   std::vector<Finding> found;
-  if (c.machine.kind != cases::MachineKind::shovel) return found;  // the rest is of shovels
+  warn_of_sieve(c, found);
+  if (c.machine.kind == cases::MachineKind::poses) {
+    warn_of_poses(c, found);
+    return found;  // the rest is of shovels
+  }
   const CaseParts parts(c);
   warn_of_numbers(parts, found);
   const auto of_the_mesh = [](const Finding& warning) { return warning.key == "bodies.dipper"; };

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <string>
 
 #include "common/input_error.hpp"
 #include "common/temporary_folder.hpp"
@@ -78,6 +80,42 @@ TEST(PoseTable, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault_of("1,arm,0,0,0,1,0,0,0\n1,arm,0,0,0,1,0,0,0\n"),
               HasSubstr(":3:1: time_s is 1, not after the previous row of arm"));
   EXPECT_THAT(fault_of("0,arm,x,0,0,1,0,0,0\n"), HasSubstr("x_m is \"x\""));
+  EXPECT_THAT(fault_of("0,,0,0,0,1,0,0,0\n"), HasSubstr(":2:1: body is empty"));
+  EXPECT_THAT(
+      fault_of("0,arm,0,0,0,0,0,35,0\n"),
+      HasSubstr("its length is 35; it must be 1 within 0.001: a unit quaternion, no angles"));
+  EXPECT_THAT(
+      fault_of("0,arm,512345.2,7443210.9,182,1,0,0,0\n"),
+      HasSubstr(":2:1: x_m,y_m,z_m is 512345.2,7443210.9,182; each must be within 100000 m, "
+                "in W"));
+  EXPECT_THAT(fault_of("1710000000.5,arm,0,0,0,1,0,0,0\n"),
+              HasSubstr(":2:1: time_s is 1710000000.5; it must be within 10000 s"));
+}
+
+TEST(PoseTable, OneCauseIsOneLine) {
+  std::string rows;
+  for (int k = 40; k > 0; --k) rows += std::to_string(k) + ",arm,0,0,0,1,0,0,0\n";
+  const std::string fault = fault_of(rows);
+  EXPECT_EQ(std::count(fault.begin(), fault.end(), '\n'), 0) << fault;
+  EXPECT_THAT(fault, HasSubstr(":3:1: time_s is 39, not after the previous row of arm (40 s), and "
+                               "the same in 38 more lines; the times of each body must rise"));
+}
+
+/// As programs leave it: a byte-order mark, carriage returns alone, decimal commas, minus signs of
+/// word processors, empty columns, the scalar last under its own name.
+TEST(PoseTable, IsReadAsTheOtherTablesOfACase) {
+  const TemporaryFolder folder("poses");
+  const auto file = folder.path() / "poses.csv";
+  std::ofstream(file) << "\xEF\xBB\xBFtime_s;body;x_m;y_m;z_m;qx;qy;qz;qw;;\r"
+                         "0;\"arm\";\u22121,5;0;0,25;0;0;0;1;;\r"
+                         "0,5;\"arm\";\u22121,25;0;0,25;0;\u22120,6;0;0,8;;\r";
+  const PoseTable t = PoseTable::load(file);
+  ASSERT_EQ(t.rows("arm").size(), 2U);
+  EXPECT_EQ(t.rows("arm")[0].X_WB.p, Vector3d(-1.5, 0, 0.25));
+  EXPECT_EQ(t.rows("arm")[1].t_ns, 500'000'000);
+  EXPECT_EQ(t.rows("arm")[1].line, 3);
+  EXPECT_NEAR(t.rows("arm")[1].X_WB.R.w(), 0.8, 1e-12);
+  EXPECT_NEAR(t.rows("arm")[1].X_WB.R.y(), -0.6, 1e-12);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ BEYOND_RATED = 1.3         # times the dipper's rated load: more than a heaped d
 MOSTLY_EMPTY = 0.5         # of the rows without a reading
 LEAST_OF_STALL = 0.02      # of what a drive can pull: an empty dipper's weight alone is more
 FEW = 3                    # readings
-DROP = 0.2                 # of the usual force: a fall to 0 and back from more is no load's
+DROP = 0.2                 # of the usual force: a fall to next to nothing and back from more is no load's
+SMALL = 0.02               # of the usual force: next to nothing
 
 
 def warn_of_readings(rows, spans, what, notes):
@@ -22,7 +23,7 @@ def warn_of_readings(rows, spans, what, notes):
             _warn_of_size(name, rows, what, notes)
             _warn_of_empty(name, rows, notes)
         if name in what.channels and name in FORCES:
-            _warn_of_zeros(name, rows, notes)
+            _warn_of_falls(name, rows, notes)
     lengths = [b - a for a, b in spans]
     if lengths and not (PASS_S[0] <= np.median(lengths) <= PASS_S[1]):
         notes.append(f"warning: a pass takes {np.median(lengths):.4g} s, where 20 to 60 s are usual: is "
@@ -64,21 +65,33 @@ def _warn_of_size(name, rows, what, notes):
                      "wrong unit, scale or mark of decimals?")
 
 
-def _warn_of_zeros(name, rows, notes):
-    """Of a force that is 0 between readings of large forces: what loggers write while an instrument is away."""
+def _warn_of_falls(name, rows, notes):
+    """Of a force that falls to 0, -1 or another small number, always the same, between readings of large forces: what
+    loggers write while an instrument is away."""
     value = rows.values[name]
     there = np.flatnonzero(np.isfinite(value))
-    zeros, others = there[value[there] == 0], there[value[there] != 0]
-    if len(zeros) < FEW or len(others) < FEW:
-        return
-    at = np.searchsorted(others, zeros)
+    usual = np.percentile(np.abs(value[there][value[there] != 0]), 95) if value[there].any() else 0.0
+    lows, numbers = np.unique(value[there][np.abs(value[there]) <= SMALL * usual], return_counts=True)
+    for low in lows[numbers >= FEW]:
+        fallen, least = _falls(value, there, low, usual)
+        if len(fallen) >= FEW:
+            unit = CHANNELS[name].unit
+            listed = "" if low == 0 else ", list the number under file.missing"
+            notes.append(f"warning: {name}: {some_rows(rows.lines[fallen], 'reading')} of {low:.6g} {unit} between "
+                         f"others of {least:.4g} {unit} and more: no readings? Leave such cells empty{listed}, or "
+                         f"name the column that says which readings are good (channels.{name}.quality)")
+
+
+def _falls(value, there, low, usual):
+    """Rows in which a value is `low` between others of more than DROP of the usual, and the least of these. A force
+    that changes its sign from one row to the next may pass by any small number."""
+    lows, others = there[value[there] == low], there[value[there] != low]
+    if len(others) < FEW:
+        return [], None
+    at = np.searchsorted(others, lows)
     between = (at > 0) & (at < len(others))
     at = np.clip(at, 1, len(others) - 1)
-    beside = np.minimum(np.abs(value[others[at - 1]]), np.abs(value[others[at]]))
-    usual = np.percentile(np.abs(value[others]), 95)
-    fallen = between & (beside > DROP * usual)
-    if fallen.sum() >= FEW:
-        unit = CHANNELS[name].unit
-        notes.append(f"warning: {name}: {some_rows(rows.lines[zeros[fallen]], 'reading')} of 0 {unit} between others "
-                     f"of {beside[fallen].min():.4g} {unit} and more: no readings? Leave such cells empty, or name "
-                     f"the column that says which readings are good (channels.{name}.quality)")
+    before, after = value[others[at - 1]], value[others[at]]
+    beside = np.minimum(np.abs(before), np.abs(after))
+    fallen = between & (beside > DROP * usual) & ((before * after > 0) | (low == 0))
+    return lows[fallen], beside[fallen].min(initial=np.inf)

@@ -18,7 +18,8 @@ from .file_hash import sha256_of
 from .findings import BadInput
 
 MANIFEST = "manifest.json"
-NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP)  # Lustre without -o flock, NFS without lockd
+# flock's errors on a file system without locks (Lustre without -o flock, NFS without lockd; common/file_lock.cpp).
+NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP, errno.EINVAL)
 WAIT_S = 0.5  # between looks at an entry that another process makes
 
 

@@ -12,20 +12,46 @@ NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 RIGHT = "save it as plain text in UTF-8"
 SHEETS = (b"xl/workbook", b"xl/worksheets", b"application/vnd.oasis.opendocument.spreadsheet")  # in a ZIP
 
+# What begins as no text, what it is, and what would be right. The program's own reader knows the same
+# (common/csv_table.cpp); tests/common/tables.jsonl holds both to it.
+HDF5 = b"\x89HDF\r\n\x1a\n"  # or after a block of its writer's own
+HDF5_IS = "is HDF5", "save its channels as CSV"
+NO_TEXTS = (
+    (HDF5, *HDF5_IS),
+    (b"MATLAB 7.3 MAT-file", *HDF5_IS),
+    (b"MATLAB 5.0 MAT-file", "is a MAT file of MATLAB", "save its channels as CSV"),
+    (b"CDF\x01", "is NetCDF", "save its channels as CSV"),
+    (b"CDF\x02", "is NetCDF", "save its channels as CSV"),
+    (b"CDF\x05", "is NetCDF", "save its channels as CSV"),
+    (b"MDF     ", "is MDF, of a measurement system", "save its channels as CSV"),
+    (b"TDSm", "is TDMS, of a measurement system", "save its channels as CSV"),
+    (b"PAR1\x15", "is Parquet", "save its table as CSV"),
+    (b"SQLite format 3", "is a database of SQLite", "save its table as CSV"),
+    (b"\xd0\xcf\x11\xe0", "is a spreadsheet (.xls), or another document of an office program", "save its sheet as CSV"),
+    (b"{\\rtf", "is RTF, of a word processor", "save it as plain text in UTF-8"),
+    (b"%PDF", "is a PDF", "a table as CSV"),
+    (b"\x1f\x8b", "is compressed by gzip", "unpack it with gunzip"),
+    (b"BZh91AY&SY", "is compressed by bzip2", "unpack it with bunzip2"),
+    (b"\xfd7zXZ", "is compressed by xz", "unpack it with unxz"),
+    (b"\x28\xb5\x2f\xfd", "is compressed by Zstandard", "unpack it with unzstd"),
+    (b"7z\xbc\xaf\x27\x1c", "is an archive of 7-Zip", "unpack it"),
+)
+
 
 def no_text(data):
-    """(what it is, what would be right) of a file that is no text, by how it begins; None of any other. The program's
-    own reader knows the same (common/csv_table.cpp)."""
+    """(what it is, what would be right) of a file that is no text, by how it begins; None of any other."""
+    for begin, *other in NO_TEXTS:
+        if data.startswith(begin):
+            return tuple(other)
+    at = 512
+    while at < len(data):
+        if data.startswith(HDF5, at):
+            return HDF5_IS
+        at *= 2
     if data.startswith(b"PK\x03\x04"):
         if any(part in data for part in SHEETS):
             return "is a spreadsheet", "save its sheet as CSV"
         return "is a ZIP", "unpack it"
-    if data.startswith(b"\xd0\xcf\x11\xe0"):
-        return "is a spreadsheet (.xls), or another document of an office program", "save its sheet as CSV"
-    if data.startswith(b"\x1f\x8b"):
-        return "is compressed by gzip", "unpack it with gunzip"
-    if data.startswith(b"%PDF"):
-        return "is a PDF", "a table as CSV"
     if data.removeprefix(BOM)[:64].lstrip().lower().startswith((b"<html", b"<!doctype", b"<table", b"<?xml", b"<meta")):
         return "is HTML or XML, which some programs save as .xls", "save its table as CSV"
     return None

@@ -1,8 +1,9 @@
 """Point clouds in files: x y z as text, PLY and LAS, in parts, so that memory does not grow with their number."""
+import re
 from dataclasses import dataclass
 from typing import Callable
 
-from dipper_run.text_file import no_text
+from dipper_run.text_file import BOM, no_text
 
 from .las import open_las
 from .ply import open_ply
@@ -14,7 +15,13 @@ NOT_READ = (  # begins with, what it is, what to do
     (b"\xff\xfe", "UTF-16", "save it as plain text in UTF-8"),
     (b"\xfe\xff", "UTF-16", "save it as plain text in UTF-8"),
     (b"solid ", "an STL", "it is a mesh already: crop it and name it in pile.profile (docs/rock.md)"),
+    (b"II*\0", "a TIFF", "export the heights as x y z text or LAS"),
+    (b"MM\0*", "a TIFF", "export the heights as x y z text or LAS"),
+    (b"ncols", "a grid of heights", "export it as x y z text or LAS"),
+    (b"OFF", "an OFF", "export its vertices as x y z text or PLY"),
 )
+OBJ = re.compile(rb"(?:[ \t]*(?:#[^\n]*)?\r?\n)*(?:v|vn|vt|o|g|mtllib|usemtl)[ \t]")
+DXF = re.compile(rb"\s*(?:999\s*\n[^\n]*\n\s*)?0\s*\n\s*SECTION\b")
 
 
 @dataclass(frozen=True)
@@ -38,6 +45,10 @@ def open_cloud(path, found):
     for begins, what, right in NOT_READ:
         if head.startswith(begins):
             found.add(path, 0, "file", f"is {what}", right)
+            return None
+    for begins, what in ((OBJ, "an OBJ"), (DXF, "a DXF")):
+        if begins.match(head.removeprefix(BOM)):
+            found.add(path, 0, "file", f"is {what}", "export its vertices as x y z text or PLY, with all their digits")
             return None
     other = no_text(head)
     if other:

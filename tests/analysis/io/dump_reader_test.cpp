@@ -64,6 +64,13 @@ TEST(TextDump, LammpsHasTimesUnwrappedAndScaledPositions) {
               ElementsAre(ElementsAre(99), ElementsAre(5), ElementsAre(0)));
 }
 
+TEST(TextDump, ARadiusIsHalfADiameter) {
+  const Scratch scratch;
+  const DumpReader reader(
+      {scratch.write("dump.lammpstrj", text_frame(5, 2, "x diameter", "1 0.25\n2 0.5\n"))});
+  EXPECT_THAT(all(reader.frames()[0], {"radius"}), ElementsAre(ElementsAre(0.125, 0.25)));
+}
+
 TEST(TextDump, AFrameIsReadFromItsFileOnce) {
   const Scratch scratch;
   const fs::path file =

@@ -75,7 +75,7 @@ channels:
 def test_tables_of_the_field_are_read_as_the_program_reads_them(tmp_path, table):
     """tests/common/csv_table_test.cpp reads the same tables."""
     (tmp_path / "map.yaml").write_text(TABLE_MAP)
-    (tmp_path / "log.csv").write_bytes(table["text"].encode())
+    (tmp_path / "log.csv").write_bytes(table["text"].encode() if "text" in table else bytes.fromhex(table["hex"]))
     found = Findings()
     log = read_log(tmp_path / "log.csv", read_map(tmp_path / "map.yaml"), found, [])
     if "rows" not in table:

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from dipper_import.build import _warn_of_tare, _masses
-from dipper_import.warn import _warn_of_empty, _warn_of_size, _warn_of_zeros, warn_of_masses
+from dipper_import.warn import _warn_of_empty, _warn_of_falls, _warn_of_size, warn_of_masses
 from dipper_run.findings import Findings
 
 SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5)
@@ -63,11 +63,27 @@ def test_a_force_that_falls_to_nothing_and_back(name, gone, told):
     force = 900 + 300 * np.sin(TIME)
     force[list(gone)] = 0
     notes = []
-    _warn_of_zeros(name, SimpleNamespace(lines=2 + np.arange(300), values={name: force}), notes)
+    _warn_of_falls(name, SimpleNamespace(lines=2 + np.arange(300), values={name: force}), notes)
     assert [told in n for n in notes] == ([True] if told else []), notes
     through = np.round(np.linspace(-1000, 1000, 300) / 100) * 100  # steps of an instrument
-    _warn_of_zeros(name, SimpleNamespace(lines=2 + np.arange(300), values={name: through}), empty := [])
+    _warn_of_falls(name, SimpleNamespace(lines=2 + np.arange(300), values={name: through}), empty := [])
     assert not empty
+
+
+@pytest.mark.parametrize("low", [-1, 0.1])
+def test_a_force_that_falls_to_another_small_number_and_back(low):
+    force = 900 + 300 * np.sin(TIME)
+    force[[9, 80, 81, 200]] = low
+    _warn_of_falls("hoist_force", SimpleNamespace(lines=2 + np.arange(300), values={"hoist_force": force}), notes := [])
+    assert len(notes) == 1 and f"4 readings (lines 11, 82, 83, 202) of {low:g} kN between others of" in notes[0]
+    assert "list the number under file.missing" in notes[0]
+
+
+def test_a_force_that_changes_its_sign_at_once_falls_to_nothing():
+    force = np.where(np.arange(300) // 10 % 2, 800.0, -800.0) + TIME
+    force[::10] = 5.0
+    _warn_of_falls("crowd_force", SimpleNamespace(lines=2 + np.arange(300), values={"crowd_force": force}), notes := [])
+    assert not notes
 
 
 @pytest.mark.parametrize("scale, warns", [(1, False), (1e-3, True), (0, False)])

@@ -1,9 +1,11 @@
-"""Where an entry of the cache is, by what decides it."""
+"""Where an entry of the cache is, by what decides it; who may make it."""
+import errno
+import fcntl
 from pathlib import Path
 
 import pytest
 from dipper_run.findings import BadInput
-from dipper_run.run_cache import cache_folder, entry_of
+from dipper_run.run_cache import cache_folder, entry_of, locked
 
 FACTS = {"case_hash": "c", "source_hash": "s", "cost": {}}
 
@@ -27,3 +29,26 @@ def test_the_cache_is_where_the_program_has_its_own(monkeypatch, tmp_path):
     monkeypatch.delenv("HOME")
     with pytest.raises(BadInput, match="set XDG_CACHE_HOME to a folder"):
         cache_folder("gap")
+
+
+@pytest.mark.parametrize("error", [errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP, errno.EINVAL])
+def test_one_at_a_time_where_the_file_system_has_no_locks(monkeypatch, tmp_path, error):
+    def refuse(*_):
+        raise OSError(error, "flock")
+    monkeypatch.setattr(fcntl, "flock", refuse)
+    held = tmp_path / "entry.lock.held"
+    with locked(tmp_path / "entry", lambda: False):
+        assert held.exists()
+        looks = iter([False, True])
+        with locked(tmp_path / "entry", lambda: next(looks)):  # ends only because it is stopped
+            pass
+        assert held.exists(), "the one that had to wait takes nothing away"
+    assert not held.exists()
+
+
+def test_any_other_error_of_a_lock_is_raised(monkeypatch, tmp_path):
+    def fail(*_):
+        raise OSError(errno.EIO, "flock")
+    monkeypatch.setattr(fcntl, "flock", fail)
+    with pytest.raises(OSError, match="flock"), locked(tmp_path / "entry", lambda: False):
+        pass

@@ -95,6 +95,8 @@ TEST(Sieve, AnotherUnitIsToldOnceWithTheRange) {
   const std::string mm = errors_of("63,2\n125,6\n1000,100\n"),
                     shares = errors_of("0.063,0.02\n0.5,0.52\n1,1.0\n"),
                     retained = errors_of("0.063,98\n0.125,94\n1,0\n");
+  EXPECT_NE(errors_of("4,4\n16,35\n48,100\n").find("up to 10 m: in mm, cm or inches, perhaps?"),
+            std::string::npos);
   EXPECT_NE(mm.find("sieve.csv: size_m goes from 63 to 1000 m; up to 10 m: in mm, perhaps?"),
             std::string::npos)
       << mm;
@@ -107,6 +109,39 @@ TEST(Sieve, AnotherUnitIsToldOnceWithTheRange) {
   for (const std::string& all : {mm, shares, retained})
     EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 0) << all;
   EXPECT_EQ(read_sieve(curve_file("0.1 m,2 %\n0.2,\"50.0\"\n0.8,100%\n")).passing_percent(0.2), 50);
+}
+
+TEST(Sieve, SharesOf1ThatPerCentFollowAreRefused) {
+  for (const char* rows : {"0.1,0.1\n0.4,0.6\n1,100\n", "0.063,0.02\n0.25,0.31\n1,0.8\n1.6,100\n",
+                           "1,100\n0.8,100\n0.4,0.35\n0.1,0\n0.2,0.12\n",
+                           "0.1,0.04\n0.2,0.2\n0.4,55\n0.8,100\n", "0.1,0.5\n0.4,1\n0.8,100\n"})
+    EXPECT_NE(errors_of(rows).find("shares of 1 and per cent in one curve, perhaps?"),
+              std::string::npos)
+        << rows;
+  EXPECT_NE(
+      errors_of("0.1,0.1\n0.4,0.6\n1,100\n")
+          .find("sieve.csv:5: passing_percent jumps from 0.6 at 0.4 m, line 4, to 100 at 1 m"),
+      std::string::npos);
+}
+
+TEST(Sieve, AFineEndInPerCentIsRead) {
+  // Rosin-Rammler, 63.2 % at 0.5 m, n = 1.5, and the same with few sieves.
+  for (const char* rows : {"0.01,0.28\n0.02,0.8\n0.05,3.1\n0.1,8.6\n0.5,63.2\n1,94.1\n2,100\n",
+                           "0.005,0.1\n0.02,0.8\n1,94.1\n", "0.1,0.1\n0.2,0.6\n0.4,40\n1,100\n",
+                           "0.1,0.5\n1,100\n", "0.1,0\n0.2,0.5\n0.8,100\n"})
+    EXPECT_NO_THROW(read_sieve(curve_file(rows))) << rows;
+  EXPECT_FALSE(find_share_jump(read_sieve(curve_file("0.1,0.1\n0.2,0.6\n0.4,40\n")).points()));
+  const auto jump = find_share_jump(read_sieve(curve_file("0.1,0.5\n1,100\n")).points());
+  ASSERT_TRUE(jump);
+  EXPECT_FALSE(jump->certain);
+  EXPECT_EQ(jump->to.line, 4);
+}
+
+TEST(Sieve, OnlyAFallThroughoutMayBeOfSharesRetained) {
+  const std::string errors = errors_of("0.1,2\n0.2,6\n0.4,52\n1,1\n");
+  EXPECT_EQ(errors.find("retained"), std::string::npos) << errors;
+  EXPECT_NE(errors.find("sieve.csv:6: passing_percent 1 at 1 m is below the 52"),
+            std::string::npos);
 }
 
 TEST(Sieve, EveryFaultWithItsLine) {

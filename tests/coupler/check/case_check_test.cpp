@@ -386,6 +386,18 @@ TEST(CheckCase, AMeshElsewhereIsToldAndNothingElseOfIt) {
   }
 }
 
+TEST(CheckCase, ADipperInFeetIsToldInPlaceOfWhereItLeavesTheDomain) {
+  const Checkout checkout;
+  mesh::TriangleMesh dipper = mesh::read_stl(checkout.root / "meshes/dipper.stl");
+  const auto file = std::filesystem::path(testing::TempDir()) / "dipper_feet.stl";
+  write_text(file.parent_path() / "dipper_feet.yaml",
+             test::read_text(checkout.root / "meshes/dipper.yaml"));
+  for (auto& v : dipper.vertices) v /= 0.3048;
+  write_text(file, mesh::to_stl("dipper", dipper));
+  expect_findings(check(checkout, {{"bodies.dipper", file.string()}}),
+                  {{"--set", 0, "bodies.dipper", "in ft, perhaps? 15.11 ft are 4.605 m"}});
+}
+
 TEST(CheckCase, AFacetTooThinForLiggghtsIsTold) {
   Checkout checkout;
   mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
@@ -504,6 +516,35 @@ TEST(CheckCase, ProfileThatLeavesTheDomain) {
       {{"--set", 0, "domain.max_m", "the rock for this pile is poured up to z = 55 m"}});
 }
 
+TEST(CheckCase, ProfileInAnotherUnitOrPlace) {
+  Checkout checkout;
+  use_profile(checkout, "13300,0\n16000,6500\n20000,6000\n");
+  const fs::path scan = checkout.folder() / "scan.csv";
+  expect_findings(check(checkout),
+                  {{scan, 0, "pile.profile", "is 6700 m long, and the whole domain 56 m: in mm"}});
+  for (const char* rows :
+       {"512345,182.4\n512350,187\n512355,188\n", "13,182.4\n18,187\n20,188\n"}) {
+    write_text(scan, std::string("x_m,z_m\n") + rows);
+    expect_findings(check(checkout),
+                    {{scan, 0, "pile.profile", "in the mine's coordinates, perhaps? It belongs"}});
+  }
+}
+
+TEST(CheckCase, ProfileThatIsAnotherMesh) {
+  Checkout checkout;
+  use_profile(checkout, "");
+  const fs::path scan = checkout.folder() / "scan.csv";
+  for (const auto& [text, format] :
+       {std::pair{"# of the drone\nmtllib a.mtl\nv 13 0 0\n", "OBJ"},
+        std::pair{"ply\nformat ascii 1.0\nelement vertex 3\n", "PLY"}}) {
+    write_text(scan, text);
+    expect_findings(
+        load_findings(checkout),
+        {{checkout.file(), checkout.line("profile:"), "pile.profile",
+          fmt::format("{}: begins as {}; an STL file, or a CSV x_m,z_m", scan.string(), format)}});
+  }
+}
+
 TEST(CheckCase, ProfileBesideWhatItReplaces) {
   Checkout checkout;
   const int toe = checkout.replace("toe_x_m", "toe_x_m: 13\nprofile: scan.csv");
@@ -597,6 +638,23 @@ TEST(CheckCase, SurfaceThatDoesNotFitTheBench) {
                                })));
   expect_findings(check(checkout), {{checkout.file(), checkout.line("max_m"), "domain.max_m",
                                      "the rock for this pile is poured up to z = 26.4 m"}});
+}
+
+TEST(CheckCase, SurfaceInAnotherUnitOrPlace) {
+  Checkout checkout;
+  use_surface(checkout, scan(6));
+  const fs::path stl = checkout.folder() / "scan.STL";
+  mesh::TriangleMesh mesh = scan(6);
+  for (Eigen::Vector3d& v : mesh.vertices) v *= 1000;
+  write_text(stl, mesh::to_stl("scan", mesh));
+  expect_findings(check(checkout), {{stl, 0, "pile.profile",
+                                     "m long, and the whole domain 56 m: in "
+                                     "mm, perhaps?"}});
+  mesh = scan(6);
+  for (Eigen::Vector3d& v : mesh.vertices) v += Eigen::Vector3d(512.37, 744.31, 182);
+  write_text(stl, mesh::to_stl("scan", mesh));
+  expect_findings(check(checkout),
+                  {{stl, 0, "pile.profile", "in the mine's coordinates, perhaps?"}});
 }
 
 TEST(CheckCase, SurfaceBesideWhatItReplaces) {

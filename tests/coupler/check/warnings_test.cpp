@@ -97,24 +97,34 @@ std::vector<std::string> with_text(const std::string& file, const std::string& f
   return warnings_of(checkout);
 }
 
-TEST(Warnings, ASieveCurveThatEndsBelowAll) {
+/// Warnings of `quick` with a sieve curve in place of its classes.
+std::vector<std::string> with_sieve(const std::string& rows) {
   const Checkout checkout;
   const std::string text = test::read_text(checkout.file());
   test::write_text(checkout.file(), text.substr(0, text.find("  classes:")) +
                                         "  sieve: {file: sieve.csv, classes: 3}\n" +
                                         text.substr(text.find("contact:")));
-  for (const char* last : {"60", "97"}) {
-    test::write_text(checkout.folder() / "sieve.csv",
-                     std::string("size_m,passing_percent\n0.15,0\n0.25,40\n0.6,") + last + "\n");
-    std::vector<Finding> findings;
-    const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
-    test::expect_findings(findings, {});
-    const auto ends = HasSubstr("rock.sieve.file: the curve ends at 60 %, at 0.6 m: the 40 % of");
-    if (last == std::string("60"))
-      EXPECT_THAT(told(c), testing::Contains(ends));
-    else
-      EXPECT_THAT(told(c), testing::Not(testing::Contains(HasSubstr("the curve ends"))));
-  }
+  test::write_text(checkout.folder() / "sieve.csv", "size_m,passing_percent\n" + rows);
+  std::vector<Finding> findings;
+  const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+  test::expect_findings(findings, {});
+  return told(c);
+}
+
+TEST(Warnings, ASieveCurveThatEndsBelowAll) {
+  EXPECT_THAT(with_sieve("0.15,0\n0.25,40\n0.6,60\n"),
+              testing::Contains(
+                  HasSubstr("rock.sieve.file: the curve ends at 60 %, at 0.6 m: the 40 % of")));
+  EXPECT_THAT(with_sieve("0.15,0\n0.25,40\n0.6,97\n"),
+              testing::Not(testing::Contains(HasSubstr("the curve ends"))));
+}
+
+TEST(Warnings, ASieveCurveWithOneShareThatMayBeOf1) {
+  EXPECT_THAT(with_sieve("0.15,0\n0.25,0.4\n0.6,100\n"),
+              testing::Contains(HasSubstr(
+                  "jumps from 0.4 at 0.25 m, line 3, to 100 at 0.6 m: is the 0.4 a share of 1?")));
+  EXPECT_THAT(with_sieve("0.15,0\n0.25,0.4\n0.4,30\n0.6,100\n"),
+              testing::Not(testing::Contains(HasSubstr("a share of 1?"))));
 }
 
 TEST(Warnings, MassesThatNoBodyHas) {
@@ -170,6 +180,8 @@ TEST(Warnings, HeelThatClosesOnTheGround) {
 TEST(Warnings, MeshesThatLookWrong) {
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(1000 * v); }),
               testing::Contains(HasSubstr("in mm? scale it by 0.001")));
+  EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v / 0.3048); }),
+              testing::Contains(HasSubstr("is it in ft? scale it by 0.305")));
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x(), -v.z(), v.y()); }),
               testing::Contains(HasSubstr("is its y up?")));
   EXPECT_THAT(with_dipper([](const Vector3d& v) { return Vector3d(v.x() + 1, v.y(), v.z()); }),

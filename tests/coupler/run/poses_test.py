@@ -88,9 +88,46 @@ class Poses(RunTest):
                  r"poses.csv:6:1: machine.poses: time_s is 1.2, not after"),
                 (dict(table=TABLE + "9,scoop,99,0,0,1,0,0,0\n"), r"domain.max_m: the scoop leaves the domain")):
             self.assertRegex(self.dipper("check", self.case(**change), status=2), said)
+        rows = [line.split(",") for line in TABLE.splitlines()[1:]]
+        in_mm = "".join(",".join(r[:2] + [f"{1000 * float(v):g}" for v in r[2:5]] + r[5:]) + "\n" for r in rows)
+        early = "".join(",".join([str(float(r[0]) - 3), *r[1:]]) + "\n" for r in rows)
+        header = TABLE.splitlines()[0] + "\n"
+        self.assertRegex(self.dipper("check", self.case(header + in_mm), status=2),
+                         r"poses.csv: machine.poses: x_m,y_m,z_m go far beyond the domain: in mm, perhaps\?")
+        self.assertRegex(self.dipper("check", self.case(header + early), status=2),
+                         r"poses.csv: machine.poses: has no row after 0 s, where the run begins")
         self.assertIn("a case of poses has none", self.dipper("preview", self.case(), status=2))
         shovel = self.dipper("check", TINY, "--set", f"bodies.blade={SOURCE}/meshes/bucket.stl", status=2)
         self.assertIn("machine.kind: poses", shovel)
+
+    def test_what_is_doubtful_is_warned_of(self):
+        self.assertNotIn("warning:", self.dipper("check", self.case()))
+        header, *rows = TABLE.splitlines()
+        rows = [r.split(",") for r in rows]
+
+        def table(change):
+            return "\n".join([header, *(",".join(change(r)) for r in rows)]) + "\n"
+
+        for changed, said in (
+                (table(lambda r: r[:5] + r[6:] + r[5:6]),
+                 r"poses.csv: machine.poses: qz is the largest of .* scalar last"),
+                (table(lambda r: [f"{1e5 / 60 * float(r[0]):g}", *r[1:]]),
+                 r"time_s has a row every \d+ s: in ms, perhaps"),
+                (table(lambda r: [str(float(r[0]) + 4), *r[1:]]),
+                 r"the first row is at 4 s; .* nothing moves until then"),
+                (table(lambda r: [str(float(r[0]) - 0.5), *r[1:]]), r"the first row is at -0.5 s; .* is left out"),
+                (TABLE.replace("0.9,scoop", "0.01,scoop"),
+                 r"poses.csv:4: machine.poses: scoop moves 1.4 m in 0.01 s, 140 m/s: a wrong row"),
+                (TABLE.replace("0.98480775,0,-0.17364818", "0.0871557,0,-0.9961947"),
+                 r"poses.csv:5: machine.poses: scoop turns by 170 degrees from one row to the next")):
+            with self.subTest(said):
+                self.assertRegex(self.dipper("check", self.case(changed)), f"warning: .*{said}")
+        case = self.case()
+        text = (case / "case.yaml").read_text()
+        (case / "sieve.csv").write_text("size_m,passing_percent\n0.2,0\n0.3,45\n0.5,80\n")
+        (case / "case.yaml").write_text(re.sub(r"(?m)^  classes:.*\n(    .*\n)+",
+                                               "  sieve: {file: sieve.csv, classes: 2}\n", text))
+        self.assertIn("warning:", self.dipper("check", case), "the rock's warnings are not those of a shovel alone")
 
 
 if __name__ == "__main__":

@@ -14,11 +14,12 @@ from pathlib import Path
 import numpy as np
 
 from dipper_run.csv_text import (SEPARATOR, cells_of, decimal_number, find_decimal, find_delimiter, lines_of,
-                                 read_stamp, stamp_seconds)
+                                 parted_by, read_stamp, stamp_seconds)
 from dipper_run.findings import Findings
 from dipper_run.section import Section
 from dipper_run.text_file import read_text, read_yaml
 
+from .doubts import doubtful_masses
 from .face import LEAST_POINTS
 
 DRIVEN = "driven"
@@ -54,6 +55,7 @@ PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
 TRUCK = "truck"
 TIMES = ("time_s", "t_start_s", "t_end_s")
 LONGEST_SHOWN = 40  # characters of a cell that is no number
+FARTHEST_M = {"x_m": 200.0, "z_m": 100.0}  # of a face from the swing axis at ground level: beyond any shovel's
 LEAST_SAMPLES = 10  # a pass with fewer readings cannot be cut into phases
 
 
@@ -106,9 +108,10 @@ class Measured:
         return replace(self, passes=passes, time_s=self.time_s[span], signals=signals)
 
     def questions(self):
-        """What is legal in channels.yaml and hardly ever meant, a line each."""
-        return tuple(f"{c.name}: sigma is 0: no instrument reads without an error of its own, and what it errs will be "
-                     "taken for a gap" for c in self.channels.values() if c.role == RESPONSE and c.sigma == 0)
+        """What is legal in channels.yaml and passes.csv and hardly ever meant, a line each."""
+        return (*(f"{c.name}: sigma is 0: no instrument reads without an error of its own, and what it errs will be "
+                  "taken for a gap" for c in self.channels.values() if c.role == RESPONSE and c.sigma == 0),
+                *(doubtful_masses(self.passes) if MASS in self.channels else ()))
 
     def responses(self):
         """Names of the signals that answer to the rock, in a fixed order."""
@@ -223,7 +226,11 @@ def read_table(file, need, found, allowed=None):
               for line, row in rows if len(row) != len(header)]
     lines = [line for line, _ in rows]
     rows = [(row + [""] * len(header))[:len(header)] for _, row in rows]
-    decimal, _ = find_decimal(cell for row in rows for cell in row)
+    decimal, doubtful = find_decimal(cell for row in rows for cell in row)
+    if doubtful and decimal == ",":
+        line, name = next((i, n) for i, row in zip(lines, rows) for n, cell in zip(header, row) if cell == doubtful)
+        faults.append((line, name, f"is '{doubtful}', and every comma in the file has three digits after it: it may "
+                       "part thousands", "write decimals with a point, and nothing between thousands"))
     values = {}
     for name, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
         read = _stamps if name in TIMES and cells and read_stamp(cells[0]) else _numbers
@@ -245,7 +252,8 @@ def _numbers(name, cells, lines, decimal, faults):
     for line, text in zip(lines, cells):
         value = decimal_number(text, decimal)
         if value is None:
-            faults.append((line, name, f"is '{text[:LONGEST_SHOWN]}'", right))
+            faults.append((line, name, f"is '{text[:LONGEST_SHOWN]}'",
+                           right + (", without marks of thousands" if parted_by(text, decimal) else "")))
             value = math.nan
         elif name in KNOWN and abs(value) > KNOWN[name].largest:
             faults.append((line, name, f"is {value:g}", f"in {KNOWN[name].unit} ({KNOWN[name].hint})"))
@@ -329,6 +337,11 @@ def _signals(file, channels, passes, found):
     back = np.flatnonzero(np.diff(time) <= 0)  # no time at all has been reported
     found.add_rows(file, [(lines[k + 1], "time_s", f"is {time[k + 1]:g} after {time[k]:g}", "later times only")
                           for k in back])
+    if passes and np.isfinite(time).all() and not any(_readings(time, p) for p in passes[1:] or passes):
+        found.add(file, 0, "time_s", f"goes from {min(time):.10g} to {max(time):.10g} s, and passes.csv from "
+                  f"{passes[0].t_start_s:.10g} to {passes[-1].t_end_s:.10g} s",
+                  "seconds, or time stamps, of one clock in both files")
+        passes = []
     for p in passes:
         inside = _readings(time, p)
         if inside < LEAST_SAMPLES:
@@ -350,6 +363,10 @@ def read_profiles(file, found):
     table, lines = read_table(file, ("pass", "x_m", "z_m"), found)
     if not lines or any(name not in table for name in ("pass", "x_m", "z_m")):
         return out, left
+    found.add_rows(file, [(line, name, f"is {value:g}", f"within {most:g} m of the swing axis at ground level: in the "
+                           "mine's coordinates, or in mm, perhaps?")
+                          for name, most in FARTHEST_M.items() for line, value in zip(lines, table[name])
+                          if abs(value) > most])
     trucks, after = table.get(TRUCK, np.ones(len(lines))), table.get("after", np.zeros(len(lines)))
     for line, is_after in zip(lines, after):
         if is_after not in (0, 1) and np.isfinite(is_after):

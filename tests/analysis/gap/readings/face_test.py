@@ -66,6 +66,15 @@ def test_what_a_pass_left_may_be_told_in_its_own_plane(folder):
         read_measured(folder)
 
 
+@pytest.mark.parametrize("scale, east, elevation, column", [
+    (1, 512345, 0, "x_m"), (1, 0, 182.4, "z_m"), (1000, 0, 0, "x_m")])
+def test_a_face_elsewhere_is_refused(folder, scale, east, elevation, column):
+    write_faces(folder, {p: (scale * x + east, scale * z + elevation) for p, (x, z) in
+                         ((p, ramp(toe=9.0 + p)) for p in (1, 2, 3))})
+    with pytest.raises(BadInput, match=rf"profile.csv:2: {column}: is .* in the mine's coordinates, or in mm, perhaps"):
+        read_measured(folder)
+
+
 def test_a_declared_face_needs_surveys(folder):
     with (folder / "channels.yaml").open("a") as f:
         f.write("face_m: {unit: m, role: response, sigma: 0.06, common_sigma: 0.04}\n")

@@ -207,6 +207,37 @@ def test_semicolons_decimal_commas_blanks_byte_order_mark_and_carriage_returns(f
     assert all(np.array_equal(again.signals[n], first.signals[n]) for n in first.signals)
 
 
+def test_commas_that_may_part_thousands_are_refused(folder):
+    """As in the tables of a case: 943,981 kN is 944 kN or 943,981 kN."""
+    header, *rows = [line.split(",") for line in (folder / "signals.csv").read_text().splitlines()]
+    rows = [";".join([r[0].split(".")[0], "3", "1", "1", "943,981", "12,500"]) for r in rows]
+    (folder / "signals.csv").write_text("\n".join([";".join(header), *rows]))
+    assert findings(folder) == [f"{folder}/signals.csv:2: {header[4]}: is '943,981', and every comma in the file has "
+                                "three digits after it: it may part thousands; write decimals with a point, and "
+                                "nothing between thousands"]
+    change(folder / "signals.csv", "12,500", "12,5")
+    assert read_measured(folder).signals[header[4]][0] == 943.981
+
+
+def test_marks_of_thousands_are_named(folder):
+    header, *rows = [line.split(",") for line in (folder / "passes.csv").read_text().splitlines()]
+    rows = [",".join([*r[:3], '"80,760"', r[4]]) for r in rows]
+    (folder / "passes.csv").write_text("\n".join([",".join(header), *rows]))
+    assert all("truck_mass_t: is '80,760'; a finite number, without marks of thousands" in f for f in findings(folder))
+
+
+@pytest.mark.parametrize("change_of, goes", [
+    (lambda t: f"{1000 * float(t):g}", "from 0 to 144000 s"), (lambda t: f"{float(t) + 1000:g}", "from 1000 to 1144 s"),
+    (lambda t: datetime.fromtimestamp(1773468000 + float(t), timezone.utc).isoformat(),
+     "from 1773468000 to 1773468144 s")])
+def test_passes_of_another_clock_or_unit_are_one_fault(folder, change_of, goes):
+    header, *rows = [line.split(",") for line in (folder / "passes.csv").read_text().splitlines()]
+    (folder / "passes.csv").write_text("\n".join([",".join(header), *(
+        ",".join([r[0], change_of(r[1]), change_of(r[2]), *r[3:]]) for r in rows)]))
+    told = findings(folder)
+    assert len(told) == 1 and f"and passes.csv {goes}; seconds, or time stamps, of one clock in both files" in told[0]
+
+
 def test_iso_time_stamps(folder):
     first = read_measured(folder)
 

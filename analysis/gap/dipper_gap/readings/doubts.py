@@ -1,0 +1,33 @@
+"""What is legal in passes.csv and hardly ever meant."""
+from statistics import median
+
+LEAST_LARGEST_T = 2.0  # a shovel's best pass brings more
+FAR_ABOVE = 3.0        # times the median of all passes
+LIKE_A_TOTAL = 0.5     # of the first pass's mass: each pass of a total is that much above the last
+
+
+def doubtful_masses(passes):
+    """Questions about the masses of passes, a line each."""
+    masses = [p.truck_mass_t for p in passes]
+    usual = median(masses) if masses else 0.0
+    out = []
+    if 0 < max(masses, default=0) < LEAST_LARGEST_T:
+        out.append(f"truck_mass_t is {max(masses):g} at most: is it in t?")
+    if _rise_as_totals(passes):
+        out.append(f"truck_mass_t rises with every pass of every truck, to {max(masses):g}, as the total on a scale "
+                   "does: write what each pass brought")
+    else:
+        out += [f"pass {p.number} of truck {p.truck} brought {p.truck_mass_t:g} t, and the median is {usual:g}: is "
+                "that a reading?" for p in passes if usual > 0 and p.truck_mass_t > FAR_ABOVE * usual]
+    out += [f"pass {p.number} of truck {p.truck} brought nothing: is that a reading?" for p in passes
+            if p.truck_mass_t == 0]
+    return out
+
+
+def _rise_as_totals(passes):
+    """Whether each truck has several passes, each far above the last."""
+    trucks = {}
+    for p in passes:
+        trucks.setdefault(p.truck, []).append(p.truck_mass_t)
+    return all(len(m) > 1 and all(b > a + LIKE_A_TOTAL * m[0] for a, b in zip(m, m[1:])) for m in trucks.values()) \
+        and bool(trucks)
