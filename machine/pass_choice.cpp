@@ -241,19 +241,20 @@ std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
   }
   if (decision.chosen < 0)
     return fmt::format(
-        "no dig pays: of {} digs {} are feasible, and the best is expected to load {:.0f} t; the "
+        "no dig pays: {} of {} digs are feasible, and the best is expected to load {:.0f} t; the "
         "least is {:.0f} t{}",
-        decision.candidates.size(), diggable, most_kg * 1e-3, least_kg * 1e-3, refused);
+        diggable, decision.candidates.size(), most_kg * 1e-3, least_kg * 1e-3, refused);
   const DigCandidate& c = decision.candidates[static_cast<std::size_t>(decision.chosen)];
   const bool time = goal == DigGoal::time;
   return fmt::format(
-      "of {} digs {} are feasible; most payload per {}, {:.4g} {}: heading {:.0f} deg, depth "
-      "{:.2f} m, floor rise {:.2f}, exit at {:.1f} m; expected: {:.0f} t, crowd at most {:.2f} MN, "
-      "hoist at most {:.2f} MN{}",
-      decision.candidates.size(), diggable, time ? "time" : "energy", c.score * (time ? 1 : 1e3),
+      "{} of {} digs are feasible; the one with most payload per {} ({:.4g} {}) is chosen: heading "
+      "{:.0f} deg, depth {:.2f} m, floor rise {:.2f}, exit at {:.1f} m; expected: {:.0f} t, crowd "
+      "at most {:.2f} MN, hoist at most {:.2f} MN{}",
+      diggable, decision.candidates.size(), time ? "time" : "energy", c.score * (time ? 1 : 1e3),
       time ? "kg/s" : "kg/kJ", degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m,
       c.payload_kg * 1e-3, c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6,
-      c.overload > 1 ? ", beyond a drive's limit: slower and with less load than planned" : "");
+      c.overload > 1 ? "; a drive is at its limit, so the dig is slower and loads less than planned"
+                     : "");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ std::string failure_message(Process& process, const std::filesystem::path& log,
   std::string line = named_cause(all, screen);
   const bool no_mpirun = line.find("cannot start mpirun") != std::string::npos;
   if (process.name() == "mpirun" && (line.empty() || no_mpirun)) {  // it may have started nothing
-    line = mpirun_doubt();
+    line = mpirun_fault();
     if (!line.empty() && !all.empty() && !no_mpirun) line += "; it says '" + all.front() + "'";
   }
   if (line.empty()) line = last_line(all);

@@ -90,7 +90,7 @@ std::vector<std::string> mpirun(int ranks, std::vector<std::string> program,
   return words;
 }
 
-std::string mpirun_doubt() {
+std::string mpirun_fault() {
   const std::string place = found_on_path("mpirun");
   if (place == "mpirun")
     return "no mpirun on PATH; install Open MPI (openmpi-bin), or put its folder into PATH";

@@ -22,6 +22,6 @@ std::vector<std::string> mpirun(int ranks, std::vector<std::string> program,
 
 /// Of the mpirun on the PATH, where it is none or not Open MPI's: a sentence with its place and the
 /// advice; "" where it is. Asks it for its version, and waits 5 s at most.
-std::string mpirun_doubt();
+std::string mpirun_fault();
 
 }  // namespace dipper::launch

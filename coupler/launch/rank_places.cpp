@@ -108,8 +108,8 @@ std::vector<RankPlace> ask_ranks(int ranks, const MpiPlaces& places, const std::
   const std::string said = read_all(log);
   const std::vector<RankPlace> found = read_places(said, ranks);
   if (process.succeeded() && !found.empty()) return found;
-  const std::string doubt = mpirun_doubt();
-  if (!doubt.empty()) refuse(doubt);
+  const std::string fault = mpirun_fault();
+  if (!fault.empty()) refuse(fault);
   const bool alone = said.rfind("rank\t0", 0) == 0;  // each process is rank 0 of a run of its own
   refuse(alone ? fmt::format("not {} ranks came up: {} is of another MPI than this program, which "
                              "takes Open MPI's; put that one's folder first in PATH",

@@ -109,17 +109,22 @@ void relax_bricks(const PilePrograms& programs, const fs::path& deck, const fs::
 }  // namespace
 
 Pile settled_pile(const cases::Case& c, const fs::path& deck, const fs::path& logs,
-                  const launch::MpiPlaces& places) {
-  const PilePrograms programs{c, logs, places};
+                  const launch::MpiPlaces& places, Reporter& reporter) {
+  const PilePrograms programs{c, logs, places, reporter};
   const fs::path entry = cache_folder() / "piles" / pile_hash(programs, deck);
   const auto began = std::chrono::steady_clock::now();
   const auto settle = [&](const fs::path& out) {
+    reporter.line("pile: not in the cache; it is settled first, and kept there");
     const PileLinks links(out, deck);
     if (c.pile.built == cases::PileBuilt::bricks) return relax_bricks(programs, deck, out);
     programs.settle(out, "settle", c.dem.ranks, kPileFile,
                     {"out", ".", "bench_cut", "./bench-cut"});
   };
-  const bool settled = make_once(entry, settle, heed_interrupts);
+  const auto wait = [&] {
+    heed_interrupts();
+    reporter.progress("pile: waits for another run that settles it");
+  };
+  const bool settled = make_once(entry, settle, wait);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   return {entry / kPileFile, !settled, settled ? took.count() : 0};
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/launch/mpirun.hpp"
 
@@ -18,8 +19,10 @@ struct Pile {
 /// binary) and stores it. The key is a hash of everything that the pile depends on. Several runs
 /// may do this at once, and any of them may be killed (cache_entry.hpp). \param deck  the folder
 /// that write_deck filled. \param logs  folder of LIGGGHTS's output. \param places  hosts of the
-/// ranks that settle it. Throws std::runtime_error with LIGGGHTS's own message.
+/// ranks that settle it. Says what it waits for, and how far LIGGGHTS is. Throws
+/// std::runtime_error with LIGGGHTS's own message.
 Pile settled_pile(const cases::Case& c, const std::filesystem::path& deck,
-                  const std::filesystem::path& logs, const launch::MpiPlaces& places);
+                  const std::filesystem::path& logs, const launch::MpiPlaces& places,
+                  Reporter& reporter);
 
 }  // namespace dipper::run

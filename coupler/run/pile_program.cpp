@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cstdint>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -20,14 +22,29 @@ namespace dipper::run {
 namespace fs = std::filesystem;
 namespace {
 
-/// For the message about a settling that hangs.
-std::string how_far(const fs::path& screen) {
+std::string last_line(const fs::path& screen) {
   std::ifstream in(screen);
   std::string last;
   for (std::string line; std::getline(in, line);)
     if (!line.empty()) last = line;
+  return last;
+}
+
+/// For the message about a settling that hangs.
+std::string how_far(const fs::path& screen) {
+  const std::string last = last_line(screen);
   return last.empty() ? screen.string() + " is empty"
                       : fmt::format("the last line of {} is '{}'", screen.string(), last);
+}
+
+/// LIGGGHTS prints rows of step, time, ... while it steps.
+std::string progress_line(const fs::path& screen, double wall_s) {
+  std::istringstream row(last_line(screen));
+  std::int64_t step = 0;
+  double time_s = 0;
+  return row >> step >> time_s
+             ? fmt::format("pile: settling, {:.2f} s simulated in {:.0f} s", time_s, wall_s)
+             : fmt::format("pile: settling, {:.0f} s", wall_s);
 }
 
 }  // namespace
@@ -81,6 +98,7 @@ void PilePrograms::run(const fs::path& folder, const std::string& name, int rank
     std::error_code none_yet;
     const auto written = fs::file_size(screen, none_yet);
     const std::chrono::duration<double> now = std::chrono::steady_clock::now() - began;
+    reporter.progress(progress_line(screen, now.count()));
     const std::string hung = watch.look(now.count(), process.active_s(), none_yet ? 0 : written);
     if (!hung.empty()) {
       process.end();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/launch/mpirun.hpp"
 
@@ -15,6 +16,7 @@ struct PilePrograms {
   const cases::Case& c;
   std::filesystem::path logs;  ///< folder of LIGGGHTS's output
   launch::MpiPlaces places;    ///< hosts of the ranks
+  Reporter& reporter;          ///< is shown how far LIGGGHTS is
 
   /// Identifies the LIGGGHTS that settled a pile, in cache keys: its version and the time loop,
   /// which fixes the order of summation.

@@ -37,9 +37,8 @@ void write_decks(const cases::Case& c, const sides::DipperLayers& layers, const 
 
 fs::path find_pile(const cases::Case& c, const result::RunFolder& folder,
                    const launch::MpiPlaces& places, Reporter& reporter) {
-  reporter.line("pile: from the cache, or settled first");
-  const Pile pile = settled_pile(c, folder.deck(), folder.logs(), places);
-  reporter.line(pile.cached ? "pile: cached"
+  const Pile pile = settled_pile(c, folder.deck(), folder.logs(), places, reporter);
+  reporter.line(pile.cached ? "pile: from the cache"
                             : fmt::format("pile: settled in {:.0f} s", pile.wall_s));
   return pile.restart;
 }

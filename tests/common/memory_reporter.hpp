@@ -1,4 +1,4 @@
-// A reporter that keeps what it is told.
+// A reporter that keeps what is reported.
 #pragma once
 
 #include <string>

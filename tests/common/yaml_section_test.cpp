@@ -44,7 +44,7 @@ TEST_F(YamlSections, NoteEachFaultWithItsLineAndKey) {
   box.number("far", "a number", {0, 4});
   box.text("name", "a name");
   YamlSection none = f.section("none", "a section");
-  none.number("x", "a number");  // told once: the section is missing
+  none.number("x", "a number");  // reported once: the section is missing
   f.section("list", "min and max");
   box.refuse_others();
   f.refuse_others();

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr int kColumns = 13;  // id, x, v, omega, f
 constexpr int kAll = 2500;    // steps: much of the rock lies on other rock
-constexpr int kFirst = 1500;  // the first rocks touch, none so many that the order of a sum tells
+constexpr int kFirst = 1500;  // the first rocks touch, none so many that the order of a sum matters
 
 /// Falls into a bin; LIGGGHTS's dump after so many steps, a row a sphere.
 std::vector<std::vector<double>> end_of(const std::string& program, int ranks,
@@ -81,7 +81,7 @@ TEST_P(Fast, MovesRockAsLiggghts) {
   EXPECT_LT(off_m_s, 1e-7);
 }
 
-TEST_P(Fast, HasLiggghtssBitsWhileNoOrderOfASumTells) {
+TEST_P(Fast, HasLiggghtssBitsWhileNoSumHasAnotherOrder) {
   const auto [rock, ranks] = GetParam();
   const auto plain = end_of(kPlain, ranks, rock, kFirst);
   ASSERT_GT(plain.size(), 100U);
@@ -90,7 +90,7 @@ TEST_P(Fast, HasLiggghtssBitsWhileNoOrderOfASumTells) {
   EXPECT_EQ(end_of(kFast, ranks, rock, kFirst), plain);
 }
 
-TEST_P(Fast, LeavesAllToLiggghtsWhenToldTo) {
+TEST_P(Fast, LeavesAllToLiggghtsWhenAsked) {
   const auto [rock, ranks] = GetParam();
   const auto plain = end_of(kPlain, ranks, rock, kAll);
   ASSERT_GT(plain.size(), 100U);

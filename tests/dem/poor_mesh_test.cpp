@@ -20,7 +20,7 @@ void add_fold(mesh::TriangleMesh& mesh, double y_m) {
   mesh.add_loose({at(-1, 4), at(1, 4), at(0.5, 6)});
 }
 
-TEST(PoorMesh, IsToldOnEveryRankThatHasSomeOfIt) {
+TEST(PoorMesh, IsReportedOnEveryRankThatHasSomeOfIt) {
   const test::Scene scene("poor_mesh");
   setup::RockSetup setup = scene.setup("pose.in");
   mesh::TriangleMesh folded;

@@ -1,4 +1,4 @@
-// The walls are where they were told to be: 10,000 windows of pitch, swing and travel at once,
+// The walls are where they were sent: 10,000 windows of pitch, swing and travel at once,
 // with no machine in the loop.
 #include <fix_mesh_surface.h>
 #include <fmt/format.h>

@@ -50,10 +50,10 @@ class Tutorials(unittest.TestCase):
             here = Path(folder) / "dipper"
             said = self.follow("tutorial_import.md", here, "cases/screening", "cases/rock", "docs/data/import")
             page = (ROOT / "docs/tutorial_import.md").read_text()
-            told = [line for line in re.findall(r"^    (.*)$", page, re.M)
-                    if line.strip() and not line.startswith(("dipper ", "Shovel ", "Date;"))]
-            self.assertGreater(len(told), 10)
-            for line in told:
+            listed = [line for line in re.findall(r"^    (.*)$", page, re.M)
+                      if line.strip() and not line.startswith(("dipper ", "Shovel ", "Date;"))]
+            self.assertGreater(len(listed), 10)
+            for line in listed:
                 self.assertIn(line, said)
             for file in ("motion.csv", "import.png", "import.txt", "measured/signals.csv"):
                 self.assertTrue((here / "mine/shift" / file).exists())

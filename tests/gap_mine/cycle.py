@@ -15,7 +15,7 @@ RATE_HZ = 20.0
 G = 9.81
 WEIGHED_S = 0.8       # before the end of a dig: the dipper is clear of the rock, and its load is weighed
 DUMP_S = 1.5          # a load takes to fall, from the opening of the door
-LOAD_CENTRE = (1.9, -0.2)  # of a load in the dipper, for what the dig's end does not tell
+LOAD_CENTRE = (1.9, -0.2)  # of a load in the dipper, where the dig's end does not show it
 
 
 @dataclass

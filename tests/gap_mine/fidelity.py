@@ -5,7 +5,7 @@ usage: fidelity.py TABLE [OBSERVED ...]
 
 OBSERVED are folders that `dipper observe RUN` wrote of runs of cases/screening; the mine's are all in runs/base, seen
 by the same 1 Hz logger without errors; of a truck that is not finished its digs so far. What
-docs/data/screening_passes.csv tells of the model is compared too. TABLE gets, for each pass and phase, means over the
+docs/data/screening_passes.csv says of the model is compared too. TABLE gets, for each pass and phase, means over the
 trucks and their standard deviations.
 """
 import csv

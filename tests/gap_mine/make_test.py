@@ -1,4 +1,4 @@
-"""The sealed set: what it holds, that its seals are those of its truths, and that no folder tells what is hidden."""
+"""The sealed set: what it holds, that its seals are those of its truths, and that no folder shows what is hidden."""
 import hashlib
 import json
 import sys

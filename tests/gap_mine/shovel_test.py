@@ -30,7 +30,7 @@ def a_dig(seconds=13.6, kg=LOAD_KG, number=0):
     return Dig(table, np.c_[np.arange(12, 27, 0.5), np.zeros(30), np.zeros(30)])
 
 
-def test_the_rope_is_as_long_as_told_at_every_drive():
+def test_the_rope_is_as_long_as_asked_at_every_drive():
     arm = Arm(Shovel(), MOTION, np.linspace(0, MOTION.end, 200))
     long = rope_run(arm.shovel, arm.point(arm.shovel.bail))[0]
     assert np.allclose(long, arm.shovel.rope_length + arm.hoist, atol=1e-9)
@@ -99,7 +99,7 @@ def test_an_empty_cycle_takes_the_forces_that_a_multibody_code_has():
         assert np.abs(means[name] - seen[:, column]).max() < within, name
 
 
-def test_friction_turns_with_the_crowd_and_costs_what_it_is_told():
+def test_friction_turns_with_the_crowd_and_costs_what_is_asked():
     c = cycle([a_dig()] * 3, MOTION)
     more = crowd_friction(c, c.forces, 80.0)[1] - c.forces[1]
     v = np.gradient(c.drives[1], c.time_s)

@@ -50,7 +50,7 @@ class AMovedTree(InstallationTest):
         self.assertIn("--detach", self.as_user(self.dipper, "study", "--help"))
         self.assertIn("--map", self.as_user(self.dipper, "import", "--help"))
 
-    def test_takes_its_data_from_where_it_is_told(self):
+    def test_takes_its_data_from_the_folder_given(self):
         alone = self.folder / "alone"
         shutil.copy(self.dipper, alone)
         quick = self.prefix / "share/dipper/cases/quick"

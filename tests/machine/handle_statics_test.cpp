@@ -67,7 +67,7 @@ TEST_F(HandleStaticsTest, HoldsWhatVirtualWorkSays) {
       }
 }
 
-TEST_F(HandleStaticsTest, WeighsWhatHangsAndTellsItFromWhatTheTeethMeet) {
+TEST_F(HandleStaticsTest, WeighsTheLoadApartFromTheResistanceOnTheTeeth) {
   for (const Drives& at : {Drives{-1, -1.2, 0, 0}, {-4, 0.5, 0, 0}, {-9, 1.5, 0, 0}}) {
     EXPECT_NEAR(statics.load_kg(at, by_work(at, 63e3, 0).hoist), 63e3, 10);
     for (const double resistance_N : {0.0, 1.5e6}) {

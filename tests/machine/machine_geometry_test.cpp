@@ -35,7 +35,7 @@ TEST(MachineGeometry, OfEveryMachineThatComesAlongCloses) {
   EXPECT_GE(machines, 2);
 }
 
-TEST(MachineGeometry, RopesThatDoNotReachAreToldWithTheLength) {
+TEST(MachineGeometry, RopesThatDoNotReachAreReportedWithTheLength) {
   EXPECT_THAT(faults_of_495([](MachineData& m) { m.rope.length_at_zero_hoist = 20; }),
               ElementsAre(AllOf(HasSubstr("length_at_zero_hoist, 20.00 m, is too short"),
                                 HasSubstr("-12.00 and 0.50 m"))));
@@ -43,7 +43,7 @@ TEST(MachineGeometry, RopesThatDoNotReachAreToldWithTheLength) {
               ElementsAre(HasSubstr("is too long")));
 }
 
-TEST(MachineGeometry, ABoomInTheWayIsTold) {
+TEST(MachineGeometry, ABoomInTheWayIsReported) {
   EXPECT_THAT(faults_of_495([](MachineData& m) {
                 m.boom.point = {17.5, 0, 10.8};
               }),
@@ -55,7 +55,7 @@ TEST(MachineGeometry, ABoomInTheWayIsTold) {
               ElementsAre(HasSubstr("rope.drum is 0.00 m from the sheave's axis")));
 }
 
-TEST(MachineGeometry, LimitsAndInertiasThatNoMachineHasAreToldTogether) {
+TEST(MachineGeometry, LimitsAndInertiasThatNoMachineHasAreReportedTogether) {
   EXPECT_THAT(faults_of_495([](MachineData& m) {
                 m.limits.crowd_min = 4;
                 m.door.inertia = {1e4, 1e3, 1e3};

@@ -155,7 +155,7 @@ TEST(MotionErrors, SayWhenTheFileIsNotThere) {
   EXPECT_THROW(Motion::load("/nowhere/motion.csv"), InputError);
 }
 
-TEST(Motion, TimesInMillisecondsAreToldOnce) {
+TEST(Motion, TimesInMillisecondsAreReportedOnce) {
   const auto faults_of = [](int rows, int step) {
     std::string text = "time_s,hoist_m,crowd_m,swing_deg,door_deg\n";
     for (int k = 0; k < rows; ++k) text += std::to_string(step * k) + ",0,0,0,0\n";

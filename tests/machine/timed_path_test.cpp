@@ -52,7 +52,7 @@ TEST_F(TimedPathTest, IsThereWhenItsSpeedsSay) {
   EXPECT_NEAR(teeth(m, 19).x(), 25, 1e-3);
 }
 
-TEST_F(TimedPathTest, GoesThroughEveryPointWithoutACornerAndStandsWhereToldTo) {
+TEST_F(TimedPathTest, GoesThroughEveryPointWithoutACornerAndStopsWhereAsked) {
   const TimedPath path = read(
       "13.1,0.45,0,0,5,0\n18.5,2.2,0.9,0,5,0\n23.8,7,0.9,0,5,0\n22.4,14,0,0,60,0\n"
       "22.4,14,0,2,80,0\n22.4,14,0,1.5,80,75\n");

@@ -77,8 +77,8 @@ TEST_F(FeelingOperatorTest, FreesWhatIsCaughtAndGivesBack) {
   EXPECT_NEAR(number(one, 3, 4), 0.3 * (3 - 0.2), 3e-3);
   EXPECT_NEAR(number(one, 3, 2), 0.3 * (3 - 0.2), 3e-3);
   EXPECT_NEAR(number(one, 3, 1), 0.25, 1e-3);
-  const machine::DriveState sent = one.setpoint(3), told = way->at(number(one, 3, 0));
-  EXPECT_NEAR(sent.position.hoist, told.position.hoist - number(one, 3, 4), 1e-12);
+  const machine::DriveState sent = one.setpoint(3), planned = way->at(number(one, 3, 0));
+  EXPECT_NEAR(sent.position.hoist, planned.position.hoist - number(one, 3, 4), 1e-12);
   go(one, 3, 15, held(0, 0, 0.3));
   EXPECT_NEAR(number(one, 15, 4), 3, 0.07) << "no more than that";
   go(one, 15, 19, held(0, 0));

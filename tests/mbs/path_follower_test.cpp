@@ -53,9 +53,9 @@ TEST_F(PathFollowerTest, KeepsTheMotionsTimeWhileTheDrivesFollow) {
   EXPECT_NEAR(at.time, 5, 1e-12);
   EXPECT_EQ(at.rate, 1);
   EXPECT_EQ(at.relief, 0);
-  const machine::DriveState sent = path.setpoint(t), told = motion->at(5);
-  EXPECT_NEAR(sent.position.crowd, told.position.crowd, 1e-12);
-  EXPECT_NEAR(sent.rate.hoist, told.rate.hoist, 1e-12);
+  const machine::DriveState sent = path.setpoint(t), planned = motion->at(5);
+  EXPECT_NEAR(sent.position.crowd, planned.position.crowd, 1e-12);
+  EXPECT_NEAR(sent.rate.hoist, planned.rate.hoist, 1e-12);
 }
 
 TEST_F(PathFollowerTest, SlowsWhereADriveIsOverloadedAndNeverGoesBack) {
@@ -76,8 +76,8 @@ TEST_F(PathFollowerTest, LetsTheCrowdBackWhereItStandsAndOutAgainWhenItGoesOn) {
   go(t, 3, {});
   const double early = go(t, 3, {0, 9}).relief;
   EXPECT_NEAR(go(t, 2, {0, 9}).relief - early, 0.2, 1e-3);
-  const machine::DriveState told = motion->at(path.at(t).time);
-  EXPECT_NEAR(path.setpoint(t).position.crowd, told.position.crowd - path.at(t).relief, 1e-12);
+  const machine::DriveState planned = motion->at(path.at(t).time);
+  EXPECT_NEAR(path.setpoint(t).position.crowd, planned.position.crowd - path.at(t).relief, 1e-12);
   go(t, 2, {});
   const double then = path.at(t).relief;
   EXPECT_NEAR(go(t, 2, {}).relief, then * std::exp(-1.0), 0.2 * then);

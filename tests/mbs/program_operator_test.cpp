@@ -67,11 +67,11 @@ TEST(ProgramOperator, RefusesAnOrderThatIsLateOrOfAnotherLength) {
   EXPECT_THROW(operator_.take(0.5, {600'000'000, {1, 2, 3, 4}}), std::invalid_argument);
 }
 
-class ToldShovel : public ShovelTest {};
+class ProgramDrivenShovel : public ShovelTest {};
 
 // An order reaches the drives, and a checkpoint in its middle goes on to the bit; a shovel that
 // follows its motion takes neither.
-TEST_F(ToldShovel, TakesOrdersAndGoesOnFromACheckpoint) {
+TEST_F(ProgramDrivenShovel, TakesOrdersAndGoesOnFromACheckpoint) {
   const auto m = std::make_shared<machine::Motion>(still());
   const auto make = [&] {
     return Shovel(machine, m, Pose{}, rake, std::make_unique<ProgramOperator>(m->value(0)));

@@ -40,7 +40,7 @@ TWO_SIDED_90 = 3.29     # a central 90 % interval of a Gaussian, in sd
 
 @dataclass(frozen=True)
 class Runner:
-    """Makes runs of the case with effects, and tells of them."""
+    """Makes runs of the case with effects, and reports them."""
 
     simulator: object
     catalogue: dict

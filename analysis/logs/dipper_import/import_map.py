@@ -277,7 +277,7 @@ def _check_switches(made, found):
     for name, channel in made.channels.items():
         limits = made.limits.get(name)
         if channel.switch and not (math.isfinite(limits.speed) and math.isfinite(limits.acceleration)):
-            found.add(made.path, channel.line, f"channels.{name}", "is a switch, and how fast it opens is not told",
+            found.add(made.path, channel.line, f"channels.{name}", "is a switch, and its speed is not given",
                       f"limits.{name}: {{speed, acceleration}}, in {CHANNELS[name].unit}/s and /s^2")
 
 

@@ -69,7 +69,7 @@ def survey(path, site, box, to_rear=False):
     except NoSurface as e:
         raise BadInput([f"{path}: face: {e}; in W the cloud has {_span(looked.local_low, looked.local_high)}",
                         *(f"{path}: cloud: {note}" for note in _steps(looked))]) from e
-    return Survey(surface, looked, cloud.kind, [*cloud.notes, *_doubts(looked, surface, cell)])
+    return Survey(surface, looked, cloud.kind, [*cloud.notes, *_warnings(looked, surface, cell)])
 
 
 def look(cloud, site, box):
@@ -160,7 +160,7 @@ def _steps(looked):
             for axis, step in zip(("x", "y", "heights"), looked.steps) if step]
 
 
-def _doubts(looked, surface, cell):
+def _warnings(looked, surface, cell):
     notes = [f"warning: {note}" for note in _steps(looked)]
     if abs(surface.floor_m) > FLOOR_m:
         notes.append(f"warning: the floor in front of the toe is at z = {surface.floor_m:.2f} m, and the case's ground "

@@ -108,7 +108,7 @@ def test_a_sigma_of_0_and_another_motion_are_questioned_before_the_first_run(wor
     assert "swing_rad is 0.35 rad (rms) off" in before and "hoist_m is" not in before
 
 
-def test_a_case_that_is_no_utf8_is_told_with_its_line(words, tmp_path):
+def test_a_case_that_is_no_utf8_is_reported_with_its_line(words, tmp_path):
     case = tmp_path / "case" / "case.yaml"
     case.write_bytes(case.read_bytes() + b"title: caf\xe9\n")
     gap = start(words, tmp_path)

@@ -11,14 +11,14 @@ SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_g
 
 
 @pytest.fixture(scope="module")
-def told():
+def forecasts():
     said = []
     out = forecast(read_channels(), fake_mine.FakeSimulator(), SMALL, 1, said.append)
     return out, said
 
 
-def test_more_trucks_show_less_and_a_reference_shows_the_scale(told, tmp_path):
-    out, said = told
+def test_more_trucks_show_less_and_a_reference_shows_the_scale(forecasts, tmp_path):
+    out, said = forecasts
     assert set(out.limits) == set(SMALL) - {"density"} and out.runs == 16 + 3 * 3 and "25 runs" in said[0]
     for name, ways in out.limits.items():
         for way in ways.values():

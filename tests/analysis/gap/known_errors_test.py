@@ -15,7 +15,7 @@ from trucks import in_a_row
 
 SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_gain", "cohesion", "density")}
 # Rock that resists half as much makes the mean dig force of the synthetic shovel 0.90 of what it is.
-TOLD = Fidelity(Factor(0.90, 0.87, 0.93), 0.25)
+STATED = Fidelity(Factor(0.90, 0.87, 0.93), 0.25)
 TRUCKS = 4
 
 
@@ -26,25 +26,25 @@ def mine(effects, seed):
 
 
 @functools.lru_cache(None)
-def known(told):
+def known(stated):
     simulator = fake_mine.FakeSimulator()
-    simulator = Corrected(simulator, TOLD) if told else simulator
+    simulator = Corrected(simulator, STATED) if stated else simulator
     plan, runner = make_plan(SMALL, TRUCKS, 1), Runner(simulator, SMALL, lambda text: None)
     model = learn(plan, runner.folders(plan.requests()), mine({}, 0), known=simulator.known)
     return model, predict(model, SMALL, 1.0), runner
 
 
-def answer(effects, seed, told=True):
-    model, prediction, runner = known(told)
+def answer(effects, seed, stated=True):
+    model, prediction, runner = known(stated)
     return as_json(conclude(model, prediction, mine(effects, seed), runner), SMALL, {"case": "0" * 64})
 
 
-def test_without_being_told_the_error_is_a_gap_that_no_effect_explains():
-    assert answer({}, 1, told=False)["verdict"] == "unknown"
+def test_unless_it_is_stated_the_error_is_a_gap_that_no_effect_explains():
+    assert answer({}, 1, stated=False)["verdict"] == "unknown"
 
 
 @pytest.mark.parametrize("seed", [1, 2])
-def test_nothing_hidden_is_no_gap_once_it_is_told(seed):
+def test_nothing_hidden_is_no_gap_once_it_is_stated(seed):
     a = answer({}, seed)
     assert a["verdict"] == "no-gap"
     low, value, high = a["fidelity"]["resistance"]
@@ -58,7 +58,7 @@ def test_an_effect_beside_it_is_named():
     assert low < 60 < high
 
 
-def test_an_effect_that_looks_like_it_is_not_told_from_it():
-    """The resistance's factor is off by a tenth: within what was told."""
+def test_an_effect_that_looks_like_it_is_not_distinguished_from_it():
+    """The resistance's factor is off by a tenth: within what was stated."""
     a = answer({"resists": 0.55}, 4)
     assert a["verdict"] == "no-gap"

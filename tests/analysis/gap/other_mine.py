@@ -21,17 +21,17 @@ def unlike(m):
     return replace(m, signals=signals, passes=tuple(replace(p, truck_mass_t=0.93 * p.truck_mass_t) for p in m.passes))
 
 
-def periods(before, now, seed, drift_told=True, spread=1.0):
+def periods(before, now, seed, drift_known=True, spread=1.0):
     """(measured folder, reference folder); `before`, `now`: the effects {name: strength} of each truck."""
     rng = np.random.default_rng([seed, 4])
     channels = synthetic.CHANNELS
     shared = {n: c.common_sigma * rng.standard_normal() for n, c in channels.items()}
     moved = {n: shared[n] + DRIFT * c.common_sigma * rng.standard_normal() for n, c in channels.items()}
-    told = {n: replace(c, drift_sigma=DRIFT * c.common_sigma if drift_told else None) for n, c in channels.items()}
+    both = {n: replace(c, drift_sigma=DRIFT * c.common_sigma if drift_known else None) for n, c in channels.items()}
     first = 1000 * seed + 50_000
     runs, late_runs = ([unlike(synthetic.run(e, start + k, spread=spread)) for k, e in enumerate(effects)]
                        for start, effects in ((first, before), (first + 500, now)))
-    then, late = _folder(runs, shared, told, rng), _folder(late_runs, moved, told, rng)
+    then, late = _folder(runs, shared, both, rng), _folder(late_runs, moved, both, rng)
     passes = tuple(replace(p, t_start_s=p.t_start_s + LATER_S, t_end_s=p.t_end_s + LATER_S) for p in late.passes)
     return replace(late, passes=passes, time_s=late.time_s + LATER_S), then
 

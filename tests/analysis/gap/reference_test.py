@@ -70,7 +70,7 @@ def test_what_has_changed_is_named_and_stands_against_the_reference():
     assert np.mean(np.abs(np.subtract(shown["curves"][0]["measured"], shown["curves"][0]["before"]))) < 100
 
 
-def test_the_day_is_found_within_the_measured_trucks_and_told():
+def test_the_day_is_found_within_the_measured_trucks_and_reported():
     """Friction since the third of four: named or not, as the trucks differ among themselves."""
     now, before = periods([{}] * BEFORE, [{}] * 2 + [{"crowd_friction": 180}] * 2, 2)
     a = judge(now, before)[1]

@@ -85,7 +85,7 @@ def test_the_json_is_the_contract(fines, tmp_path):
     assert all({"effect", "probability", "reason"} <= set(d) for d in a["rejected"])
 
 
-def test_observation_effects_cost_no_run_and_the_count_is_told_before(fines):
+def test_observation_effects_cost_no_run_and_the_count_is_printed_before(fines):
     _, a, simulator = fines
     model, _, before = known(1)
     # Baseline runs; three each of fines, crowd friction, cohesion and density; five to confirm.
@@ -201,16 +201,16 @@ def test_several_trucks_show_what_one_does_not():
     assert many["parameter"]["estimate"] == pytest.approx(0.06, rel=0.5)  # d 4, and a signature of three runs
 
 
-def test_an_effect_that_grows_within_the_shift_is_told():
+def test_an_effect_that_grows_within_the_shift_is_reported():
     """Friction of 20 to 170 kN over six trucks: its growth is said; that of constant friction is none."""
-    told = {}
+    histories = {}
     for name, kN in (("grows", np.arange(20, 180, 30)), ("stays", np.full(6, 95))):
         trucks = [synthetic.run({"crowd_friction": float(s)}, seed=960 + k) for k, s in enumerate(kN)]
         mine = synthetic.with_noise(in_a_row(trucks), 9)
         _, prediction, _ = known(6)
-        told[name] = within_the_shift(known(6)[0], prediction, ["crowd_friction"], mine)
-    assert told["stays"] is None
-    history = told["grows"]
+        histories[name] = within_the_shift(known(6)[0], prediction, ["crowd_friction"], mine)
+    assert histories["stays"] is None
+    history = histories["grows"]
     assert history.effect == "crowd_friction" and len(history.trucks) == 6
     assert history.trend.shape != "step" and history.trend.size == pytest.approx(150, rel=0.3)
     [text] = changing(history, SMALL)

@@ -106,7 +106,7 @@ TEST(TextDump, WhatMemoryHasNoRoomForIsReadAgain) {
   EXPECT_THAT(all(frames[0], {"x"}), ElementsAre(ElementsAre(1)));
 }
 
-TEST(TextDump, WhatIsWrongIsToldWithFileAndLine) {
+TEST(TextDump, WhatIsWrongIsReportedWithFileAndLine) {
   const Scratch s;
   const auto opening = [](const fs::path& file) {
     return test::message_of([&] { DumpReader({file}); });
@@ -257,7 +257,7 @@ TEST(VtkDump, LegacyBinary) {
   }
 }
 
-TEST(VtkDump, WhatIsWrongIsToldWithFileAndLine) {
+TEST(VtkDump, WhatIsWrongIsReportedWithFileAndLine) {
   const Scratch s;
   const auto reading = [&](const std::string& name, const std::string& bytes) {
     return test::message_of([&] {

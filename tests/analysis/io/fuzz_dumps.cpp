@@ -1,7 +1,7 @@
 // The readers of dumps against damaged files; meant for the asan preset, by scripts/bench/fuzz:
 //   fuzz_dumps INPUTS [SEED]
 // Prints the number of files tried, by sample. Exit status 1: one ended otherwise than read or
-// refused; it is left beside, and the seed and number that make it are told.
+// refused; it is left beside, and the seed and number that make it are printed.
 #include <unistd.h>
 
 #include <cstdlib>

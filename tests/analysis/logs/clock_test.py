@@ -22,8 +22,8 @@ class Read:
         order = range(N) if order is None else order
         self.file = folder / "log.csv"
         self.file.write_text("\n".join([head, *(f"{stamps[k]},{hoist[k]:.5f}" for k in order)]) + "\n")
-        told = dict(columns=("t",), format=None, clock_set_at=frozenset(), first=None, last=None, spread=False, line=1)
-        self.what = ImportMap(folder / "map.yaml", FileFormat(), TimeFormat(**{**told, **time}),
+        usual = dict(columns=("t",), format=None, clock_set_at=frozenset(), first=None, last=None, spread=False, line=1)
+        self.what = ImportMap(folder / "map.yaml", FileFormat(), TimeFormat(**{**usual, **time}),
                               {"hoist": Channel("h", "m", 1.0, 0.0, False, False, None, None, None, 0.0, None, 2)},
                               {"hoist": Limits()})
         self.found, self.notes, self.rows, self.gaps = Findings(), [], None, None
@@ -156,7 +156,7 @@ def test_a_first_row_after_all_others(tmp_path, back):
     assert Read(tmp_path, stamps, clock_set_at=frozenset([3])).is_whole()
 
 
-def test_gaps_are_told_with_their_lines(tmp_path):
+def test_gaps_are_reported_with_their_lines(tmp_path):
     read = Read(tmp_path, seconds(), [*range(60), *range(70, N)])
     assert read.notes == ["gap of 1.1 s between lines 61 and 62: bridged"]
     assert read.gaps == [pytest.approx((5.9, 7.0))]

@@ -224,7 +224,7 @@ def test_a_preamble_that_has_the_name_of_the_time(read):
     assert not found and is_whole(log)
 
 
-def test_columns_parted_by_blanks_are_told(read):
+def test_columns_parted_by_blanks_are_reported(read):
     _, found, _ = read(text(rows()).replace(" ", "T").replace(",", " "))
     assert len(found) == 1 and "columns are parted by , ; | or a tab (file.delimiter), not by blanks" in found[0]
 
@@ -333,7 +333,7 @@ def test_a_row_a_reading_says_what_it_lacks(read):
 
 
 @pytest.mark.parametrize("tag", ["\\\\PI01\\{}", "{} ", "\\\\PI01\\SH12.{}.PV"])
-def test_tags_with_a_server_or_in_capitals_are_told(read, tag):
+def test_tags_with_a_server_or_in_capitals_are_reported(read, tag):
     log = [[tag.format(r[0]).upper(), *r[1:]] for r in long(rows())]
     _, found, _ = read(text(log, names=["Tag", "Time", "Value", "Quality"]))
     assert len(found) == 1 and "the tags as 'Tag' has them, a row a reading: " in found[0] and "HOIST" in found[0]

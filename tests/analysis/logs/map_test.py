@@ -47,7 +47,7 @@ def test_a_sound_map(sound):
     (", range: [-1.5, 3]", "", 4, "channels.crowd.range: missing; [a, b]: the m at 0 and 100 %"),
     ("range: [-1.5, 3]", "range: [3]", 4, "channels.crowd.range: is 3; two numbers that differ"),
     ("unit: rad", "unit: rad, range: [0, 1]", 5, "channels.swing.range: with the unit rad"),
-    ("unit: deg}", "unit: switch, range: [0, 75]}", 6, "channels.door: is a switch, and how fast it opens is not told"),
+    ("unit: deg}", "unit: switch, range: [0, 75]}", 6, "channels.door: is a switch, and its speed is not given"),
     ("  door:", "  dor:", 6, "channels.dor: unknown key; door, perhaps?"),
     ("  door: {column: D, unit: deg}\n", "", 2, "channels.door: missing; name its column"),
     ("time: {column: Clock}", "time: {column: Clock, format: DD.MM}", 1, "time.format: is DD.MM; iso, one of s,"),
@@ -59,7 +59,7 @@ def test_a_sound_map(sound):
     ("unit: rad", "unit: rad, unit: deg", 5, "channels.swing.unit: given twice"),
     ("limits:\n", "  hoist_force: {column: F, unit: kip}\nlimits:\n", 7, "channels.hoist_force.sigma: missing"),
 ])
-def test_each_fault_is_told_at_its_line(sound, old, new, line, what):
+def test_each_fault_is_reported_at_its_line(sound, old, new, line, what):
     assert old in sound.read_text()
     sound.write_text(sound.read_text().replace(old, new, 1))
     with pytest.raises(BadInput) as e:

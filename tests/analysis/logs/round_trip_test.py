@@ -1,4 +1,4 @@
-"""Known signals, written as an ugly log, come back; what cannot be repaired is told with its line."""
+"""Known signals, written as an ugly log, come back; what cannot be repaired is reported with its line."""
 from types import SimpleNamespace
 
 import numpy as np
@@ -105,8 +105,8 @@ def test_the_same_from_a_plain_log(tmp_path, map_file):
 ])
 def test_faults_of_the_log(log, map_file, old, new, what):
     change(log, old, new)
-    told = findings(log, map_file)
-    assert any(what in f for f in told), told
+    found = findings(log, map_file)
+    assert any(what in f for f in found), found
 
 
 @pytest.mark.parametrize("old, new, what", [
@@ -127,8 +127,8 @@ def test_a_map_that_does_not_fit_the_log(log, map_file, old, new, what):
 def test_a_gap_that_is_too_long_names_its_lines(log, map_file):
     with open(map_file, "a") as f:
         f.write("longest_gap_s: 0.4\n")
-    told = findings(log, map_file)
-    assert len(told) == 1 and "time: nothing for 0.5 s, up to line" in told[0] and "0.4 s at most" in told[0]
+    found = findings(log, map_file)
+    assert len(found) == 1 and "time: nothing for 0.5 s, up to line" in found[0] and "0.4 s at most" in found[0]
 
 
 def test_readings_that_no_drive_can_make_are_left_out(log, map_file):
@@ -230,8 +230,8 @@ def test_a_payload_monitor_is_read_before_the_dump(tmp_path, plain_map):
     log.write_text(plain(truth, hung_in_dipper(truth, loads)))
     for reads in ("pass", "total"):
         change(plain_map, "reads: total", f"reads: {reads}")
-        told = findings(log, plain_map)
-        assert len(told) == 1 and "reads: dipper what hangs in the dipper, until it is dumped" in told[0], told
+        found = findings(log, plain_map)
+        assert len(found) == 1 and "reads: dipper what hangs in the dipper, until it is dumped" in found[0], found
         change(plain_map, f"reads: {reads}", "reads: total")
     change(plain_map, "reads: total", "reads: dipper")
     made, _, _ = read(log, plain_map)
@@ -243,8 +243,8 @@ def test_a_channel_that_is_written_only_as_it_changes(tmp_path, plain_map):
     door, log = truth.channels["door"], tmp_path / "plain.csv"
     still = lambda k: 0 < k < len(door) - 1 and door[k - 1] == door[k]
     log.write_text(plain(truth, truth.channels["truck_mass"], lambda k: not still(k)))
-    told = findings(log, plain_map)
-    assert len(told) == 1 and "2 s at most (longest_gap_s): channels.door.held: true if it is" in told[0]
+    found = findings(log, plain_map)
+    assert len(found) == 1 and "2 s at most (longest_gap_s): channels.door.held: true if it is" in found[0]
     change(plain_map, "unit: deg}", "unit: deg, held: true}")
     made, _, said = read(log, plain_map)
     assert np.abs(made.fits["door"].value - np.interp(made.grid, truth.time_s, door)).max() < 3
@@ -269,9 +269,9 @@ def test_times_in_another_unit_are_refused(tmp_path, plain_map, unit_s, what):
     text = plain(truth, truth.channels["truck_mass"]).splitlines()
     text = [text[0], *(f"{t:.9g}," + row.split(",", 1)[1] for t, row in zip(truth.time_s, text[1:]))]
     log.write_text("\n".join(text))
-    told = findings(log, plain_map)
-    assert len(told) == 1 and "time: is one row each" in told[0], told
-    assert "in time.format, perhaps? " in told[0] and what in told[0], told
+    found = findings(log, plain_map)
+    assert len(found) == 1 and "time: is one row each" in found[0], found
+    assert "in time.format, perhaps? " in found[0] and what in found[0], found
 
 
 def test_rows_too_far_apart_are_refused(tmp_path, plain_map):

@@ -54,17 +54,17 @@ def test_a_force_that_most_rows_lack():
                      "written only as it changes"]
 
 
-@pytest.mark.parametrize("name, gone, told", [
+@pytest.mark.parametrize("name, gone, warned", [
     ("hoist_force", range(60, 75), "15 readings (lines 62, 63, 64, 65, 66 and 10 more)"),
     ("crowd_force", range(5, 290, 20), "15 readings (lines 7, 27, 47, 67, 87 and 10 more)"),
     ("hoist_force", (60, 61), None), ("hoist_force", (), None), ("hoist_force", range(15), None)])
-def test_a_force_that_falls_to_nothing_and_back(name, gone, told):
+def test_a_force_that_falls_to_nothing_and_back(name, gone, warned):
     """Zeros as loggers write them while a cell is away; not a force that passes through zero, or begins with it."""
     force = 900 + 300 * np.sin(TIME)
     force[list(gone)] = 0
     notes = []
     _warn_of_falls(name, SimpleNamespace(lines=2 + np.arange(300), values={name: force}), notes)
-    assert [told in n for n in notes] == ([True] if told else []), notes
+    assert [warned in n for n in notes] == ([True] if warned else []), notes
     through = np.round(np.linspace(-1000, 1000, 300) / 100) * 100  # steps of an instrument
     _warn_of_falls(name, SimpleNamespace(lines=2 + np.arange(300), values={name: through}), empty := [])
     assert not empty

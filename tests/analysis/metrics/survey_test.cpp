@@ -26,7 +26,7 @@ struct Scene {
   }
 };
 
-/// Spheres of 1 kg (unless told) with id, place and upward speed, one frame a second.
+/// Spheres of 1 kg (unless given) with id, place and upward speed, one frame a second.
 std::string ball(int id, double x, double y, double z, double vz = 0, double kg = 1, int type = 1) {
   return std::to_string(id) + " " + std::to_string(type) + " " + std::to_string(x) + " " +
          std::to_string(y) + " " + std::to_string(z) + " 0 0 " + std::to_string(vz) + " 0.1 " +

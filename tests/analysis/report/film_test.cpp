@@ -1,5 +1,5 @@
-// A run's page as a film: what is missing is told before anything is drawn, and what is there is
-// drawn.
+// A run's page as a film: what is missing is reported before anything is drawn, and what is there
+// is drawn.
 #include "analysis/report/film.hpp"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-TEST(Film, TellsWhatToInstallAndWhatIsNoFilm) {
+TEST(Film, NamesWhatToInstallAndWhatIsNoFilm) {
   const Scratch s;
   const fs::path video = s.folder() / "dig.mp4", poster = s.folder() / "dig.png";
   const std::string path = std::getenv("PATH");
@@ -38,7 +38,7 @@ TEST(Film, TellsWhatToInstallAndWhatIsNoFilm) {
   setenv("PATH", path.c_str(), 1);
 }
 
-TEST(Film, ABrowserThatEndsIsTold) {
+TEST(Film, ABrowserThatEndsIsReported) {
   const Scratch s;
   const std::string path = std::getenv("PATH");
   fs::permissions(s.write("chromium", "#!/bin/sh\n"), fs::perms::owner_all);

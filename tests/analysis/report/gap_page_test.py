@@ -92,7 +92,7 @@ class Analysis(unittest.TestCase):
         said = {float(d["z"]) for d in self.answer["disagreement"]}
         self.assertEqual(sum(m[2] for m in maps), len(said))
 
-    def test_arrows_walk_the_heat_map_and_each_cell_tells_more(self):
+    def test_arrows_walk_the_heat_map_and_each_cell_says_more(self):
         first = self.browser.driver.find_element(By.CSS_SELECTOR, "#disagreement td[tabindex='0']")
         self.browser.run("arguments[0].focus()", first)
         seen = set()
@@ -119,7 +119,7 @@ class Analysis(unittest.TestCase):
         self.assertTrue(rows[0].startswith("Finesfines"))
         self.assertIn("%", rows[0])
 
-    def test_draws_the_curves_and_tells_them_in_words(self):
+    def test_draws_the_curves_and_describes_them_in_words(self):
         plots = self.browser.run("""
             return [...document.querySelectorAll('#before-after .plot')].map((p) => {
               const c = p.querySelector('canvas'), { data } = c.getContext('2d').getImageData(0, 0, c.width, c.height);

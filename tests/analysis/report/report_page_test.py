@@ -231,7 +231,7 @@ class Page(unittest.TestCase):
         self.browser.run("dipper.clock.set(1)")
         self.assertRegex(self.browser.run(read), r"^reach.*– MN dig force")
 
-    def test_charts_are_told_in_words(self):
+    def test_charts_are_described_in_words(self):
         said = self.browser.run("return [...document.querySelectorAll('#signals .plot')].map((e) => e.getAttribute('aria-label'))")
         self.assertRegex(said[0], r"^Chart of Force, MN, against time \(s\) from 0 to 10.* dig force: least .* at .*, most .* at .*; hoist: ")
         bare = self.browser.run("""return [...document.querySelectorAll('svg, canvas, img, [role=img]')]

@@ -19,7 +19,7 @@ constexpr const char* kRows =
     "3 2 5 5 1 0 0.1 2000\n"
     "4 2 5 5.2 1 0 0.4 2000\n";
 
-TEST(RockTags, TellSizeShapeAndPlaceOfTheWholeRock) {
+TEST(RockTags, GiveSizeShapeAndPlaceOfTheWholeRock) {
   const Scratch s;
   const io::DumpReader dump(
       {s.write("d.dump", text_frame(0, 5, "id type id_multisphere x y z radius density", kRows))});

@@ -64,7 +64,7 @@ TEST(Rocks, AMassColumnIsTakenAsItIs) {
   EXPECT_EQ(rocks[0].type, 1);
 }
 
-TEST(Rocks, WhatIsMissingIsToldWithFileAndLine) {
+TEST(Rocks, WhatIsMissingIsReportedWithFileAndLine) {
   const Scratch s;
   const auto wrong = [&](const char* columns, const char* row, const ClumpMasses& masses = {}) {
     return test::message_of([&] { rocks_of(s, columns, row, 1, masses); });

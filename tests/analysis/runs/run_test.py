@@ -60,13 +60,13 @@ def test_everything_is_an_array(folder):
 
 
 @pytest.mark.parametrize("ends", ["1 1 0 0 0.5 0.2\n", "0.5 0.3\n", " 0.3\n", "\n", "ITEM: ATOMS"])
-def test_a_dump_that_was_cut_short_is_told(folder, ends):
+def test_a_dump_that_was_cut_short_is_reported(folder, ends):
     (folder / "dumps/rocks_5.dump").write_text(DUMP[:DUMP.index(ends)])
     with pytest.raises(dipper_run.NotARun, match="rocks_5.dump"):
         dipper_run.read(folder).frames[1].rocks
 
 
-def test_a_gzipped_dump_is_read_and_told_when_it_was_cut_short(folder):
+def test_a_gzipped_dump_is_read_and_reported_when_it_was_cut_short(folder):
     (folder / "dumps/rocks_5.dump").unlink()
     file = folder / "dumps/rocks_5.dump.gz"
     packed = gzip.compress(DUMP.encode())
@@ -92,7 +92,7 @@ def test_channels_of_a_killed_run_are_cut_to_the_same_length(folder):
     np.testing.assert_array_equal(run["machine/hoist_force"], [1, 2])
 
 
-def test_what_is_missing_is_told_with_what_makes_it(folder):
+def test_what_is_missing_is_reported_with_what_makes_it(folder):
     shutil.rmtree(folder / "report")
     run = dipper_run.read(folder)
     with pytest.raises(dipper_run.NotARun, match="dipper report"):
@@ -104,15 +104,15 @@ def test_what_is_missing_is_told_with_what_makes_it(folder):
 
 
 def test_a_file_that_is_not_what_the_run_wrote_is_not_read(folder):
-    told = hashlib.sha256((folder / "summary.json").read_bytes()).hexdigest()
-    (folder / "manifest.sha256").write_text(f"{told}  summary.json\n# files: 1\n")
+    digest = hashlib.sha256((folder / "summary.json").read_bytes()).hexdigest()
+    (folder / "manifest.sha256").write_text(f"{digest}  summary.json\n# files: 1\n")
     assert dipper_run.read(folder).summary
     (folder / "summary.json").write_text('{"passes": []}')
     with pytest.raises(dipper_run.NotARun, match="not what the run wrote"):
         dipper_run.read(folder).summary
 
 
-def test_an_answers_folder_that_cannot_be_made_is_told_and_nothing_is_made(tmp_path):
+def test_an_answers_folder_that_cannot_be_made_is_reported_and_nothing_is_made(tmp_path):
     (tmp_path / "file").write_text("in the way")
     (tmp_path / "nowhere").symlink_to(tmp_path / "gone")
     for folder in (tmp_path / "file/out", tmp_path / "nowhere", tmp_path / "nowhere/out"):

@@ -34,7 +34,7 @@ def test_a_map_that_is_not_there_has_the_defaults(top):
     assert top.found.all == ["a.yaml:6: size: given twice; keep one"]
 
 
-def test_each_fault_is_told_at_its_line(top):
+def test_each_fault_is_reported_at_its_line(top):
     parts = top.section("parts")
     assert parts.number("second", needed=True) is None and parts.numbers("first", "two numbers") is None
     parts.end()

@@ -33,7 +33,7 @@ struct Stand {
   }
 };
 
-TEST(MachineDemand, TellsHowFarTheTeethAreOffAndForHowLongDrivesGiveMoreThanTheyHave) {
+TEST(MachineDemand, MeasuresHowFarTheTeethAreOffAndForHowLongDrivesGiveMoreThanTheyHave) {
   const Stand stand(0.05);
   const MachineDemand demand(stand.machine, stand.rake, stand.saddle_rad);
   const Demand all = demand.over(stand.s, 0, 10);

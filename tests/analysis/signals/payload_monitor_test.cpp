@@ -78,7 +78,7 @@ TEST_F(Monitor, ReadsTheLoadFromHoistAndCrowd) {
 
 // What a crowd force that is read 10 kN too high does: with the handle steep it carries the load as
 // the ropes do, with the handle level it carries nothing.
-TEST_F(Monitor, CountsTheCrowdByWhatItTells) {
+TEST_F(Monitor, CountsTheCrowdByItsReading) {
   const auto off_at = [&](double hoist, double crowd) {
     s = {};
     door.clear();

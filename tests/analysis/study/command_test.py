@@ -1,4 +1,4 @@
-"""`dipper study` as a command: what it writes, makes once, tells, and what ends it. The simulator is a stand-in."""
+"""`dipper study` as a command: what it writes, makes once, reports, and what ends it. The simulator is a stand-in."""
 import signal
 import time
 
@@ -65,7 +65,7 @@ def test_what_is_kept_is_a_setting_and_more_is_made_again(world):
     assert len(world.calls()) == 6
 
 
-def test_failures_are_kept_apart_and_told_at_the_end(world):
+def test_failures_are_kept_apart_and_reported_at_the_end(world):
     world.say("fail", "2")
     said = world.study(status=3)
     assert said.count("status 3; see") == 3 and "6 of 9 runs done, 3 failed" in said
@@ -86,7 +86,7 @@ def test_points_that_are_the_same_case_share_a_run_and_each_has_its_rows(world):
     assert all((world.out / "runs" / r["run"] / "record.h5").exists() for r in rows)
 
 
-def test_a_shared_run_that_fails_is_told_for_each_of_its_points(world):
+def test_a_shared_run_that_fails_is_reported_for_each_of_its_points(world):
     world.say("fail", "2")
     said = world.study(NAMED.replace("wide: {bodies.dipper: wide.stl}", "as_it_is: {}"), status=3)
     assert len(world.calls()) == 4
@@ -175,7 +175,7 @@ def test_two_settings_are_compared_seed_by_seed(world):
     assert not force["shown"] and force["confidence"] == 0.5
 
 
-def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_told(world):
+def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_reported(world):
     world.say("short", "2")
     world.say("warnings", "pass 1: the ropes are slack\n")
     said = world.study()
@@ -191,7 +191,7 @@ def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_tol
     assert sum(point["figures"]["payload_t"]["n"] for point in data["points"]) == 1
 
 
-def test_a_cache_that_cannot_be_written_is_told_before_a_run(world):
+def test_a_cache_that_cannot_be_written_is_reported_before_a_run(world):
     world.environment["XDG_CACHE_HOME"] = "/proc/none"
     assert "set XDG_CACHE_HOME to a folder that can be written" in world.study(status=2)
     assert not world.calls()

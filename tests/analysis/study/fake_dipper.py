@@ -28,8 +28,8 @@ def settings(words):
 
 
 def check(words):
-    told, findings = settings(words), []
-    for key, value in told.items():
+    keys, findings = settings(words), []
+    for key, value in keys.items():
         if key in ("bodies.dipper", "machine.motion"):
             continue
         low, high = KEYS.get(key, (1, 0))
@@ -37,10 +37,10 @@ def check(words):
             findings.append((key, "unknown key"))
         elif not low <= float(value) <= high:
             findings.append((key, f"{value} is out of range; allowed is {low} ... {high}"))
-    if float(told.get("machine.rake_angle_deg", 0)) > float(read("steep", "inf")) and float(told["pile.toe_x_m"]) > 0.5:
+    if float(keys.get("machine.rake_angle_deg", 0)) > float(read("steep", "inf")) and float(keys["pile.toe_x_m"]) > 0.5:
         findings.append(("pile.toe_x_m", "the dipper is in the pile"))
     case = pathlib.Path(words[words.index("--json") + 1]) / "case.yaml"
-    text = case.read_text() + json.dumps(told, sort_keys=True)
+    text = case.read_text() + json.dumps(keys, sort_keys=True)
     print(json.dumps({"findings": [{"file": "--set", "line": 0, "key": k, "message": m} for k, m in findings],
                       "case_hash": hashlib.sha256(text.encode()).hexdigest(), "source_hash": "s",
                       "values": {"machine.rake_angle_deg": 60, "pile.toe_x_m": 0},
@@ -48,15 +48,15 @@ def check(words):
     return 2 if findings else 0
 
 
-def model(told, seed):
+def model(keys, seed):
     """(payload_t, dig_force_peak_MN, dig_work_MJ): best rake 64 and toe 1, where a seed moves all points alike."""
-    rake, toe = float(told.get("machine.rake_angle_deg", 60)), float(told.get("pile.toe_x_m", 0))
-    shared, own = random.Random(seed), random.Random(f"{seed} {rake:.6f} {toe:.6f} {told.get('bodies.dipper')}")
-    payload = 70 + shared.gauss(0, 3) + own.gauss(0, 0.5) + (5 if told.get("bodies.dipper") == "wide.stl" else 0)
-    if float(told.get("flat", 0)) == 0:
+    rake, toe = float(keys.get("machine.rake_angle_deg", 60)), float(keys.get("pile.toe_x_m", 0))
+    shared, own = random.Random(seed), random.Random(f"{seed} {rake:.6f} {toe:.6f} {keys.get('bodies.dipper')}")
+    payload = 70 + shared.gauss(0, 3) + own.gauss(0, 0.5) + (5 if keys.get("bodies.dipper") == "wide.stl" else 0)
+    if float(keys.get("flat", 0)) == 0:
         payload -= 0.5 * (rake - 64) ** 2 + 2 * (toe - 1) ** 2
-    if "machine.motion" in told:
-        payload += json.loads(pathlib.Path(told["machine.motion"]).read_text())["depth_m"]
+    if "machine.motion" in keys:
+        payload += json.loads(pathlib.Path(keys["machine.motion"]).read_text())["depth_m"]
     return payload, 8 + 0.5 * (rake - 60) + own.gauss(0, 0.1), 20.0
 
 

@@ -57,9 +57,9 @@ def test_another_case_has_other_motions(world):
     ("plan.passes.0.cut.face: [1]", "is no number"),
     ("plan.passes.0.cut.depth_m: [deep]", "is deep; a number"),
 ])
-def test_what_cannot_be_planned_is_told_with_its_line(world, values, said):
-    told = world.study(f"case: case\nseeds: [1]\nparameters:\n  {values}\n", status=2)
-    assert f"study.yaml:4: {values.split(':')[0]}" in told and said in told
+def test_what_cannot_be_planned_is_reported_with_its_line(world, values, said):
+    printed = world.study(f"case: case\nseeds: [1]\nparameters:\n  {values}\n", status=2)
+    assert f"study.yaml:4: {values.split(':')[0]}" in printed and said in printed
     assert world.calls() == []
 
 
@@ -69,8 +69,8 @@ def test_what_cannot_be_planned_is_told_with_its_line(world, values, said):
 ])
 def test_a_plan_that_is_none(world, plan, said):
     (world.folder / "case/plan.yaml").write_text(plan)
-    told = world.study(STUDY, status=2)
-    assert said in told and "Traceback" not in told and world.calls() == []
+    printed = world.study(STUDY, status=2)
+    assert said in printed and "Traceback" not in printed and world.calls() == []
 
 
 def test_a_case_without_a_plan(world):

@@ -57,8 +57,8 @@ def test_a_case_behind_a_link_is_the_one_that_the_system_finds(tmp_path):
     assert plain == tmp_path / "mine/case"  # without a link as it reads
 
 
-def test_every_error_is_told_at_once_with_its_line(folder):
-    told = faults(folder, """case: nowhere
+def test_every_error_is_reported_at_once_with_its_line(folder):
+    found = faults(folder, """case: nowhere
 seeds: [1, 1, x]
 parametres: {}
 parameters:
@@ -77,8 +77,8 @@ slurm: {queue: long}
                   ":5: parameters.machine.rake_angle_deg: has 60 twice", ":7: parameters.pile.toe_x_m: is 3; a list",
                   ":9: ranks: is 0; a number, 1", ":10: keep: is dumps; one of summary, record, all",
                   ":11: executor: is pbs; one of local, slurm", ":12: slurm.queue: unknown key; one of at_once"):
-        assert any(f.startswith(start) for f in told), (start, told)
-    assert len(told) == 12
+        assert any(f.startswith(start) for f in found), (start, found)
+    assert len(found) == 12
 
 
 @pytest.mark.parametrize("text, fault", [

@@ -80,8 +80,8 @@ def test_a_section_is_a_profile_too(case, cloud, tmp_path):
     ((*AT, "--rear", "300"), "--rear: is 300"), ((*AT, "--out", "face.obj"), "--out: is 'face.obj'")])
 def test_bad_input_writes_nothing(case, cloud, tmp_path, words, said):
     before = sorted(p for p in tmp_path.rglob("*"))
-    told = dipper("survey", cloud, "--case", case, *words, status=2)
-    assert said in told and told.endswith("1 error\n")
+    printed = dipper("survey", cloud, "--case", case, *words, status=2)
+    assert said in printed and printed.endswith("1 error\n")
     assert sorted(p for p in tmp_path.rglob("*")) == before
 
 

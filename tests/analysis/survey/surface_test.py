@@ -52,7 +52,7 @@ def test_the_bench_goes_from_its_toe_to_the_rear(whole):
     assert to_csv(section).startswith(f"x_m,z_m\n{s.x[0]:.3f},")
 
 
-def test_what_was_left_out_and_filled_is_told(whole, tmp_path):
+def test_what_was_left_out_and_filled_is_reported(whole, tmp_path):
     said = "\n".join(words(whole, tmp_path / "scan.xyz"))
     shovels = next(i for i in whole.surface.islands if np.hypot(i.x - 16.8, i.y) < 1)
     assert shovels.points > 3000 and 8 < shovels.area_m2 < 25 and shovels.off_m > 2
@@ -163,14 +163,14 @@ def test_a_turned_azimuth_is_doubted(tmp_path):
     assert not any("azimuth" in n for n in survey_of(tmp_path, points).notes)
 
 
-@pytest.mark.parametrize("slope, told", [(75, "stands at 7"), (38, None), (8, "stands at ")])
-def test_a_face_too_steep_or_flat_for_blasted_rock_is_doubted(tmp_path, slope, told):
+@pytest.mark.parametrize("slope, warned", [(75, "stands at 7"), (38, None), (8, "stands at ")])
+def test_a_face_too_steep_or_flat_for_blasted_rock_is_doubted(tmp_path, slope, warned):
     """As where elevations are in feet over metres, or the other way round."""
     points = scanned_face.ground(30_000, np.random.default_rng(7))
     face = np.clip((points[:, 0] - 13) * np.tan(np.radians(slope)), 0, 9)
     points[:, 2] = face + np.random.default_rng(8).normal(0, 0.03, len(points))
     made = survey_of(tmp_path, points, box=Box(0, 30, 6, 30))
     said = [n for n in made.notes if "are the elevations in another unit than easting and northing?" in n]
-    assert len(said) == (told is not None) and all(told in n for n in said), made.notes
+    assert len(said) == (warned is not None) and all(warned in n for n in said), made.notes
     angle, _ = made.surface.face_deg
     assert angle == pytest.approx(slope, abs=6 if slope > 60 else 1.5)

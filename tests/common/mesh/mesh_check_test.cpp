@@ -115,7 +115,7 @@ TEST(MeshCheck, AFinOnAnEdge) {
                                                  std::pair(Kind::open_edge, 13U)));
 }
 
-TEST(MeshCheck, ThinFacetsAreToldWithTheirAngle) {
+TEST(MeshCheck, ThinFacetsAreReportedWithTheirAngle) {
   TriangleMesh mesh = cuboid;  // facet 1, on the floor, with a corner close above one of its edges
   const Triangle floor = mesh.corners(0);
   mesh.vertices.push_back((floor[0] + floor[1]) / 2 + 1e-4 * (floor[2] - floor[0]));

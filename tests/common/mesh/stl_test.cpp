@@ -189,7 +189,7 @@ TEST(Stl, BigEndianIsNamed) {
             std::string::npos);
 }
 
-TEST(Stl, WhatIsNoStlIsToldWithoutANumberOfFacetsFromItsText) {
+TEST(Stl, WhatIsNoStlIsReportedWithoutANumberOfFacetsFromItsText) {
   std::string text = "Exported by a program, 2024\n";
   for (int row = 0; row < 40; ++row) text += "1.0 2.0 3.0\n";
   EXPECT_EQ(

@@ -35,8 +35,8 @@ Eigen::Vector3d normal(const TriangleMesh& mesh, std::size_t i) {
   return (t[1] - t[0]).cross(t[2] - t[0]).normalized();
 }
 
-// The rake is told of the line from the heel to the tips (Svanberg et al. 2021, Fig. 4b), and the
-// dipper hangs by its x.
+// The rake is the angle of the line from the heel to the tips (Svanberg et al. 2021, Fig. 4b), and
+// the dipper hangs by its x.
 TEST(Dipper, HasItsTipsAsLowAsItsHeel) {
   double heel = 0, tip = 0;
   for (const Eigen::Vector3d& v : dipper_mesh().vertices) {

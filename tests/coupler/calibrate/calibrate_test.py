@@ -48,7 +48,7 @@ class Calibrate(unittest.TestCase):
     def cache(self):
         return sorted(p.name for p in (self.folder / "cache" / "dipper" / "calibrations").glob("*"))
 
-    def test_the_search_finds_a_set_that_is_told_not_to_be_unique(self):
+    def test_the_search_finds_a_set_and_reports_that_it_is_not_unique(self):
         words = ["pile-angle", TINY, *SOFT, "--size", 3.2, "--seeds", 2, "--search", ROLLING + "=0.0:1.0"]
         out = self.folder / "beyond"
         text, _ = self.calibrate(*words, "--out", out, "--target", 80)

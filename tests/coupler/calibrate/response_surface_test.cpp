@@ -38,7 +38,7 @@ TEST(ResponseSurface, FindsAQuadraticExactly) {
 }
 
 /// The standard error it states is the scatter that repeated searches have, and the seeds' own
-/// scatter is told apart from it.
+/// scatter is separated from it.
 TEST(ResponseSurface, StatedErrorIsTheScatterOfRepeatedSearches) {
   std::mt19937 draw(7);
   std::normal_distribution<double> noise(0, 0.8);

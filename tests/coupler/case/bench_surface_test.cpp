@@ -92,7 +92,7 @@ TEST(BenchSurface, CutsRocksByTheirOwnPlace) {
             (std::vector<long>{2, 3}));
 }
 
-TEST(BenchSurface, TellsWhatItLeavesBare) {
+TEST(BenchSurface, ReportsWhatItLeavesBare) {
   const BenchSurface narrow(deck::height_field(kX, kY, plane));
   EXPECT_THAT(
       narrow.faults(3.05),
@@ -116,7 +116,7 @@ TEST(BenchSurface, ReachesOverWhatFallsBetweenTheSteps) {
   EXPECT_THAT(surface.faults(3), IsEmpty());
 }
 
-TEST(BenchSurface, TellsOverhangs) {
+TEST(BenchSurface, ReportsOverhangs) {
   mesh::TriangleMesh mesh = deck::height_field(kX, kY, plane);
   deck::add(mesh, deck::height_field({12, 12.04}, {0.3, 0.34}, [](double, double) { return 4; }));
   EXPECT_THAT(BenchSurface(mesh).faults(3),
@@ -129,7 +129,7 @@ TEST(BenchSurface, TellsOverhangs) {
   EXPECT_THAT(BenchSurface(twice).faults(3), IsEmpty());
 }
 
-TEST(BenchSurface, TellsWhatIsUnderTheGround) {
+TEST(BenchSurface, ReportsWhatIsUnderTheGround) {
   const auto sunk = [](double by) {
     return BenchSurface(deck::height_field(kX, kY, [by](double x, double) { return x - 10 - by; }));
   };

@@ -37,7 +37,7 @@ TEST(Schema, Ranges) {
   EXPECT_TRUE((Range{0, 1, false, false}.holds(0)));
 }
 
-TEST(Schema, TellsWhatAKeyAffects) {
+TEST(Schema, KnowsWhatAKeyAffects) {
   const std::map<std::string, std::vector<const char*>> known = {
       {"settling",
        {"seed", "rock.density_kg_m3", "rock.classes.#.size_m", "rock.sieve.file",

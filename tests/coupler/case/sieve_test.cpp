@@ -91,7 +91,7 @@ TEST(Sieve, AGapInTheCurveGivesNoClass) {
   EXPECT_NEAR(total(classes), 100, 1e-9);
 }
 
-TEST(Sieve, AnotherUnitIsToldOnceWithTheRange) {
+TEST(Sieve, AnotherUnitIsReportedOnceWithTheRange) {
   const std::string mm = errors_of("63,2\n125,6\n1000,100\n"),
                     shares = errors_of("0.063,0.02\n0.5,0.52\n1,1.0\n"),
                     retained = errors_of("0.063,98\n0.125,94\n1,0\n");

@@ -53,7 +53,7 @@ TEST(CheckCase, TheRepositorysQuickIsSound) {
   expect_findings(findings, {});
 }
 
-TEST(CheckCase, JsonTellsWhatAProgramAsks) {
+TEST(CheckCase, JsonHasWhatAProgramAsks) {
   Checkout checkout;
   test::MemoryReporter sound;
   EXPECT_TRUE(check::check_as_json(checkout.folder(), {{"title", "'a \"b\"'"}}, "5eed", sound));
@@ -365,7 +365,7 @@ TEST(CheckCase, StepOfAFractionOfANanosecond) {
                                      "is not a whole number of nanoseconds; write 0.000123456"}});
 }
 
-TEST(CheckCase, AMeshElsewhereIsToldAndNothingElseOfIt) {
+TEST(CheckCase, AMeshElsewhereIsReportedAndNothingElseOfIt) {
   const Checkout checkout;
   const mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
   const auto file = std::filesystem::path(testing::TempDir()) / "door_elsewhere.stl";
@@ -386,7 +386,7 @@ TEST(CheckCase, AMeshElsewhereIsToldAndNothingElseOfIt) {
   }
 }
 
-TEST(CheckCase, ADipperInFeetIsToldInPlaceOfWhereItLeavesTheDomain) {
+TEST(CheckCase, ADipperInFeetIsNamedInPlaceOfWhereItLeavesTheDomain) {
   const Checkout checkout;
   mesh::TriangleMesh dipper = mesh::read_stl(checkout.root / "meshes/dipper.stl");
   const auto file = std::filesystem::path(testing::TempDir()) / "dipper_feet.stl";
@@ -398,7 +398,7 @@ TEST(CheckCase, ADipperInFeetIsToldInPlaceOfWhereItLeavesTheDomain) {
                   {{"--set", 0, "bodies.dipper", "in ft, perhaps? 15.11 ft are 4.605 m"}});
 }
 
-TEST(CheckCase, AFacetTooThinForLiggghtsIsTold) {
+TEST(CheckCase, AFacetTooThinForLiggghtsIsReported) {
   Checkout checkout;
   mesh::TriangleMesh door = mesh::read_stl(checkout.root / "meshes/door.stl");
   const auto t = door.triangles[0];  // a corner close above the middle of one of its edges

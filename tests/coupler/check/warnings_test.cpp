@@ -19,7 +19,7 @@ using test::Checkout;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::vector<std::string> told(const cases::Case& c) {
+std::vector<std::string> messages(const cases::Case& c) {
   std::vector<std::string> said;
   for (const Finding& warning : warnings(c)) said.push_back(warning.key + ": " + warning.message);
   return said;
@@ -33,7 +33,7 @@ std::vector<std::string> warnings_of(const Checkout& checkout,
   const cases::Case c = cases::load_case(checkout.folder(), set, findings);
   test::expect_findings(findings, {});
   test::expect_findings(check_case(c), {});
-  return told(c);
+  return messages(c);
 }
 
 /// The dipper's mesh changed.
@@ -51,7 +51,7 @@ std::vector<std::string> with_dipper(const Change& change, const std::string& fa
   cases::Case c =
       cases::load_case(checkout.folder(), {{"rock.coarse_graining_limit_m", "1"}}, loaded);
   c.bodies.at("dipper") = checkout.folder() / "changed.stl";
-  return told(c);
+  return messages(c);
 }
 
 TEST(Warnings, SoundCaseHasNone) { EXPECT_THAT(warnings_of(Checkout(true)), ElementsAre()); }
@@ -108,7 +108,7 @@ std::vector<std::string> with_sieve(const std::string& rows) {
   std::vector<Finding> findings;
   const cases::Case c = cases::load_case(checkout.folder(), {}, findings);
   test::expect_findings(findings, {});
-  return told(c);
+  return messages(c);
 }
 
 TEST(Warnings, ASieveCurveThatEndsBelowAll) {

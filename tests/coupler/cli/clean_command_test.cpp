@@ -42,7 +42,7 @@ class CleanCommand : public testing::Test {
     put(run / "events-10.lcmlog", 100'000);
   }
 
-  std::string told(std::vector<std::string> words) {
+  std::string output_of(std::vector<std::string> words) {
     CLI::App app;
     test::MemoryReporter reporter;
     const Command command = add_clean_command(app, reporter);
@@ -56,30 +56,30 @@ class CleanCommand : public testing::Test {
   fs::path root, run;
 };
 
-TEST_F(CleanCommand, TellsFirstAndRemovesWhenAsked) {
+TEST_F(CleanCommand, ListsFirstAndRemovesWhenAsked) {
   put_run();
-  const std::string said = told({run.string()});
+  const std::string said = output_of({run.string()});
   EXPECT_THAT(said, HasSubstr("2.0 MB  " + (run / "dumps").string()));
   EXPECT_THAT(said, HasSubstr("1.5 MB  " + (run / "checkpoints").string()));
   EXPECT_THAT(said, HasSubstr("0.5 MB  " + (run / "messages").string()));
   EXPECT_THAT(said, HasSubstr("4.0 MB  can be freed"));
   EXPECT_TRUE(fs::exists(run / "dumps" / "rocks_0.dump"));
 
-  EXPECT_THAT(told({run.string(), "--yes"}), HasSubstr("4.0 MB  freed"));
+  EXPECT_THAT(output_of({run.string(), "--yes"}), HasSubstr("4.0 MB  freed"));
   for (const char* gone : {"dumps", "checkpoints", "events.lcmlog", "events-10.lcmlog"})
     EXPECT_FALSE(fs::exists(run / gone)) << gone;
   for (const char* kept : {"record.h5", "summary.json"}) EXPECT_TRUE(fs::exists(run / kept));
 }
 
 TEST_F(CleanCommand, LeavesWhatIsNoRunAndWhatIsBeingWritten) {
-  EXPECT_THAT([&] { told({root.string()}); },
+  EXPECT_THAT([&] { output_of({root.string()}); },
               testing::ThrowsMessage<InputError>(HasSubstr("is not a run")));
   put_run();
   FileLock writer(run / "run.lock");
   ASSERT_TRUE(writer.try_lock());
   EXPECT_THAT(
       [&] {
-        told({run.string(), "--yes"});
+        output_of({run.string(), "--yes"});
       },
       testing::ThrowsMessage<InputError>(HasSubstr("a run is writing it")));
   EXPECT_TRUE(fs::exists(run / "dumps" / "rocks_0.dump"));
@@ -91,7 +91,7 @@ TEST_F(CleanCommand, EmptiesTheCacheButForWhatIsBeingMade) {
   put(root / "cache" / "piles" / "b.42.part" / "pile.restart", 1'000'000);
   FileLock maker(root / "cache" / "piles" / "b.lock");
   ASSERT_TRUE(maker.try_lock());
-  EXPECT_THAT(told({"cache", "--yes"}), HasSubstr("3.0 MB  freed"));
+  EXPECT_THAT(output_of({"cache", "--yes"}), HasSubstr("3.0 MB  freed"));
   EXPECT_FALSE(fs::exists(root / "cache" / "piles" / "a"));
   EXPECT_TRUE(fs::exists(root / "cache" / "piles" / "b"));
   EXPECT_TRUE(fs::exists(root / "cache" / "piles" / "b.42.part"));

@@ -27,7 +27,7 @@ struct Program {
     auto* calibrate = app.add_subcommand("calibrate", "finds a value");
     for (const char* what : {"angle", "density"})
       calibrate->add_subcommand(what, "of the pile")->add_option("--seeds", number, "runs");
-    app.add_subcommand("help", "tells of a command");
+    app.add_subcommand("help", "shows a command");
   }
   CLI::App app{"what it is for", "dipper"};
   std::string text;

@@ -29,7 +29,7 @@ class EffectsCommand : public ::testing::Test {
   fs::path folder_ = fs::path(::testing::TempDir()) / "effects_command";
 };
 
-TEST_F(EffectsCommand, TellsTheCataloguesAndTheCasesOwn) {
+TEST_F(EffectsCommand, ListsTheCataloguesAndTheCasesOwn) {
   write(kMine);
   test::MemoryReporter out;
   ASSERT_EQ(effects_command(folder_, out), 0);
@@ -51,7 +51,7 @@ TEST_F(EffectsCommand, TellsTheCataloguesAndTheCasesOwn) {
   EXPECT_EQ(friction->at("affects"), "machine");
 }
 
-TEST_F(EffectsCommand, FaultsAreToldAllAtOnceAndNothingIsWritten) {
+TEST_F(EffectsCommand, FaultsAreReportedAllAtOnceAndNothingIsWritten) {
   std::string bad = kMine;
   bad.replace(bad.find("machine\n"), 7, "magic");
   bad.replace(bad.find("scale: 0.5"), 10, "scale: 0.0");

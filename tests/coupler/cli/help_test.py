@@ -11,12 +11,12 @@ DIPPER = os.environ["DIPPER"]
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
 
 
-def told(*words):
+def help_of(*words):
     return subprocess.run([DIPPER, *words, "--help"], capture_output=True, text=True, check=True).stdout
 
 
 def listed():
-    return re.findall(r"^  (\w+) ", told().split("Subcommands:")[1].split("\n\n")[0], re.M)
+    return re.findall(r"^  (\w+) ", help_of().split("Subcommands:")[1].split("\n\n")[0], re.M)
 
 
 class Help(unittest.TestCase):
@@ -27,7 +27,7 @@ class Help(unittest.TestCase):
             words = (name, "pile-angle") if name == "calibrate" else (name,)
             example = "dipper completion" if name == "completion" else "dipper " + " ".join(words)
             with self.subTest(name):
-                before, _, after = told(*words).lower().rpartition("example")
+                before, _, after = help_of(*words).lower().rpartition("example")
                 self.assertIn(name, before)
                 self.assertIn(example, " ".join(after.split()))
 
@@ -41,7 +41,7 @@ class Help(unittest.TestCase):
         for words in ((), ("run",), ("gap",), ("calibrate", "pile-angle")):
             with self.subTest(words):
                 asked = subprocess.run([DIPPER, "help", *words], capture_output=True, text=True, check=True)
-                self.assertEqual(asked.stdout, told(*words))
+                self.assertEqual(asked.stdout, help_of(*words))
 
     def test_the_options_of_a_python_program_are_those_of_its_command(self):
         options = re.compile(r"--[\w-]+")
@@ -50,7 +50,7 @@ class Help(unittest.TestCase):
             with self.subTest(name):
                 own = subprocess.run(["/usr/bin/python3", "-B", "-m", f"dipper_{name}", "--help"], check=True,
                                      capture_output=True, text=True, env={**os.environ, "PYTHONPATH": path}).stdout
-                listed_options = told(name).split("Options:")[1]
+                listed_options = help_of(name).split("Options:")[1]
                 self.assertEqual(set(options.findall(own.split("options:")[1])),
                                  set(re.findall(r"^  (?:-h,)?(--[\w-]+)", listed_options, re.M)))
 
@@ -64,7 +64,7 @@ class Help(unittest.TestCase):
         sections = dict(zip(manual[1::2], manual[2::2]))
         tried = 0
         for words in commands:
-            options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", told(*words), re.M)) - {"--help"}
+            options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", help_of(*words), re.M)) - {"--help"}
             section = sections["dipper " + " ".join(words)]
             typed = " ".join(("dipper", *words, "--"))
             offered = subprocess.run(["bash"], input=f"{said()}\nCOMP_WORDS=({typed}); COMP_CWORD={len(words) + 1}\n"

@@ -1,4 +1,4 @@
-// Every option that is a number refuses what is none, and tells its range.
+// Every option that is a number refuses what is none, and names its range.
 #include "coupler/cli/number_option.hpp"
 
 #include <gmock/gmock.h>

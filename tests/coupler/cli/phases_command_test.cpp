@@ -141,7 +141,7 @@ TEST(PhasesCommand, OfARunComeWithItsPasses) {
   EXPECT_NEAR(pass["truck_kg"], 80e3, 1e-6);
   ASSERT_EQ(pass["phases"].size(), 7U);
   EXPECT_EQ(pass["phases"][4]["phase"], "swing");
-  EXPECT_NEAR(pass["phases"][6]["t_end_s"], 52, 1e-9);  // the way home is the last pass's
+  EXPECT_NEAR(pass["phases"][6]["t_end_s"], 52, 1e-9);  // the return belongs to the last pass
 }
 
 TEST(PhasesCommand, RefusesAFolderThatIsNoRun) {

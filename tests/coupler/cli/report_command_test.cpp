@@ -145,7 +145,7 @@ TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
   EXPECT_THAT(refused(s, plain), HasSubstr("the time step is not known"));
 }
 
-TEST(ReportCommand, WritesWhereItIsTold) {
+TEST(ReportCommand, WritesWhereAsked) {
   const analysis::Scratch s;
   write_dumps(s);
   ReportOptions w = options(s);

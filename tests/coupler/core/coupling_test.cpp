@@ -71,7 +71,7 @@ class SpringRock final : public LocalRock {
     return report(0);
   }
   RockState step(const RockStep& step) override {
-    told.push_back(step);
+    received.push_back(step);
     const std::int64_t n = step.n_steps;
     const double v1 = (step.X_WB_target[0].p.x() - x1_) / (static_cast<double>(n) * dt_);
     double sum = 0.5 * k12_ * (x2_ - x1_);
@@ -88,7 +88,7 @@ class SpringRock final : public LocalRock {
     return report(sum / static_cast<double>(n));
   }
   void save(const std::filesystem::path&) override {}
-  std::vector<RockStep> told;
+  std::vector<RockStep> received;
   std::string state_hash() override { return ""; }
   double x2() const { return x2_; }
 
@@ -200,17 +200,17 @@ TEST_P(CouplingSchemes, IsCountedForBothSidesAndGoneOnFrom) {
   EXPECT_EQ(advance(whole, 6).step_index, 2);
   EXPECT_EQ(whole.state().step_index, 2);
   EXPECT_EQ(whole.state().dem_step, 10);
-  EXPECT_EQ(spring.told.at(1).step_index, 1);
-  EXPECT_EQ(spring.told.at(1).t_end_ns, 10'000'000);
-  EXPECT_TRUE(spring.told.at(1).contact);
+  EXPECT_EQ(spring.received.at(1).step_index, 1);
+  EXPECT_EQ(spring.received.at(1).t_end_ns, 10'000'000);
+  EXPECT_TRUE(spring.received.at(1).contact);
 
   SpringRock again = rock();
   Coupling resumed(mass, again, scheme);
   resumed.resume(whole.state());
   EXPECT_EQ(resumed.t_ns(), whole.t_ns());
   EXPECT_EQ(advance(resumed, 5).step_index, 3);
-  EXPECT_EQ(again.told.at(0).t_end_ns, 15'000'000);
-  EXPECT_FALSE(again.told.at(0).contact) << "as the machine was when the window began";
+  EXPECT_EQ(again.received.at(0).t_end_ns, 15'000'000);
+  EXPECT_FALSE(again.received.at(0).contact) << "as the machine was when the window began";
 }
 INSTANTIATE_TEST_SUITE_P(Schemes, CouplingSchemes,
                          testing::Values(Scheme::serial, Scheme::corrected));

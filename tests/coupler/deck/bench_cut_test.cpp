@@ -84,7 +84,7 @@ TEST_F(OutlineFile, ReadsWhatItWrites) {
   EXPECT_EQ(cases::read_outline(file_), kBench);
 }
 
-TEST_F(OutlineFile, TellsEveryMistakeByItsLine) {
+TEST_F(OutlineFile, ReportsEveryMistakeByItsLine) {
   EXPECT_EQ(read("x,z\n"), ":1:1: header is \"x,z\"; it must be \"x_m,z_m\"\n");
   EXPECT_EQ(read("x_m,z_m\n0,0\n"), ": 1 points; an outline has at least two\n");
   EXPECT_EQ(read("# scan\nx_m,z_m\n0,0\n5,-1\n4,2\n6,three\n"),

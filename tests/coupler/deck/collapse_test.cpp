@@ -57,7 +57,7 @@ TEST(Collapse, LiesOverAScannedFaceAndBeforeAnUprightOne) {
   EXPECT_GT(upright.face_x_m, 12);
 }
 
-TEST(Collapse, ComesWhenItIsToldToElseWhenTheDoorFirstOpens) {
+TEST(Collapse, ComesAtTheGivenTimeElseWhenTheDoorFirstOpens) {
   const machine::Motion motion = machine::Motion::parse(
       "time_s,hoist_m,crowd_m,swing_deg,door_deg\n"
       "0,0,0,0,0\n5,0,0,0,0\n6,0,0,0,60\n7,0,0,0,0\n20,0,0,0,0\n21,0,0,0,60\n22,0,0,0,0\n",

@@ -98,7 +98,7 @@ TEST(ScannedSurface, IsReproducedAtTheCut) {
   ASSERT_TRUE(found);
   fmt::print(
       "{} rocks; off the surface by {:.2f} m at most on 2 m x 2 m, {:.2f} m on 1 m x 1 m; off the "
-      "mirrored one by {:.2f} m, off its section by {:.2f} m; told: {:.2f} m below\n",
+      "mirrored one by {:.2f} m, off its section by {:.2f} m; reported: {:.2f} m below\n",
       rocks.size(), largest(is), largest(finer), largest(mirrored), largest(level),
       found->below_mean_m);
   EXPECT_LT(highest, 0.01);  // it has moved a step since the cut

@@ -1,5 +1,5 @@
 // A bench cut to a profile that is steeper than rock stands: 60 degrees, 5 m high. The cut gives
-// it; what relaxing takes of it is measured as a run tells it.
+// it; what relaxing takes of it is measured as in a run.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -56,7 +56,7 @@ TEST_F(DialogueTest, LinesThatComeTogetherAreHeardOneByOne) {
   EXPECT_EQ(dialogue->hear(), "cd");
 }
 
-TEST_F(DialogueTest, TellsHowTheProgramEnded) {
+TEST_F(DialogueTest, ReportsHowTheProgramEnded) {
   EXPECT_THAT(fault([&] { with("echo woe >&2; exit 3")->hear(); }),
               HasSubstr("woe (exit status 3)"));
   EXPECT_THAT(fault([&] {

@@ -158,7 +158,7 @@ TEST_F(FailureMessage, AnMpirunThatStartsNothingAndIsContentIsNamed) {
   EXPECT_EQ(failure_message(failed, log).rfind(other.file() + " is not Open MPI's", 0), 0U);
 }
 
-TEST_F(FailureMessage, NoMpirunIsToldWithWhatToInstall) {
+TEST_F(FailureMessage, NoMpirunIsReportedWithWhatToInstall) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/none", 1);
   const auto log = write("log", "");

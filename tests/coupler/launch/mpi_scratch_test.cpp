@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A child that has its scratch folder, a file in it, and ends as told; the folder.
+/// A child that has its scratch folder, a file in it, and ends as asked; the folder.
 fs::path folder_of_one_that(bool is_killed) {
   int pipe_ends[2];
   EXPECT_EQ(pipe(pipe_ends), 0);

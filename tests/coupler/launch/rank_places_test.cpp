@@ -97,7 +97,7 @@ TEST(RankPlaces, HostsAreLeftOut) {
       ElementsAre("--bind-to", "core", "--mca", "a", "b"));
 }
 
-/// In place of dipper-dem: tells of two ranks, whatever mpirun it is under.
+/// In place of dipper-dem: reports two ranks, whatever mpirun it is under.
 std::string program(const File& script) {
   fs::permissions(script.path, fs::perms::owner_all);
   return script.path.string();
@@ -131,7 +131,7 @@ TEST(RankPlaces, TheFirstRankStaysBesideTheLauncher) {
   }
 }
 
-TEST(RankPlaces, WhatMpirunRefusesIsToldInItsWords) {
+TEST(RankPlaces, WhatMpirunRefusesIsReportedInItsWords) {
   try {
     place_ranks(1, {"--nonsense"}, "/bin/true");
     FAIL();

@@ -55,7 +55,7 @@ TEST(TruckLoad, OfAPassThatIsSmallForItsTruckTakesAsManyAsItTakes) {
   EXPECT_EQ(truck_load(100, passes({40, 30}))->passes_to_fill, 3) << "105 t, for 70 and 140 t";
 }
 
-TEST(TruckLoad, ThatIsNotKnownIsTold) {
+TEST(TruckLoad, ThatIsNotKnownIsReported) {
   EXPECT_EQ(no_truck_load(0, passes({0})), "");
   EXPECT_EQ(no_truck_load(220, passes({})), "truck.rated_t has no effect: the run has no passes");
   EXPECT_THAT(no_truck_load(220, passes({0, 0})), HasSubstr("gained nothing from 2 passes"));

@@ -85,7 +85,7 @@ class Damage(RunTest):
         self.assertIn("record.h5 is missing", done.stderr)
 
     def test_of_a_run_that_was_killed_nothing_crashes_a_reader(self):
-        """It has no manifest yet: what can be told is told, with the file's name."""
+        """It has no manifest yet: what is known is reported, with the file's name."""
         (self.run / "manifest.sha256").unlink()
         readers = (("report", self.run, "--out", self.folder / "no"), ("phases", self.run),
                    ("observe", self.run, "--out", self.folder / "seen"))

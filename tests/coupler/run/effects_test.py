@@ -44,7 +44,7 @@ class WornTeeth(RunTest):
         self.assertAlmostEqual(way, 0.5, delta=0.2)
         np.testing.assert_array_equal(worn.place_m[:first], whole.place_m[:first])
 
-    def test_beyond_their_length_are_told_before_the_run(self):
+    def test_beyond_their_length_are_reported_before_the_run(self):
         out, _ = self.run_case(self.folder / "x", "--set", "machine.tooth_wear_m=0.7", status=2)
         self.assertIn("machine.tooth_wear_m: teeth cannot wear by 0.7 m", out)
         self.assertFalse((self.folder / "x").exists())
@@ -110,7 +110,7 @@ class OneOfYourOwn(RunTest):
         page = (ROOT / "docs/case.md").read_text()
         file = re.search(r"Save this as `cases/quick/(effects/(\w+)\.yaml)`:\n\n```yaml\n(.*?)```", page, re.S)
         command = re.search(r"dipper run cases/quick (--set \S+)", page[file.end():])
-        told = re.search(r"grep (\w+) .*# (\S+) in place of (\S+)\n", page[file.end():])
+        shown = re.search(r"grep (\w+) .*# (\S+) in place of (\S+)\n", page[file.end():])
         case = self.folder / "case"
         (case / "effects").mkdir(parents=True)
         (case / file[1]).write_text(file[3])
@@ -124,9 +124,9 @@ class OneOfYourOwn(RunTest):
                                self.folder / "run"], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         text = (self.folder / "run/case.txt").read_text()
-        value = float(re.search(rf"^\S*{told[1]}=(\S+)$", text, re.M)[1])
-        self.assertAlmostEqual(value, float(told[2]))
-        self.assertIn(f"{told[1]}: {told[3]}", (case / "case.yaml").read_text())
+        value = float(re.search(rf"^\S*{shown[1]}=(\S+)$", text, re.M)[1])
+        self.assertAlmostEqual(value, float(shown[2]))
+        self.assertIn(f"{shown[1]}: {shown[3]}", (case / "case.yaml").read_text())
         self.assertEqual(self.summary(self.folder / "run")["effects"], {file[2]: 0.2})
 
         sys.path[:0] = [str(ROOT / "analysis/gap"), str(ROOT / "analysis/runs")]

@@ -80,7 +80,7 @@ class Hosts:
             self._until_reached()
 
     def _until_reached(self):
-        """What asked for a host while its cable was out is told up to a second after it is in that there is none."""
+        """A request for a host made while its cable was out still fails up to a second after it is back in."""
         for host in NAMES.values():
             subprocess.run(self.command(host, [sys.executable, "-c", ASK, *NAMES]), check=True, timeout=60)
 

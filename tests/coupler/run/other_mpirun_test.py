@@ -35,7 +35,7 @@ class OtherMpirun(RunTest):
         (folder / "mpirun").chmod((folder / "mpirun").stat().st_mode | stat.S_IXUSR)
         return f"{folder}:{os.environ['PATH']}", str(folder / "mpirun")
 
-    def test_is_told_before_the_pile_is_settled_and_before_it_is_dug(self):
+    def test_is_reported_before_the_pile_is_settled_and_before_it_is_dug(self):
         path, mpirun = self.other()
         cache = self.folder / "cache"
         status, said = self.dipper("run", TINY, *SHORT, "--out", self.folder / "a", PATH=path,
@@ -59,7 +59,7 @@ class OtherMpirun(RunTest):
         self.assertIn("--ranks 2", said)
         self.assertFalse(pathlib.Path(self.folder / "two").exists())
 
-    def test_a_home_that_cannot_be_written_is_told_before_anything_is(self):
+    def test_a_home_that_cannot_be_written_is_reported_before_anything_is(self):
         no_folder = self.folder / "file"
         no_folder.write_text("")
         for where in ({"XDG_CACHE_HOME": str(no_folder)}, {"XDG_CACHE_HOME": "", "HOME": str(no_folder)},

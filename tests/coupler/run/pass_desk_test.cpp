@@ -45,7 +45,7 @@ choose:
   teeth_m_s: 1.2
 )";
 
-/// Keeps what it is told to follow; the desk asks it nothing else.
+/// Keeps what it is sent to follow; the desk asks it nothing else.
 struct TellingMachine final : core::Machine {
   core::ServerInfo info() const override {
     return {"machine", {}, {{"path_time", "s", "-"}, {"crowd_force", "N", "-"}}, 0};
@@ -117,7 +117,7 @@ class PassDeskTest : public testing::Test {
     return w;
   }
 
-  /// Window by window through passes that load so much each; the last window told.
+  /// Window by window through passes that load so much each; the last window passed to it.
   void go_through(PassDesk& desk, const std::vector<double>& truck_t) {
     desk.window(at(0, 0, truck_t[0]));
     for (std::size_t k = 1; k < truck_t.size() && !desk.finished(); ++k)

@@ -41,7 +41,8 @@ TEST(MotionPhases, ArePassByPassThoseOfTheMotion) {
   EXPECT_EQ(phases.at(27), "1 dump");
   EXPECT_EQ(phases.at(35), "1 return");
   EXPECT_EQ(phases.at(48 + 8), "2 fill");
-  EXPECT_EQ(phases.at(seconds(motion.end_ns())), "3 return") << "the way home is the last pass's";
+  EXPECT_EQ(phases.at(seconds(motion.end_ns())), "3 return")
+      << "the return belongs to the last pass";
   EXPECT_EQ(phases.at(1e4), "3 return");
 }
 
@@ -70,7 +71,7 @@ class ProgressTest : public testing::Test {
   std::function<Progress::Clock::time_point()> clock_ = [this] { return now_; };
 };
 
-TEST_F(ProgressTest, TellsPhasePayloadTimeLeftAndSpeedInTheWidthOfATerminal) {
+TEST_F(ProgressTest, ShowsPhasePayloadTimeLeftAndSpeedInTheWidthOfATerminal) {
   c_.dem.timestep_s = 1.3e-4;
   Progress progress(lines_, c_, end_, info("energy"), info("mass_in_dipper"), clock_);
   progress.window(window(1.2));
@@ -107,7 +108,7 @@ TEST_F(ProgressTest, AnOperatorsRunLastsAsLongAsItsPasses) {
   EXPECT_THAT(lines_.last, HasSubstr("[##....] 41.0 s  pass 2  payload 81.9 t  2 min left"));
 }
 
-TEST_F(ProgressTest, TellsNoTimeLeftBeforeItCanBeToldWell) {
+TEST_F(ProgressTest, ShowsNoTimeLeftBeforeItIsKnownWell) {
   c_.dem.timestep_s = 1.3e-4;
   Progress progress(lines_, c_, end_, info("energy"), info("mass_in_dipper"), clock_);
   now_ += std::chrono::hours(1);  // the start-up does not count

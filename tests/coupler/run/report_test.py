@@ -67,10 +67,10 @@ class Report(RunTest):
         self.assertAlmostEqual(one["lifted_kg"], sum(one[k] for k in (
             "carry_back_kg", "back_in_pile_kg", "spillage_kg")) + metrics["frames"]["in_truck_kg"][-1], delta=1e-6)
         self.assertAlmostEqual(metrics["dipper"]["struck_volume_m3"], 42, delta=0.42)
-        # The summary's figures are the page's, all of them; how full the dipper is is told by either density.
-        told = self.summary(run)["passes"][0]
-        phases = told.pop("phases")
-        self.assertEqual({key: one.get(key) for key in told}, told)
+        # The summary's figures are the page's, all of them; the fill factor is given by either density.
+        summed = self.summary(run)["passes"][0]
+        phases = summed.pop("phases")
+        self.assertEqual({key: one.get(key) for key in summed}, summed)
         self.assertEqual(metrics["phases"], [{"pass": 1, **phase} for phase in phases])
         full_kg = 42 * one["load_bulk_density_kg_m3"]
         self.assertAlmostEqual(one["fill_factor_load"], one["payload_kg"] / full_kg, delta=1e-9)
@@ -145,7 +145,7 @@ class Report(RunTest):
         self.assertEqual(len(files), 1, "what stands still is one file")
 
     def check_rocks(self, rocks, metrics):
-        """Each sphere tells of its rock: the number of rocks, their sizes and the load are those of metrics.json."""
+        """Each sphere carries its rock's data: number of rocks, sizes and load are those of metrics.json."""
         column = {name: numpy_support.vtk_to_numpy(rocks.GetPointData().GetArray(name))
                   for name in ("rock", "size", "in_dipper", "shape", "type", "id_multisphere")}
         self.assertEqual(len(set(column["rock"])), metrics["run"]["rocks"])

@@ -39,7 +39,7 @@ class Stepping : public testing::Test {
   Diary first{"a", pages}, second{"b", pages};
 };
 
-TEST_F(Stepping, TellsEveryObserverOfEveryWindowAndOfTheEnd) {
+TEST_F(Stepping, CallsEveryObserverForEveryWindowAndOfTheEnd) {
   stepper.start();
   EXPECT_TRUE(stepper.run([] { return false; }));
   EXPECT_THAT(pages, ElementsAre("a0", "b0", "a1", "b1", "a2", "b2", "a3", "b3", "a end", "b end"));

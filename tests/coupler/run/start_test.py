@@ -28,7 +28,7 @@ class Start(RunTest):
         (folder / "case.yaml").write_text("\n".join(lines) + "\n")
         return folder
 
-    def test_rock_in_the_machine_is_removed_and_told(self):
+    def test_rock_in_the_machine_is_removed_and_reported(self):
         case = self.scanned_case()
         # One rank and patience: on a busy machine ranks wait for each other.
         settings = ("--ranks", "1", "--set", "coupling.timeout_s=60", "--set", "end_s=0.05",
@@ -53,7 +53,7 @@ class Start(RunTest):
         pile = self.summary(cleared)["pile"]
         self.assertIn("below its profile", out)
         self.assertLess(abs(pile["below_profile_mean_m"]), 1)
-        self.assertIn("pile: cached", out, "how the dig starts is not part of the pile")
+        self.assertIn("pile: from the cache", out, "how the dig starts is not part of the pile")
 
     def test_bench_cut_to_a_surface(self):
         case = self.scanned_case("scan.stl", surface(right=2.6, left=0.4))
@@ -71,7 +71,7 @@ class Start(RunTest):
         self.assertLess(side[0], 0.45)
         self.assertGreater(side[1], 0.55)
         again, _ = self.run_case(self.folder / "again", *settings, case=case)
-        self.assertIn("pile: cached", again)
+        self.assertIn("pile: from the cache", again)
 
     def test_a_folder_that_a_script_or_a_shell_would_misread_is_refused(self):
         for name in ("runs;touch stolen;x", "a$HOME", "a&b", "a`b`", 'a"b', "a*b", "a%b", "a\nb"):
@@ -95,17 +95,17 @@ class Start(RunTest):
                 if mesh.is_file():
                     mesh.write_text("no file of this case\n")
         (decoy / "north").symlink_to(real / "tiny")
-        told = [json.loads(subprocess.run([DIPPER, "check", "--json", c], capture_output=True, text=True).stdout)
-                for c in (real / "tiny", decoy / "north")]
-        self.assertTrue(told[1]["sound"], told[1]["findings"])
-        self.assertEqual(*(t["case_hash"] for t in told))
-        self.assertIn(str(self.folder / "mine/meshes/dipper.stl"), told[1]["files"])
+        printed = [json.loads(subprocess.run([DIPPER, "check", "--json", c], capture_output=True, text=True).stdout)
+                   for c in (real / "tiny", decoy / "north")]
+        self.assertTrue(printed[1]["sound"], printed[1]["findings"])
+        self.assertEqual(*(t["case_hash"] for t in printed))
+        self.assertIn(str(self.folder / "mine/meshes/dipper.stl"), printed[1]["files"])
         self.run_case(self.folder / "run", "--no-rock", "--set", "end_s=0.05", case=decoy / "north")
 
     def test_a_folder_that_cannot_be_written_starts_nothing(self):
-        told, err = self.run_case("/proc/run", "--ranks", "4096", status=2)
+        printed, err = self.run_case("/proc/run", "--ranks", "4096", status=2)
         self.assertIn("/proc/run: cannot be written", err)
-        self.assertIn("warning: dem.ranks: 4096 ranks share ", told)
+        self.assertIn("warning: dem.ranks: 4096 ranks share ", printed)
 
     def test_without_a_place_for_the_cache_nothing_starts(self):
         with unittest.mock.patch.dict(os.environ):

@@ -72,7 +72,7 @@ class LossyPair {
     return std::thread([t = std::shared_ptr<Transport>(connect(in)), out, handle] {
       try {
         serve(*t, out, kCheckpoints, handle);
-      } catch (const std::exception&) {  // told to the master as a status; or the network is closed
+      } catch (const std::exception&) {  // sent to the master as a status; or the network is closed
       }
     });
   }

@@ -22,7 +22,7 @@ struct Faults {
   unsigned seed = 1;
 };
 
-/// A network in memory that loses, repeats and swaps messages as told; safe across threads.
+/// A network in memory that loses, repeats and swaps messages as asked; safe across threads.
 class MemoryNetwork {
  public:
   explicit MemoryNetwork(Faults faults = {}) : faults_(faults), random_(faults.seed) {}

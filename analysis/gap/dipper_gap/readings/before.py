@@ -53,7 +53,7 @@ def _questions(measured, before, both, passes):
                        "the reference, as if another instrument had read it; drift_sigma in channels.yaml says how far "
                        "the same one drifts, and less is hidden")
     if len(measured.trucks()) + len(before.trucks()) - 2 < FEW_TRUCKS:
-        out.append(f"{len(measured.trucks())} and {len(before.trucks())} trucks hardly tell how the mine's own trucks "
+        out.append(f"{len(measured.trucks())} and {len(before.trucks())} trucks hardly show how the mine's own trucks "
                    "scatter: the model's scatter is taken")
     steps = [float(np.median(np.diff(m.time_s))) if len(m.time_s) > 1 else 1.0 for m in (measured, before)]
     if max(steps) > RATES * min(steps):

@@ -1,4 +1,4 @@
-"""A law is told for what follows from the motion, with its form and size; for nothing, none."""
+"""A law is found for what follows from the motion, with its form and size; for nothing, none."""
 import functools
 from dataclasses import replace
 
@@ -49,7 +49,7 @@ def test_the_form_and_the_size_are_right(effects, channel, term, kN):
     assert found.explained > 0.6 and found.p <= 0.0125
 
 
-def test_it_is_told_in_words():
+def test_it_is_described_in_words():
     assert "as the crowd moves out, and -1" in laws({"crowd_friction": 150}, 7)[0].words
 
 
@@ -58,7 +58,7 @@ def test_nothing_has_no_law():
 
 
 def test_it_is_an_effect_that_the_program_reads(tmp_path):
-    """Its file in a case's own folder: `dipper effects` tells it as it was found."""
+    """Its file in a case's own folder: `dipper effects` lists it as it was found."""
     found = laws({"outside": 3}, 7)
     made = law_effect(found)
     (tmp_path / "effects").mkdir()

@@ -1,4 +1,4 @@
-"""The experiment that tells the effects of a class apart."""
+"""The experiment that distinguishes the effects of a class."""
 import pytest
 
 from dipper_gap.decision.next_experiment import propose

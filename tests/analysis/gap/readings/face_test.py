@@ -49,10 +49,10 @@ def test_a_folders_surveys_give_what_each_pass_removed_and_its_density(folder):
     found = truck_faces(m)
     assert found["removed"] == pytest.approx([8.0], rel=0.02)
     assert found["t_a_m2"] == pytest.approx([sum(p.truck_mass_t for p in m.passes) / 24], rel=0.02)
-    assert compare_faces(m, m) == ()  # of one truck each nothing tells the scatter
+    assert compare_faces(m, m) == ()  # of one truck each nothing shows the scatter
 
 
-def test_what_a_pass_left_may_be_told_in_its_own_plane(folder):
+def test_what_a_pass_left_may_be_given_in_its_own_plane(folder):
     """Three lanes beside one another: each pass has its own face before and after it."""
     lanes = {p: (ramp(toe=10), ramp(toe=10 + 0.2 * p)) for p in (1, 2, 3)}
     rows = ["pass,x_m,z_m,after"] + [f"{p},{x:.3f},{z:.3f},{k}" for p, both in lanes.items()
@@ -85,12 +85,12 @@ def test_a_declared_face_needs_surveys(folder):
 def test_faces_are_features_that_say_what_a_pass_removed():
     m = synthetic.run({"pile_height": 1.0}, seed=1, faces=True)
     fmap = FeatureMap(m, [1, 2, 3])
-    told = {(c.pass_number, c.feature): v for c, v in zip(fmap.cells, fmap(
+    figures = {(c.pass_number, c.feature): v for c, v in zip(fmap.cells, fmap(
         {n: v[None] for n, v in m.signals.items()}, fmap.masses()[None])[0]) if c.channel == "face_m"}
-    assert set(told) == {(p, f) for p in (1, 2, 3) for f in ("removed", "slope", "toe", "crest")}
+    assert set(figures) == {(p, f) for p in (1, 2, 3) for f in ("removed", "slope", "toe", "crest")}
     load = m.passes[0].truck_mass_t
-    assert told[1, "removed"] == pytest.approx(0.8 * load / (1.9 * 4), rel=0.08)
-    assert told[1, "slope"] == pytest.approx(37, abs=0.5)
+    assert figures[1, "removed"] == pytest.approx(0.8 * load / (1.9 * 4), rel=0.08)
+    assert figures[1, "slope"] == pytest.approx(37, abs=0.5)
     blind = FeatureMap(m.seen_by({n: c for n, c in m.channels.items() if n != "face_m"}), [1, 2, 3])
     assert not [c for c in blind.cells if c.channel == "face_m"]
 
@@ -122,7 +122,7 @@ def surveyed(m, rng, angle_deg):
     return replace(m, profiles=faces)
 
 
-def test_another_face_is_told_from_a_like_one():
+def test_another_face_is_distinguished_from_a_like_one():
     now, before = periods([{}] * 6, [{}] * 4, 1)
     rng = np.random.default_rng(3)
     like = {f.kind: f for f in compare_faces(surveyed(now, rng, 38), surveyed(before, rng, 38))}

@@ -12,7 +12,7 @@ from dipper_run.findings import BadInput
 
 EMPTY = synthetic.run({"no_rock": 1})
 PLAIN = [synthetic.run({}, seed) for seed in (1, 2, 3)]
-TOLD = Fidelity(Factor(0.90, 0.86, 0.94), 0.1, Factor(0.95, 0.90, 1.00))
+STATED = Fidelity(Factor(0.90, 0.86, 0.94), 0.1, Factor(0.95, 0.90, 1.00))
 RIGHT = """dig_force: {factor: 0.726, low: 0.698, high: 0.755, by_phase: 0.15, source: a study}
 payload: {factor: 0.99, low: 0.96, high: 1.03, source: "a study"}
 not_compared: [face_m]
@@ -30,17 +30,17 @@ def dig_force(m):
 
 @pytest.fixture(scope="module")
 def known():
-    return known_errors(TOLD, EMPTY, PLAIN)
+    return known_errors(STATED, EMPTY, PLAIN)
 
 
 def test_a_file_beside_the_case_is_read(tmp_path):
     assert read_fidelity(tmp_path) is None
     (tmp_path / "fidelity.yaml").write_text(RIGHT)
-    told = read_fidelity(tmp_path)
-    assert told.dig_force == Factor(0.726, 0.698, 0.755) and told.by_phase == 0.15
-    assert told.payload == Factor(0.99, 0.96, 1.03) and told.not_compared == ("face_m",)
-    assert told.dig_force.spread == pytest.approx(0.057 / 3.92 / 0.726)
-    assert "0.726 (0.698 to 0.755)" in str(told) and "face_m not compared" in str(told)
+    stated = read_fidelity(tmp_path)
+    assert stated.dig_force == Factor(0.726, 0.698, 0.755) and stated.by_phase == 0.15
+    assert stated.payload == Factor(0.99, 0.96, 1.03) and stated.not_compared == ("face_m",)
+    assert stated.dig_force.spread == pytest.approx(0.057 / 3.92 / 0.726)
+    assert "0.726 (0.698 to 0.755)" in str(stated) and "face_m not compared" in str(stated)
 
 
 @pytest.mark.parametrize("wrong, right, said", [
@@ -71,8 +71,8 @@ def test_rock_shows_resistance_in_the_dig_and_weight_from_then_on():
     assert hoist[(m.time_s >= swing[0]) & (m.time_s < swing[1])].mean() == pytest.approx(0.9 * 9.81 * tonnes, rel=0.03)
 
 
-def test_the_dig_force_of_corrected_runs_is_the_told_share(known):
-    only_dig = known_errors(replace(TOLD, payload=Factor()), EMPTY, PLAIN)
+def test_the_dig_force_of_corrected_runs_is_the_stated_share(known):
+    only_dig = known_errors(replace(STATED, payload=Factor()), EMPTY, PLAIN)
     ratio = [dig_force(only_dig.corrected(m)) / dig_force(m) for m in PLAIN]
     assert np.mean(ratio) == pytest.approx(0.90, abs=0.005)
     assert only_dig.resistance.value < 0.90  # dipper and load weigh what they do, so rock has to resist less
@@ -108,7 +108,7 @@ def test_what_is_not_known_is_a_shared_shift_of_features(known):
     at = [(m.time_s >= a) & (m.time_s < b) for m in runs for a, b in [synthetic.phase_index()[0]["fill"]]]
     resists = np.mean([rock_forces(m, EMPTY)[1][1][k].mean() for m, k in zip(runs, at)])
     assert resistance[fill] == pytest.approx(known.resistance.spread * resists, rel=0.15)
-    assert payload[mass] == pytest.approx(TOLD.payload.spread * mean[mass])
+    assert payload[mass] == pytest.approx(STATED.payload.spread * mean[mass])
     assert payload[swing] > 0
     others = directions[2:]
     for phase in ("penetrate", "fill", "breakout", "dump"):

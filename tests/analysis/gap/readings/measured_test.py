@@ -158,7 +158,7 @@ FILES = ("channels.yaml", "passes.csv", "signals.csv")
 
 
 @pytest.mark.parametrize("file", FILES)
-def test_text_that_is_no_utf8_is_told_with_its_line(folder, file):
+def test_text_that_is_no_utf8_is_reported_with_its_line(folder, file):
     data = (folder / file).read_bytes()
     third = data.index(b"\n", data.index(b"\n") + 1) + 1
     (folder / file).write_bytes(data[:third] + b"\xe9" + data[third:])
@@ -262,12 +262,12 @@ def test_iso_time_stamps(folder):
 def test_one_cause_is_one_line(folder):
     rows = (folder / "signals.csv").read_text().splitlines()
     (folder / "signals.csv").write_text("\n".join(rows[:1] + [r.replace(".", ",") for r in rows[1:]]))
-    told = [f for f in findings(folder) if "signals.csv" in f and "readings within" not in f]
-    assert len(told) == 1 and f"and the same in {len(rows) - 2} more lines" in told[0]
-    assert "with decimal commas, part the columns by semicolons" in told[0]
+    faults = [f for f in findings(folder) if "signals.csv" in f and "readings within" not in f]
+    assert len(faults) == 1 and f"and the same in {len(rows) - 2} more lines" in faults[0]
+    assert "with decimal commas, part the columns by semicolons" in faults[0]
     (folder / "signals.csv").write_text("\n".join(rows[:1] + list(reversed(rows[1:]))))
-    told = [f for f in findings(folder) if "later times only" in f]
-    assert len(told) == 1 and f"and the same in {len(rows) - 3} more lines" in told[0]
+    faults = [f for f in findings(folder) if "later times only" in f]
+    assert len(faults) == 1 and f"and the same in {len(rows) - 3} more lines" in faults[0]
 
 
 PIECES = [b"", b"[", b"{", b": ", b",", b"\n", b"\0", b"\xff", b"nan", b"1e999", b"&a *a", b"\"", b"- ", b"\x85"]

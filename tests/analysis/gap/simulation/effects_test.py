@@ -8,7 +8,7 @@ from dipper_run.program import ask
 from effect_files import FINES
 
 
-def test_a_bad_effect_file_is_told_whole(tmp_path):
+def test_a_bad_effect_file_is_reported_whole(tmp_path):
     (tmp_path / "effects").mkdir()
     (tmp_path / "effects" / "x.yaml").write_text(FINES.replace("rock\n", "magic\n").replace("high: 0.4", "high: -1")
                                                  .replace("title: Fines\n", ""))

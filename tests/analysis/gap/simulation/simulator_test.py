@@ -10,7 +10,7 @@ from dipper_gap.simulation.effects import read_catalogue
 from dipper_gap.simulation.simulator import EMPTY, DipperSimulator, RunFailed, request
 from effect_files import FINES, FRICTION, GAIN
 
-# Writes an observed folder whose truck masses tell what was asked; fails for a seed of 13.
+# Writes an observed folder whose truck masses show what was asked; fails for a seed of 13.
 PROGRAM = '''#!/usr/bin/python3
 import hashlib, json, pathlib, sys
 words = sys.argv[1:]
@@ -50,12 +50,12 @@ def world(tmp_path):
     case.mkdir(parents=True)
     (tmp_path / "cases" / "rock.stl").write_text("solid")
     (case / "case.yaml").write_text("# a comment\nseed: 1\nrock:\n  mesh: ../rock.stl  # kept\n")
-    effects = tmp_path / "told" / "effects"
+    effects = tmp_path / "own" / "effects"
     effects.mkdir(parents=True)
     (effects / "fines.yaml").write_text(FINES)
     (effects / "scale_gain.yaml").write_text(GAIN)
     (effects / "crowd_friction.yaml").write_text(FRICTION)
-    catalogue = {n: e for n, e in read_catalogue(tmp_path / "told").items() if (effects / f"{n}.yaml").exists()}
+    catalogue = {n: e for n, e in read_catalogue(tmp_path / "own").items() if (effects / f"{n}.yaml").exists()}
 
     def simulator():
         return DipperSimulator(case, catalogue, program, tmp_path / "cache")

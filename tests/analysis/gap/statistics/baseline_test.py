@@ -41,5 +41,5 @@ def test_scatter_of_the_trucks_is_seen(larger):
     assert min(found) >= 1.0
 
 
-def test_one_truck_tells_no_scatter():
+def test_one_truck_shows_no_scatter():
     assert scatter(np.ones((1, len(CELLS))), np.ones(len(CELLS)), np.ones(len(CELLS))) == 1.0

@@ -138,7 +138,7 @@ def test_companions_are_sure_or_left_out():
 
 
 def test_effects_that_look_alike_are_a_class(case):
-    """A copy of an effect under another name, a few per cent off, cannot be told from it."""
+    """A copy of an effect under another name, a few per cent off, cannot be distinguished from it."""
     w = case.w
     one = next(s for s in w.signatures if s.name == "fines")
     rng = np.random.default_rng(3)

@@ -95,7 +95,7 @@ def test_omnibus_of_several_trucks_is_nominal():
 def test_cells_false_alarms_are_family_wise(nulls):
     rate, margin = bounds(nulls[1] <= 0.05)
     print(f"cells: {rate:.4f} at 0.05")
-    assert 0.02 < rate < 0.05 + margin  # tails told from eight runs err to the heavy side
+    assert 0.02 < rate < 0.05 + margin  # tails estimated from eight runs err to the heavy side
 
 
 def test_gaussian_seeds_need_no_inflation():

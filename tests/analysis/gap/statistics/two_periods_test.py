@@ -1,4 +1,4 @@
-"""The difference of two periods: its covariance against samples, and how the mine's own trucks tell their scatter."""
+"""The difference of two periods: its covariance against samples, and how the mine's own trucks show their scatter."""
 from dataclasses import replace
 
 import numpy as np
@@ -83,7 +83,7 @@ def test_the_null_of_two_periods_is_nominal():
     assert 0.03 < np.mean(alarms) < 0.40  # three standard errors of 40
 
 
-def test_errors_of_one_instrument_cancel_only_where_it_is_told():
+def test_errors_of_one_instrument_cancel_only_where_it_is_stated():
     now = {"a": Channel("a", "t", "response", 1, 2.0, 0.5), "b": Channel("b", "t", "response", 1, 3.0)}
     then = {"a": Channel("a", "t", "response", 1, 2.0), "b": Channel("b", "t", "response", 1, 4.0)}
     assert drift_sigmas(now, then, ["a", "b"]) == pytest.approx([0.5, 5.0])

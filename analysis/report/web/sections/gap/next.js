@@ -2,7 +2,7 @@
 import { h, section } from '../../dom.js';
 import { fixed, number, percent } from '../../format.js';
 import { facts, table } from '../../parts/table.js';
-import { title } from './words.js';
+import { title, titleAndName } from './words.js';
 
 const FIRST = 3;
 
@@ -21,7 +21,7 @@ export function rejected(data) {
   if (!list?.length && !held) return null;
   return section('rejected', verdict === 'unknown' ? 'Considered and not named' : 'Rejected', null,
     list?.length > 0 && h('div.stack', table(null, [
-      { name: 'Effect', cell: (r) => [title(data, r.effect), h('small', r.effect)] },
+      { name: 'Effect', cell: (r) => titleAndName(data, r.effect) },
       { name: 'Probability that it is present', cell: (r) => percent(r.probability, 2) },
       { name: 'Why', kind: 'text', cell: (r) => r.reason },
     ], list)),

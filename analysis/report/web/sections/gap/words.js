@@ -1,4 +1,5 @@
 // Names and numbers of an analysis, as text.
+import { h } from '../../dom.js';
 import { number } from '../../format.js';
 
 export const unitText = (unit) => (unit === '-' || unit === '1' ? '' : unit);
@@ -15,6 +16,9 @@ export function rowName([channel, feature]) {
 }
 
 export const title = (data, effect) => data.effects?.[effect]?.title ?? effect;
+
+/// A table's cell: the effect's title, and its name where that is another; a gap.json alone has no titles.
+export const titleAndName = (data, effect) => [title(data, effect), title(data, effect) !== effect && h('small', effect)];
 
 /// "0.21 m (0.16 to 0.27, 90 %)"
 export function strengthText(parameter) {
