@@ -19,7 +19,7 @@ from dipper_run.findings import Findings
 from dipper_run.section import Section
 from dipper_run.text_file import read_text, read_yaml
 
-from .doubts import doubtful_masses
+from .mass_warnings import mass_warnings
 from .face import LEAST_POINTS
 
 DRIVEN = "driven"
@@ -111,7 +111,7 @@ class Measured:
         """What is legal in channels.yaml and passes.csv and hardly ever meant, a line each."""
         return (*(f"{c.name}: sigma is 0: no instrument reads without an error of its own, and what it errs will be "
                   "taken for a gap" for c in self.channels.values() if c.role == RESPONSE and c.sigma == 0),
-                *(doubtful_masses(self.passes) if MASS in self.channels else ()))
+                *(mass_warnings(self.passes) if MASS in self.channels else ()))
 
     def responses(self):
         """Names of the signals that answer to the rock, in a fixed order."""

@@ -234,8 +234,8 @@ def test_passes_of_another_clock_or_unit_are_one_fault(folder, change_of, goes):
     header, *rows = [line.split(",") for line in (folder / "passes.csv").read_text().splitlines()]
     (folder / "passes.csv").write_text("\n".join([",".join(header), *(
         ",".join([r[0], change_of(r[1]), change_of(r[2]), *r[3:]]) for r in rows)]))
-    told = findings(folder)
-    assert len(told) == 1 and f"and passes.csv {goes}; seconds, or time stamps, of one clock in both files" in told[0]
+    found = findings(folder)
+    assert len(found) == 1 and f"and passes.csv {goes}; seconds, or time stamps, of one clock in both files" in found[0]
 
 
 def test_iso_time_stamps(folder):

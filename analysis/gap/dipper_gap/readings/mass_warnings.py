@@ -6,7 +6,7 @@ FAR_ABOVE = 3.0        # times the median of all passes
 LIKE_A_TOTAL = 0.5     # of the first pass's mass: each pass of a total is that much above the last
 
 
-def doubtful_masses(passes):
+def mass_warnings(passes):
     """Questions about the masses of passes, a line each."""
     masses = [p.truck_mass_t for p in passes]
     usual = median(masses) if masses else 0.0

@@ -1,7 +1,7 @@
 """Masses of passes that are legal and hardly meant are asked about; sound ones are not."""
 import pytest
 
-from dipper_gap.readings.doubts import doubtful_masses
+from dipper_gap.readings.mass_warnings import mass_warnings
 from dipper_gap.readings.measured import Pass
 
 
@@ -12,7 +12,7 @@ def passes(*masses, trucks=None):
 
 @pytest.mark.parametrize("masses", [(80.8, 79.2, 81.8), (70, 95, 88), (60.0, 80.0, 100.0), (81.0,), ()])
 def test_sound_masses_raise_no_question(masses):
-    assert doubtful_masses(passes(*masses)) == []
+    assert mass_warnings(passes(*masses)) == []
 
 
 @pytest.mark.parametrize("masses, said", [
@@ -21,11 +21,11 @@ def test_sound_masses_raise_no_question(masses):
     ((80.8, 999, 81.8), ["pass 2 of truck 1 brought 999 t, and the median is 81.8: is that a reading?"]),
     ((80.8, 0, 81.8), ["pass 2 of truck 1 brought nothing: is that a reading?"])])
 def test_others_do(masses, said):
-    told = doubtful_masses(passes(*masses))
-    assert len(told) == len(said) and all(t.startswith(s) for t, s in zip(told, said)), told
+    found = mass_warnings(passes(*masses))
+    assert len(found) == len(said) and all(t.startswith(s) for t, s in zip(found, said)), found
 
 
 def test_a_total_begins_anew_with_each_truck():
-    assert len(doubtful_masses(passes(80, 160, 82, 161, trucks=[1, 1, 2, 2]))) == 1
-    assert doubtful_masses(passes(80, 160, 82, 81, trucks=[1, 1, 2, 2])) == []
-    assert doubtful_masses(passes(80, 82, trucks=[1, 2])) == []
+    assert len(mass_warnings(passes(80, 160, 82, 161, trucks=[1, 1, 2, 2]))) == 1
+    assert mass_warnings(passes(80, 160, 82, 81, trucks=[1, 1, 2, 2])) == []
+    assert mass_warnings(passes(80, 82, trucks=[1, 2])) == []
