@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from .model import learn, signatures_of
-from .readings.measured import FACE
+from .readings.channels import FACE
 from .readings.passes import split
 from .simulation.plan import make_plan, statement
 from .statistics.isolability import isolability, with_nuisances

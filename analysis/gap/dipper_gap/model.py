@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .readings.measured import FACE, MASS
+from .readings.channels import FACE, MASS
 from .readings.passes import common_passes, split
 from .readings.rest import at_rest
 from .readings.vectors import Vectors, indices_of

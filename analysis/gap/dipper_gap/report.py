@@ -5,7 +5,7 @@ from dipper_run.page_data import plain
 from dipper_run.program import output_of
 
 from .readings.features import FEATURES
-from .readings.measured import KNOWN
+from .readings.channels import KNOWN
 from .readings.phases import in_order
 from .statistics.isolability import CONFUSABLE
 from .statistics.match import strength

@@ -3,8 +3,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dipper_gap.readings.measured import (DRIVEN, KNOWN, LEAST_SAMPLES, MASS, MOTION, RESPONSE, Channel, Measured,
-                                          Pass)
+from dipper_gap.readings.channels import DRIVEN, KNOWN, MASS, MOTION, RESPONSE, Channel
+from dipper_gap.readings.measured import LEAST_SAMPLES, Measured, Pass
 from dipper_gap.readings.phases import find_phases, planned_passes
 
 from .warn import warn_of_readings, warn_of_masses

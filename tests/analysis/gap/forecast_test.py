@@ -5,7 +5,7 @@ import pytest
 
 import fake_mine
 from dipper_gap.forecast import as_lines, forecast, write_forecast
-from dipper_gap.readings.measured import read_channels
+from dipper_gap.readings.channels import read_channels
 
 SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_gain", "density")}
 

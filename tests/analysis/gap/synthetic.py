@@ -10,7 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from dipper_gap.readings.measured import Channel, Measured, Pass
+from dipper_gap.readings.channels import Channel
+from dipper_gap.readings.measured import Measured, Pass
 from dipper_gap.readings.phases import find_phases
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]

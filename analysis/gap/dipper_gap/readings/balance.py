@@ -8,7 +8,7 @@ follows from the baseline's own runs.
 import numpy as np
 
 from .features import Cell
-from .measured import MASS
+from .channels import MASS
 
 HOIST = "hoist_force_kN"
 BALANCE = "balance"

@@ -5,7 +5,7 @@ import numpy as np
 
 from dipper_run.findings import Findings
 
-from .measured import FACE, MASS, RESPONSE
+from .channels import FACE, MASS, RESPONSE
 from .passes import NEED_PASSES
 
 RATES = 1.5          # ratio of two loggers' rates from which peaks differ by what the slower one misses

@@ -3,7 +3,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .measured import MASS
+from .channels import MASS
 from .phases import find_phases
 
 

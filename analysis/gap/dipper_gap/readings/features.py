@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .face import before_and_after, binned, face_of, removed_area
-from .measured import FACE, MASS
+from .channels import FACE, MASS
 from .phases import find_phases
 
 TIME = "time"

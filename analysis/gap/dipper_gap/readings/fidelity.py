@@ -19,7 +19,7 @@ from dipper_run.findings import Findings
 from dipper_run.section import Section
 from dipper_run.text_file import read_yaml
 
-from .measured import FACE, KNOWN, MASS
+from .channels import FACE, KNOWN, MASS
 from .phases import find_phases
 
 FILE = "fidelity.yaml"

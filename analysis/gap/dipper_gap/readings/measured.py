@@ -13,60 +13,17 @@ from pathlib import Path
 
 import numpy as np
 
-from dipper_run.csv_text import (SEPARATOR, cells_of, decimal_number, find_decimal, find_delimiter, lines_of,
-                                 parted_by, read_stamp, stamp_seconds)
 from dipper_run.findings import Findings
-from dipper_run.section import Section
-from dipper_run.text_file import read_text, read_yaml
 
-from .mass_warnings import mass_warnings
+from .channels import FACE, KNOWN, MASS, MOTION, RESPONSE, channels_in
 from .face import LEAST_POINTS
+from .mass_warnings import mass_warnings
+from .number_table import read_table
 
-DRIVEN = "driven"
-RESPONSE = "response"
-CHANNEL_KEYS = "{unit, role, sigma, common_sigma}"
-ASSUMED = Path(__file__).with_name("assumed_channels.yaml")
-MOST_DRIFT = 1.415  # of common_sigma: two errors of that size differ by no more
-
-
-@dataclass(frozen=True)
-class Kind:
-    """What a channel of this name must be: its unit, and a size no sound reading passes."""
-
-    unit: str
-    largest: float
-    hint: str
-
-
-# The largest values are far beyond any shovel's: they catch a wrong unit, not a strange pass.
-KNOWN = {
-    "truck_mass_t": Kind("t", 1000.0, "kg, perhaps? 1 t = 1000 kg"),
-    "face_m": Kind("m", 1000.0, "mm, perhaps?"),
-    "hoist_m": Kind("m", 100.0, "mm, perhaps?"),
-    "crowd_m": Kind("m", 50.0, "mm, perhaps?"),
-    "swing_rad": Kind("rad", 10.0, "degrees, perhaps? 1 rad = 57.3 deg"),
-    "hoist_force_kN": Kind("kN", 1e5, "N, perhaps? 1 kN = 1000 N"),
-    "crowd_force_kN": Kind("kN", 1e5, "N, perhaps? 1 kN = 1000 N"),
-}
-MASS = "truck_mass_t"
-FACE = "face_m"  # heights of profile.csv
-MOTION = ("hoist_m", "crowd_m", "swing_rad")
 PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
 TRUCK = "truck"
-TIMES = ("time_s", "t_start_s", "t_end_s")
-LONGEST_SHOWN = 40  # characters of a cell that is no number
 FARTHEST_M = {"x_m": 200.0, "z_m": 100.0}  # of a face from the swing axis at ground level: beyond any shovel's
 LEAST_SAMPLES = 10  # a pass with fewer readings cannot be cut into phases
-
-
-@dataclass(frozen=True)
-class Channel:
-    name: str
-    unit: str
-    role: str
-    sigma: float
-    common_sigma: float
-    drift_sigma: float = None  # None: not given
 
 
 @dataclass(frozen=True)
@@ -128,7 +85,7 @@ def read_measured(folder, need_passes=1, simulated=False):
     if not folder.is_dir():
         found.add(folder, 0, "folder", "not there", "name a folder with channels.yaml and passes.csv")
         found.raise_if_any()
-    channels = _channels(folder / "channels.yaml", found)
+    channels = channels_in(folder / "channels.yaml", found)
     passes = _passes(folder / "passes.csv", channels, need_passes, found)
     time_s, signals = _signals(folder / "signals.csv", channels, [] if simulated else passes, found)
     if not simulated and passes and all(p.truck_mass_t == 0 for p in passes):
@@ -143,134 +100,6 @@ def read_measured(folder, need_passes=1, simulated=False):
                   "pass,x_m,z_m[,after][,truck]")
     found.raise_if_any()
     return Measured(channels, tuple(passes), time_s, signals, str(folder), profiles, left)
-
-
-def read_channels(file=ASSUMED):
-    """{name: Channel} of a channels.yaml; throws BadInput. Without a file, of instruments as a mine may have them."""
-    found = Findings()
-    channels = _channels(Path(file), found)
-    found.raise_if_any()
-    return channels
-
-
-def _channels(file, found):
-    if not file.is_file():
-        found.add(file, 0, "file", "not there",
-                  f"list each channel as NAME: {CHANNEL_KEYS}")
-        return {}
-    section = Section(read_yaml(file, found, f"a map of channels, NAME: {CHANNEL_KEYS}"), file, found)
-    channels = {name: _channel(section, name) for name in KNOWN if name in section}
-    for name in section.keys():
-        if name not in KNOWN:
-            section.wrong(name, "unknown channel", "one of " + ", ".join(KNOWN))
-    return {name: channels[name] for name in section.keys() if channels.get(name)}
-
-
-def _channel(channels, name):
-    """The Channel of a name; None where it is no map."""
-    section, unit = channels.section(name, CHANNEL_KEYS), KNOWN[name].unit
-    if not section:
-        return None
-    right = f"{unit}, in the values too"
-    if (read_unit := section.text("unit", unit, right, needed=True)) != unit:
-        section.wrong("unit", f"is {read_unit}", right)
-    role = section.one_of("role", (DRIVEN, RESPONSE) if name in MOTION else (RESPONSE,), needed=True)
-    sigma, common = (section.number(key, 0.0, f"a number in {unit}, 0 or more", needed=True, allowed=lambda x: x >= 0)
-                     for key in ("sigma", "common_sigma"))
-    drift = section.number("drift_sigma", None, f"a number in {unit}, 0 to {MOST_DRIFT - 0.005:g} times common_sigma",
-                           allowed=lambda x: 0 <= x <= MOST_DRIFT * common)
-    section.end()
-    return Channel(name, unit, role, sigma, common, drift)
-
-
-def _rows(file, found):
-    """Line and cells of the header, and of each row that is not empty, of a CSV; `#` starts a comment line."""
-    text = read_text(file, found)
-    if text is None:
-        return 0, [], [], ","
-    lines = lines_of(text)
-    if lines and SEPARATOR.fullmatch(lines[0][1].strip()):
-        del lines[0]
-    if not lines:
-        found.add(file, 1, "file", "empty", "a header and a row a reading")
-        return 0, [], [], ","
-    delimiter = find_delimiter(lines[0][1])
-    (header_line, header), *rows = [(i, cells_of(line, delimiter)) for i, line in lines]
-    named = max((k for k, name in enumerate(header, 1) if name), default=0)
-    rows = [(i, cells[:named] if not any(cells[named:]) else cells) for i, cells in rows if any(cells)]
-    return header_line, header[:named], rows, delimiter
-
-
-def read_table(file, need, found, allowed=None):
-    """Columns of numbers by name, and the line of each row; unreadable cells are findings.
-
-    Columns parted by semicolons or tabs may have decimal commas. A column of TIMES may hold ISO 8601 stamps: they
-    become seconds since 1970.
-    """
-    header_line, header, rows, delimiter = _rows(file, found)
-    if not header:
-        return {}, []
-    for name in need:
-        if name not in header:
-            found.add(file, header_line, name, "column missing", "header: " + ",".join(need))
-    twice = sorted({name for name in header if header.count(name) > 1})
-    for name in twice:
-        found.add(file, header_line, name, "column given twice", "keep one")
-    if twice:
-        return {}, []
-    for name in header:
-        if allowed is not None and name not in allowed:
-            found.add(file, header_line, name, "unknown channel",
-                      "declare it in channels.yaml, as one of " + ", ".join(KNOWN))
-    faults = [(line, "row", f"{len(row)} values", _right_number(len(row), len(header), delimiter))
-              for line, row in rows if len(row) != len(header)]
-    lines = [line for line, _ in rows]
-    rows = [(row + [""] * len(header))[:len(header)] for _, row in rows]
-    decimal, doubtful = find_decimal(cell for row in rows for cell in row)
-    if doubtful and decimal == ",":
-        line, name = next((i, n) for i, row in zip(lines, rows) for n, cell in zip(header, row) if cell == doubtful)
-        faults.append((line, name, f"is '{doubtful}', and every comma in the file has three digits after it: it may "
-                       "part thousands", "write decimals with a point, and nothing between thousands"))
-    values = {}
-    for name, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
-        read = _stamps if name in TIMES and cells and read_stamp(cells[0]) else _numbers
-        values[name] = read(name, cells, lines, decimal, faults)
-    broken = {line for line, what, _, _ in faults if what == "row"}  # what stands in their cells means nothing
-    faults = [f for f in faults if f[1] == "row" or f[0] not in broken]
-    found.add_rows(file, faults)
-    return values, lines
-
-
-def _right_number(has, needs, delimiter):
-    hint = ": with decimal commas, part the columns by semicolons" if delimiter == "," and has > needs else ""
-    return f"{needs}, as in the header{hint}"
-
-
-def _numbers(name, cells, lines, decimal, faults):
-    right = "a finite number" + (" with a decimal comma, as elsewhere in the file" if decimal == "," else "")
-    column = []
-    for line, text in zip(lines, cells):
-        value = decimal_number(text, decimal)
-        if value is None:
-            faults.append((line, name, f"is '{text[:LONGEST_SHOWN]}'",
-                           right + (", without marks of thousands" if parted_by(text, decimal) else "")))
-            value = math.nan
-        elif name in KNOWN and abs(value) > KNOWN[name].largest:
-            faults.append((line, name, f"is {value:g}", f"in {KNOWN[name].unit} ({KNOWN[name].hint})"))
-        column.append(value)
-    return np.array(column)
-
-
-def _stamps(name, cells, lines, _, faults):
-    stamps = [read_stamp(text) for text in cells]
-    column = []
-    for line, text, stamp in zip(lines, cells, stamps):
-        sound = stamp is not None and (stamp.tzinfo is None) == (stamps[0].tzinfo is None)
-        if not sound:
-            faults.append((line, name, f"is '{text[:LONGEST_SHOWN]}'",
-                           f"a time stamp as in the first row, '{cells[0]}'"))
-        column.append(stamp_seconds(stamp) if sound else math.nan)
-    return np.array(column)
 
 
 def _passes(file, channels, need_passes, found):

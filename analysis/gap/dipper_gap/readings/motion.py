@@ -6,7 +6,8 @@ import numpy as np
 
 from dipper_run.findings import BadInput, Findings
 
-from .measured import MOTION, read_table
+from .channels import MOTION
+from .number_table import read_table
 from .passes import NEED_PASSES
 from .phases import planned_passes
 

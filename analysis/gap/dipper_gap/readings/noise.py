@@ -4,7 +4,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .features import FeatureMap
-from .measured import FACE, MASS
+from .channels import FACE, MASS
 
 REPLICAS = 64
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from dipper_gap.readings.features import Cell
-from dipper_gap.readings.measured import Channel
+from dipper_gap.readings.channels import Channel
 from dipper_gap.statistics.baseline import make_baseline
 from dipper_gap.statistics.left_out import left_out_trucks
 from dipper_gap.statistics.null import Tails, simulate_null, statistics
