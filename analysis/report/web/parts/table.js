@@ -7,7 +7,8 @@ export function table(caption, columns, rows, { foot = [], compact = false, cell
   const line = (row) => h('tr', columns.map((column, k) => h(k === 0 ? 'th' : 'td',
     { scope: k === 0 ? 'row' : undefined, class: column.kind === 'text' ? 'text' : undefined,
       'data-name': (column.alone ?? column.name) + (column.unit ? ` (${column.unit})` : '') }, column.cell(row))));
-  return h(`div.table${cells ? '.cells' : ''}`, h(`table${compact ? '.compact' : ''}`, caption && h('caption', caption),
+  const alone = columns.length % 3 === 2; // of three a row, one is left over: the first value gets a row of its own
+  return h(`div.table${cells ? '.cells' : ''}${cells && alone ? '.first-alone' : ''}`, h(`table${compact ? '.compact' : ''}`, caption && h('caption', caption),
     h('thead', h('tr', columns.map((column) => h('th', { scope: 'col', class: column.kind === 'text' ? 'text' : undefined },
       column.name, column.unit && h('span.unit', column.unit))))),
     h('tbody', rows.map(line)), foot.length > 0 && h('tfoot', foot.map(line))));

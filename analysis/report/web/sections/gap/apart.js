@@ -3,7 +3,7 @@ import { h, section } from '../../dom.js';
 import { fixed, number } from '../../format.js';
 import { grid } from '../../parts/grid.js';
 import { table } from '../../parts/table.js';
-import { title } from './words.js';
+import { named, title } from './words.js';
 
 export function apart(data) {
   const { apart: a, answer } = data;
@@ -12,7 +12,7 @@ export function apart(data) {
   const rows = a.names.map((name, i) => ({ name, i }));
   return section('apart', 'What these data can tell apart', lead(a.confusable_below),
     h('div.stack', table(null, [
-      { name: 'Effect', cell: (r) => [title(data, r.name), h('small', r.name)] },
+      { name: 'Effect', cell: (r) => named(data, r.name) },
       { name: 'at strength', cell: (r) => number(a.strengths[r.i], 2) },
       { name: 'stands out, d', cell: (r) => fixed(a.d[r.i], 1) },
       { name: 'found from', cell: (r) => (a.found_from[r.i] === null ? 'not within its bounds' : number(a.found_from[r.i], 2)) },

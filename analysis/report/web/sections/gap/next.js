@@ -2,9 +2,10 @@
 import { h, section } from '../../dom.js';
 import { fixed, number, percent } from '../../format.js';
 import { facts, table } from '../../parts/table.js';
-import { title } from './words.js';
+import { named, title } from './words.js';
 
 const FIRST = 3;
+const FOLDERS = { measured: 'measured folder', reference: 'reference folder' };
 
 export function experiments(data) {
   const list = (data.experiments ?? data.answer.next_experiment ?? []).slice(0, FIRST);
@@ -21,7 +22,7 @@ export function rejected(data) {
   if (!list?.length && !held) return null;
   return section('rejected', verdict === 'unknown' ? 'Considered and not named' : 'Rejected', null,
     list?.length > 0 && h('div.stack', table(null, [
-      { name: 'Effect', cell: (r) => [title(data, r.effect), h('small', r.effect)] },
+      { name: 'Effect', cell: (r) => named(data, r.effect) },
       { name: 'Probability that it is present', cell: (r) => percent(r.probability, 2) },
       { name: 'Why', kind: 'text', cell: (r) => r.reason },
     ], list)),
@@ -40,6 +41,6 @@ export function again(data) {
     facts([
       ['Runs', answer.runs], ...seeds,
       ['Inflation of the seeds\' covariance', data.inflation && `× ${fixed(data.inflation, 2)}`],
-      ...Object.entries(answer.hashes ?? {}).map(([name, hash]) => [`Hash of the ${name}`, h('code', { title: hash }, hash.slice(0, 16))]),
+      ...Object.entries(answer.hashes ?? {}).map(([name, hash]) => [`Hash of the ${FOLDERS[name] ?? name}`, h('code', { title: hash }, hash.slice(0, 16))]),
     ]));
 }

@@ -2,7 +2,7 @@
 import { h, section } from '../../dom.js';
 import { number, percent } from '../../format.js';
 import { table } from '../../parts/table.js';
-import { unitText } from './words.js';
+import { named, unitText } from './words.js';
 
 const FIRST = 6;        // rows shown at once
 const NOTHING = 0.005;  // probability below which a strength is not worth showing
@@ -22,7 +22,7 @@ export function ranking(data) {
 
 function list(data, rows) {
   const made = table(null, [
-    { name: 'Effect', cell: (r) => [data.effects[r.effect].title, h('small', r.effect)] },
+    { name: 'Effect', cell: (r) => named(data, r.effect) },
     { name: 'Probability', kind: 'text', cell: (r) => [share(r.probability), percent(r.probability, 1)] },
     { name: 'Strength', kind: 'text', cell: (r) => (r.probability < NOTHING ? '–' : [interval(r, data.effects[r.effect]), strength(r, data.effects[r.effect])]) },
   ], rows);

@@ -1,7 +1,8 @@
 // Names and numbers of an analysis, as text.
+import { h } from '../../dom.js';
 import { number } from '../../format.js';
 
-export const unitText = (unit) => (unit === '-' || unit === '1' ? '' : unit);
+export const unitText = (unit) => (unit === '-' || unit === '1' ? '' : unit.replaceAll('m2', 'm²').replaceAll('m3', 'm³'));
 
 /// "hoist_force_kN" as ["hoist force", "kN"].
 export function channelName(channel) {
@@ -15,6 +16,9 @@ export function rowName([channel, feature]) {
 }
 
 export const title = (data, effect) => data.effects?.[effect]?.title ?? effect;
+
+/// The title, and in small the name in files where that is another.
+export const named = (data, effect) => [title(data, effect), title(data, effect) !== effect && h('small', effect)];
 
 /// "0.21 m (0.16 to 0.27, 90 %)"
 export function strengthText(parameter) {
