@@ -65,8 +65,7 @@ std::string roff_footer(const std::string& footer) {
 std::string manual_section(const CLI::App& command, const std::string& before) {
   const std::string words = before + " " + command.get_name();
   std::string out = fmt::format(".SS {}\n{}\n", roff(words), roff(command.get_description()));
-  if (const std::string more = command.get_footer(); !more.empty())
-    out += roff_footer(more);
+  if (const std::string more = command.get_footer(); !more.empty()) out += roff_footer(more);
   for (const CLI::Option* option : command.get_options())
     out +=
         fmt::format(".TP\n.B {}\n{}\n", roff(words_of(*option)), roff(option->get_description()));
