@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <sstream>
 
 #include "common/version.hpp"
 
@@ -47,11 +48,24 @@ std::string completion_case(const CLI::App& command, const std::string& before) 
                              names_of(command));
 }
 
+/// A footer: its text, and the lines of its example, which are indented, each as it is.
+std::string roff_footer(const std::string& footer) {
+  std::string out = ".PP\n";
+  bool example = false;
+  std::istringstream lines(footer);
+  for (std::string line; std::getline(lines, line);) {
+    const bool indented = line.rfind("  ", 0) == 0;
+    if (indented != example) out += indented ? ".PP\n.nf\n" : ".fi\n.PP\n";
+    example = indented;
+    out += (indented ? "    " + roff(line.substr(2)) : roff(line)) + "\n";
+  }
+  return out + (example ? ".fi\n" : "");
+}
+
 std::string manual_section(const CLI::App& command, const std::string& before) {
   const std::string words = before + " " + command.get_name();
   std::string out = fmt::format(".SS {}\n{}\n", roff(words), roff(command.get_description()));
-  if (const std::string more = command.get_footer(); !more.empty())
-    out += fmt::format(".PP\n{}\n", roff(more));
+  if (const std::string more = command.get_footer(); !more.empty()) out += roff_footer(more);
   for (const CLI::Option* option : command.get_options())
     out +=
         fmt::format(".TP\n.B {}\n{}\n", roff(words_of(*option)), roff(option->get_description()));

@@ -113,10 +113,13 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
   const RunEnd end = run_end(c, program_drives);
   const std::int64_t steps = end.step;
   const bool end_by_operator = program_drives || c.machine.operated_by == cases::OperatorKind::plan;
-  reporter.line(fmt::format("{}: {}{:.2f} s, {} sync steps of {} DEM steps, {} rank{}", c.name,
-                            end.path_s || (c.end_s == 0 && end_by_operator) ? "at most " : "",
-                            static_cast<double>(steps) * c.dem.timestep_s,
-                            (steps + c.coupling.sync_steps - 1) / c.coupling.sync_steps,
+  const double end_s = static_cast<double>(steps) * c.dem.timestep_s;
+  const bool open_end = end.path_s || (c.end_s == 0 && end_by_operator);
+  const std::string duration =
+      open_end ? fmt::format("ends when the {} is done, or at {:.2f} s at the latest",
+                             end_by_operator ? "operator" : "motion", end_s)
+               : fmt::format("{:.2f} s", end_s);
+  reporter.line(fmt::format("{}: {}; {} DEM steps per sync step, {} rank{}", c.name, duration,
                             c.coupling.sync_steps, c.dem.ranks, c.dem.ranks == 1 ? "" : "s"));
   if (from) {
     reporter.line(fmt::format("continuing from t = {:.3f} s",

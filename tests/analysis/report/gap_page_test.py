@@ -220,6 +220,24 @@ class Stored(unittest.TestCase):
                 self.assertTrue(browser.run("return document.querySelector('.verdict').classList.contains(arguments[0])", verdict))
                 self.assertEqual(browser.errors(), [])
 
+    def test_names_once_second_not_rejected_and_closure_capped(self):
+        answer = json.loads((STORED / "m30/gap.json").read_text())
+        self.assertGreater(answer["gap"]["holdout_closure"], 1)
+        second = answer["rejected"][0]["effect"]
+        answer["second"] = {"verdict": "named", "effect": second, "probability": 0.99,
+                            "parameter": {"name": "x", "unit": "m", "estimate": 1.0, "interval90": [0.5, 1.5]}}
+        with tempfile.TemporaryDirectory(prefix="dipper-gap-page-") as folder, Browser() as browser:
+            file = pathlib.Path(folder) / "page.html"
+            made = dipper_page(json.dumps({"kind": "gap", "title": "m30", "answer": answer}), file)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            browser.open(file)
+            rows = browser.run("return [...document.querySelectorAll('#rejected tbody th')].map((e) => e.textContent)")
+            self.assertEqual(rows, [r["effect"] for r in answer["rejected"] if r["effect"] != second])
+            self.assertIn(second, browser.run("return document.querySelector('.verdict').textContent"))
+            closed = browser.run("return [...document.querySelectorAll('.figures dd')].map((e) => e.firstChild.textContent)")
+            self.assertIn("100 %", closed)
+            self.assertFalse([value for value in closed if re.fullmatch(r"\d{3,} %", value) and value != "100 %"])
+
     def test_tables_fit_a_phone(self):
         answer = json.loads((STORED / "m30/gap.json").read_text())
         with tempfile.TemporaryDirectory(prefix="dipper-gap-page-") as folder, Browser(390, 844, phone=True) as phone:

@@ -20,6 +20,7 @@ struct Program {
   Program() {
     auto* run = app.add_subcommand("run", "runs a case");
     run->add_option("CASE", text, "a folder");
+    run->footer("Digs. Example:\n  dipper run pit --ranks 2");
     run->add_option("--ranks", number, "MPI ranks");
     run->add_option("--resume-at", number, ".hidden line");
     app.add_subcommand("report", "makes a page");
@@ -65,6 +66,8 @@ TEST(Completion, TheManualHasEveryCommandAndOption) {
   const Program program;
   const std::string page = manual_page(program.app);
   EXPECT_THAT(page, HasSubstr(".SS dipper run\nruns a case\n"));
+  EXPECT_THAT(page, HasSubstr("Digs. Example:\n.PP\n.nf\n    dipper run pit \\-\\-ranks 2\n.fi\n"))
+      << "an example has a line of its own";
   EXPECT_THAT(page, HasSubstr(".B CASE\na folder\n"));
   EXPECT_THAT(page, HasSubstr(".B \\-\\-ranks INT\nMPI ranks\n"));
   EXPECT_THAT(page, HasSubstr("\n\\&.hidden line\n")) << "no request of roff's";

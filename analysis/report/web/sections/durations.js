@@ -1,4 +1,4 @@
-// The duration of a pass; called a cycle only if the dipper returns.
+// The duration of a pass; called a cycle only if the dipper returns in each.
 import { h } from '../dom.js';
 import { fixed } from '../format.js';
 
@@ -6,9 +6,9 @@ const returns = (pass) => pass.phases?.some((row) => row.phase === 'return');
 
 /// The column of a table of passes: [{t_start_s, t_end_s, phases: [{phase}]}].
 export function durationColumn(passes) {
-  const cycles = passes.some(returns);
+  const some = passes.some(returns);
   return {
-    name: cycles ? 'Cycle' : 'Time, no return', unit: 's',
-    cell: (pass) => [fixed(pass.t_end_s - pass.t_start_s, 1), cycles && pass.phases && !returns(pass) && h('small', ' no return')],
+    name: !some ? 'Time, no return' : passes.every(returns) ? 'Cycle' : 'Time', unit: 's',
+    cell: (pass) => [fixed(pass.t_end_s - pass.t_start_s, 1), some && pass.phases && !returns(pass) && h('small', ' no return')],
   };
 }

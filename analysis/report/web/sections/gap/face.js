@@ -2,6 +2,7 @@
 import { section } from '../../dom.js';
 import { number, pValue } from '../../format.js';
 import { table } from '../../parts/table.js';
+import { unitText } from './words.js';
 
 const NAMES = { slope: 'Slope', toe: 'Toe, distance', crest: 'Crest, distance', removed: 'Removed by a pass, per metre of width', t_a_m2: 'Truck mass over what was removed' };
 
@@ -11,8 +12,8 @@ export function face(data) {
   return section('face', 'The face', 'Means over the trucks’ surveys; p: of so large a difference by the scatter of the trucks, adjusted for all rows.',
     table(null, [
       { name: 'Of the face', cell: (r) => NAMES[r.what] },
-      { name: 'reference', cell: (r) => `${number(r.before, 3)} ${r.unit}` },
-      { name: 'now', cell: (r) => `${number(r.now, 3)} ${r.unit}` },
+      { name: 'reference', cell: (r) => `${number(r.before, 3)} ${unitText(r.unit)}` },
+      { name: 'now', cell: (r) => `${number(r.now, 3)} ${unitText(r.unit)}` },
       { name: 'p', cell: (r) => pValue(r.p_adjusted) },
     ], rows, { compact: true }));
 }

@@ -5,6 +5,7 @@ import { facts, table } from '../../parts/table.js';
 import { title, titleAndName } from './words.js';
 
 const FIRST = 3;
+const FOLDERS = { measured: 'measured folder', reference: 'reference folder' };
 
 export function experiments(data) {
   const list = (data.experiments ?? data.answer.next_experiment ?? []).slice(0, FIRST);
@@ -40,6 +41,6 @@ export function again(data) {
     facts([
       ['Runs', answer.runs], ...seeds,
       ['Inflation of the seeds\' covariance', data.inflation && `× ${fixed(data.inflation, 2)}`],
-      ...Object.entries(answer.hashes ?? {}).map(([name, hash]) => [`Hash of the ${name}`, h('code', { title: hash }, hash.slice(0, 16))]),
+      ...Object.entries(answer.hashes ?? {}).map(([name, hash]) => [`Hash of the ${FOLDERS[name] ?? name}`, h('code', { title: hash }, hash.slice(0, 16))]),
     ]));
 }

@@ -90,5 +90,6 @@ function figures(data) {
 function share(value, interval) {
   if (value === null) return ['–', 'no gap there'];
   const range = `${percent(interval[0])} to ${percent(interval[1])}, 90 %`;
-  return value > 1 ? ['100 %', `all of it: the rest is below the noise floor (uncapped: ${percent(value)}; ${range})`] : [percent(value), range];
+  if (value > 1) return ['100 %', `all of it: the rest is below the noise floor (uncapped: ${percent(value)}; ${range})`];
+  return [percent(value), interval[1] > 1 ? `${range}; over 100 %: the rest is below the noise floor` : range];
 }

@@ -2,7 +2,7 @@
 import { h } from '../../dom.js';
 import { number } from '../../format.js';
 
-export const unitText = (unit) => (unit === '-' || unit === '1' ? '' : unit);
+export const unitText = (unit) => (unit === '-' || unit === '1' ? '' : unit.replaceAll('m2', 'm²').replaceAll('m3', 'm³'));
 
 /// "hoist_force_kN" as ["hoist force", "kN"].
 export function channelName(channel) {

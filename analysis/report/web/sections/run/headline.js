@@ -54,10 +54,12 @@ function notes(model) {
   const rated = metrics.dipper?.rated_load_kg;
   const assumed = metrics.dipper?.rated_load_assumed ? ' (assumed, not a maker’s figure)' : '';
   return h('ul.notes', [
-    rated && ['Rated load', `${tonnes(rated, 0)} t${assumed}; ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it is in the dipper.`],
+    rated && ['Rated load', `${tonnes(rated, 0)} t${assumed}. The payload is ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it.`],
     model.run.truck && ['Truck', truck(model.run.truck)],
     drives && ['Drives', stalls(drives, program(run)), ' ', h('a', { href: '#demand' }, 'By phase')],
     model.coupling && ['Scatter', scatter(metrics.dipper?.machine)],
+    passes.some((p) => Number.isFinite(p.fill_factor))
+      && ['Fill factor', 'Payload over what the struck volume holds: of rock as loose as in the settled pile, or as in the load itself.'],
     ['Dig force', 'The mean is over penetrate, fill and breakout. The mean to the dump is the paper\'s: from first contact until the door opens, with the swing.'],
     ['Dig work', 'Of hoist and crowd over penetrate, fill and breakout, with the lifting of dipper and load. Per payload: that work divided by the payload; 1000 J/kg is 1 MJ/t.'],
   ].filter(Boolean).map(([name, ...text]) => h('li', h('b', name), '. ', text)));

@@ -17,9 +17,11 @@ export function operator(data) {
     decisions.map(decision), data.end && h('p.note', `End: ${data.end.reason}.`));
 }
 
+const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
 function decision(d) {
   const chosen = d.candidates[d.chosen];
-  return h('div.decision', h('h3', `Pass ${d.pass}`), h('p', `${d.reason}.`),
+  return h('div.decision', h('h3', `Pass ${d.pass}`), h('p', `${sentence(d.reason)}.`),
     h('div.ways', chosen && profile(d), map(d, chosen)), candidates(d));
 }
 

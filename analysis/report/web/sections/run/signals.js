@@ -21,8 +21,8 @@ export function signals(model, clock) {
       ...lines(1, ['crowd let back (m)', 'machine/crowd_relief', 'orange', 1.4])] },
     { title: 'Rock', unit: 't', height: 190, lines: lines(1e3,
       ['in the dipper', 'rock/mass_in_dipper', 'purple'], ['in the truck', 'rock/mass_in_truck', 'green'], ...weighed) },
-    { title: 'Power of the drives', unit: 'MW', height: 210, lines: lines(1e6,
-      ['hoist', 'machine/hoist_power', 'blue', 1.2], ['crowd', 'machine/crowd_power', 'orange', 1.2], ['swing', 'machine/swing_power', 'green', 1.2]) },
+    { title: 'Power of the drives', unit: 'MW', height: 210, lines: [...stalled(model, 'swing', 'green', 'power'), ...lines(1e6,
+      ['hoist', 'machine/hoist_power', 'blue', 1.2], ['crowd', 'machine/crowd_power', 'orange', 1.2], ['swing', 'machine/swing_power', 'green', 1.2])] },
   ].filter((plot) => plot.lines.length);
   return section('signals', bodies.length ? 'Force and load' : 'Force, load and power',
     (bodies.length ? 'The force is the rock’s on each body, the mean over each sync step. '
@@ -31,11 +31,12 @@ export function signals(model, clock) {
     plots.map((plot) => curve(time, plot.lines, { ...plot, clock, bands: model.phases })), missing(model.phases));
 }
 
-/// The drive's force [MN] where it is at its limit, as a broad line behind it; nothing where it never is.
-function stalled(model, drive, colour) {
+/// The drive's force [MN] or power [MW] where it is at its limit, as a broad line behind it; nothing where it never is.
+function stalled(model, drive, colour, quantity = 'force') {
   const at = model.channel(`machine/${drive}_saturated`);
   if (!at?.some((flag) => flag > 0)) return [];
-  const values = model.channel(`machine/${drive}_force`).map((force, k) => (at[k] > 0 && force !== null ? force / 1e6 : null));
+  const values = model.channel(`machine/${drive}_${quantity}`)?.map((value, k) => (at[k] > 0 && value !== null ? value / 1e6 : null));
+  if (!values) return [];
   return [{ label: `${drive} at its limit`, values, colour, width: 7, gaps: true, faint: true }];
 }
 
