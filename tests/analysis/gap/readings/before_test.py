@@ -32,8 +32,8 @@ def test_every_fault_is_reported_at_once(two):
     before = replace(before, passes=tuple(p for p in before.passes if p.number < 2))
     found = findings(now, before)
     assert found == ["then/channels.yaml: crowd_force_kN: not there, but now has it; what the same instrument read "
-                    "then, or leave crowd_force_kN out of now",
-                    "then/passes.csv: pass: has passes 1, and now has 1, 2, 3; 2 or more that both have"]
+                     "then, or leave crowd_force_kN out of now",
+                     "then/passes.csv: pass: has passes 1, and now has 1, 2, 3; 2 or more that both have"]
 
 
 def test_the_measured_folder_itself_is_none(two):
