@@ -77,6 +77,7 @@ Command add_calibrate_command(CLI::App& app, Reporter& reporter) {
   auto* command =
       app.add_subcommand("calibrate", "the paper's calibrations: pile angle, bulk density");
   command->require_subcommand(1);
+  command->footer("Options of a calibration, with an example:\n  dipper help calibrate pile-angle");
   const auto add = [&](const char* name, const char* what, const char* target, const Range& targets,
                        const char* size) {
     auto* sub = command->add_subcommand(name, what);
