@@ -81,7 +81,7 @@ std::string to_string(const CostEstimate& e) {
   return fmt::format(
       "estimate: {} of processor time ({} to dig, {} to settle the pile unless it is in the "
       "cache), {} of wall time if each rank has a core, {} of memory, {} of disk; accurate within "
-      "a factor of 1.5",
+      "a factor of 2",
       duration(e.dig_s + e.settle_s), duration(e.dig_s), duration(e.settle_s), duration(e.wall_s),
       bytes(e.memory_B), bytes(e.disk_B));
 }

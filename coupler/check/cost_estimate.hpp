@@ -20,7 +20,7 @@ struct CostEstimate {
   double dumps_B = 0;  ///< of that, what output.dump_every_s asks for beside the dumps of the start
 };
 
-/// From measured runs (docs/benchmarks.md, "What a run takes"): accurate within a factor of 1.5 on
+/// From measured runs (docs/benchmarks.md, "What a run takes"): accurate within a factor of 2 on
 /// such a machine, because it is not known beforehand how much of the rock will move.
 CostEstimate cost_estimate(const cases::Case& c);
 

@@ -35,6 +35,12 @@ Command add_help_command(CLI::App& app) {
           [] { return 0; }};
 }
 
+bool is_command(const CLI::App& app, const std::string& word) {
+  const auto listed = listed_commands(app);
+  return std::any_of(listed.begin(), listed.end(),
+                     [&](const CLI::App* sub) { return sub->get_name() == word; });
+}
+
 /// The known word nearest to the first unknown one; empty: none is near.
 std::string guess(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* command = nullptr;
@@ -85,11 +91,18 @@ int command_line(std::vector<std::string> words, Reporter& reporter) {
   app.set_version_flag("--version", version());
   app.footer("Options of a command, with an example:\n  dipper help run");
   app.require_subcommand(1);
-  if (!words.empty() && words.front() == "help") {
+  const bool help = !words.empty() && words.front() == "help";
+  if (help) {
     words.erase(words.begin());
     words.emplace_back("--help");
   }
   const std::vector<Command> commands = add_commands(app, words, reporter);
+  if (help && words.size() > 1 && !is_command(app, words.front())) {
+    const std::string meant = guess(app, words);
+    reporter.error(words.front() + " is not a command; " +
+                   (meant.empty() ? "dipper help lists them" : "did you mean " + meant + "?"));
+    return 2;
+  }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11's order
     for (const Command& command : commands)

@@ -170,7 +170,7 @@ std::string PassDesk::reason_to_stop(double truck_kg) const {
     return fmt::format("the truck is full: {:.1f} t of {:.0f} t, and a pass loads {:.0f} t",
                        truck_kg * 1e-3, case_.truck.rated_t, mean_kg * 1e-3);
   if (passes_ >= case_.op.passes)
-    return fmt::format("the passes that operator.passes allows are done: {}", passes_);
+    return fmt::format("all passes done (operator.passes: {})", passes_);
   return "";
 }
 

@@ -17,7 +17,7 @@ WEIGHED_S = 1.0  # readings of the truck's scale that are averaged
 TARE = 0.05      # of a load: more in a dipper that comes back empty is none
 SIGMAS = 3       # of the scale: as far below zero the mass of a pass that loads nothing may be
 WAYS_TO_READ = ("reads: total is a scale that goes up with each pass, reads: pass shows what the last pass brought, "
-                "reads: dipper what hangs in the dipper, until it is dumped")
+                "reads: dipper the load in the dipper, until it is dumped")
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ DELIMITERS = {",": ",", ";": ";", "|": "|", "tab": "\t", "\\t": "\t", "\t": "\t"
 NUMBER_FORMATS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "ticks": 1e-7, "min": 60.0, "h": 3600.0,
                   "days": 86400.0}  # ticks of 100 ns: Windows and .NET
 MISSING = ("", "-", "--", "---", "nan", "null", "none", "n/a", "na", "#n/a")
-READS = ("total", "pass", "dipper")  # in the truck; what the last pass brought; what hangs in the dipper
+READS = ("total", "pass", "dipper")  # in the truck; what the last pass brought; the load in the dipper
 LONGEST_GAP_S = 2.0
 SAMPLE_S = 0.1
 

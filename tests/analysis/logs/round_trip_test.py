@@ -231,7 +231,7 @@ def test_a_payload_monitor_is_read_before_the_dump(tmp_path, plain_map):
     for reads in ("pass", "total"):
         change(plain_map, "reads: total", f"reads: {reads}")
         found = findings(log, plain_map)
-        assert len(found) == 1 and "reads: dipper what hangs in the dipper, until it is dumped" in found[0], found
+        assert len(found) == 1 and "reads: dipper the load in the dipper, until it is dumped" in found[0], found
         change(plain_map, f"reads: {reads}", "reads: total")
     change(plain_map, "reads: total", "reads: dipper")
     made, _, _ = read(log, plain_map)

@@ -819,7 +819,7 @@ TEST(CheckedCase, SoundCase) {
       MatchesRegex("quick is sound: about [0-9]+ rocks poured; [0-9.]+ s simulated in [0-9]+ DEM "
                    "steps and [0-9]+ sync steps of [0-9.]+ ms, after [0-9]+ DEM steps to settle "
                    "the pile; the DEM step is [0-9]+ % of the largest stable one, [0-9.]+ s\n"
-                   "estimate: .* accurate within a factor of 1.5\n"
+                   "estimate: .* accurate within a factor of 2\n"
                    "pass 1: the teeth sweep [0-9]+ m3, up to [0-9.]+ m deep; the dipper's "
                    "struck volume is 42 m3\n"
                    "warning: pass 1 cannot fill the dipper; .*\n"));

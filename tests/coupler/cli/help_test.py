@@ -43,6 +43,12 @@ class Help(unittest.TestCase):
                 asked = subprocess.run([DIPPER, "help", *words], capture_output=True, text=True, check=True)
                 self.assertEqual(asked.stdout, help_of(*words))
 
+    def test_help_of_no_command_is_an_error(self):
+        for word, said in (("rnu", "rnu is not a command; did you mean run?"), ("xyzzy", "dipper help lists them")):
+            asked = subprocess.run([DIPPER, "help", word], capture_output=True, text=True)
+            self.assertEqual((asked.returncode, asked.stdout), (2, ""))
+            self.assertIn(said, asked.stderr)
+
     def test_the_options_of_a_python_program_are_those_of_its_command(self):
         options = re.compile(r"--[\w-]+")
         path = os.pathsep.join(str(SOURCE / "analysis" / name) for name in ("gap", "logs", "runs", "study", "survey"))

@@ -200,7 +200,7 @@ TEST_F(PassDeskTest, StopsAfterSoManyPasses) {
   go_through(one, {0, 10, 20, 30});
   EXPECT_TRUE(one.finished());
   EXPECT_EQ(machine.sent.size(), 2U);
-  EXPECT_THAT(said.lines.back(), HasSubstr("operator.passes allows are done: 2"));
+  EXPECT_THAT(said.lines.back(), HasSubstr("all passes done (operator.passes: 2)"));
 }
 
 TEST_F(PassDeskTest, GoesOnFromACheckpointAsItWouldHaveWithoutAndForgetsWhatCameAfter) {

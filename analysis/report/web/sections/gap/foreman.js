@@ -39,7 +39,7 @@ function where(answer) {
     const level = LEVELS.includes(feature) || channel === 'face_m' ? (z > 0 ? 'higher' : 'lower') : null;
     places.set(place, places.get(place) ?? level);
   }
-  return [...places].slice(0, PLACES).map(([place, level]) => `${place}: ${level ?? 'of another shape'}`).join('; ');
+  return [...places].slice(0, PLACES).map(([place, level]) => `${place}: ${level ?? 'differs in shape'}`).join('; ');
 }
 
 function howMuch(data) {

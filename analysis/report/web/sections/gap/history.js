@@ -24,7 +24,7 @@ export function history(data) {
       xRange: [0.5, order.length + 0.5],
       bands: reference ? [{ name: 'reference', from: 0.5, to: reference.trucks + 0.5 }, { name: 'measured', from: reference.trucks + 0.5, to: order.length + 0.5 }] : [] }),
     began && facts([['It began', since(data.answer)], ['Since then', `${number(began.size, 3)} ± ${number(2 * began.size_sd, 2)} ${unitText(h.unit)} (2 sd)`],
-      reference && ['Reference against the model', `mean square of z ${fixed(reference.model_gap, 1)}: what the two differ by at all times is taken out`]].filter(Boolean)));
+      reference && ['Reference against the model', `mean square of z ${fixed(reference.model_gap, 1)}: this constant difference is subtracted`]].filter(Boolean)));
 }
 
 /// The step or ramp, about the mean of the trucks before it.

@@ -16,11 +16,11 @@ export function experiments(data) {
 }
 
 export function rejected(data) {
-  const { second, verdict } = data.answer;
+  const { second } = data.answer;
   const list = data.answer.rejected?.filter((r) => r.effect !== second?.effect);
   const held = data.closures?.holdout;
   if (!list?.length && !held) return null;
-  return section('rejected', verdict === 'unknown' ? 'Considered and not named' : 'Rejected', null,
+  return section('rejected', 'Considered and not named', null,
     list?.length > 0 && h('div.stack', table(null, [
       { name: 'Effect', cell: (r) => titleAndName(data, r.effect) },
       { name: 'Probability that it is present', cell: (r) => percent(r.probability, 2) },
