@@ -218,6 +218,9 @@ class Stored(unittest.TestCase):
                 browser.open(file)
                 self.assertEqual(browser.run("return document.querySelectorAll('[role=alert]').length"), len(set(answer.get("warnings", []))))
                 self.assertTrue(browser.run("return document.querySelector('.verdict').classList.contains(arguments[0])", verdict))
+                twice = browser.run("""return [...document.querySelectorAll('th small')]
+                    .filter((e) => e.previousSibling?.textContent === e.textContent).map((e) => e.textContent)""")
+                self.assertEqual(twice, [], "a gap.json has no titles: a name beside itself")
                 self.assertEqual(browser.errors(), [])
 
     def test_names_once_second_not_rejected_and_closure_capped(self):

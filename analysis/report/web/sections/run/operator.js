@@ -80,7 +80,7 @@ function candidates(d) {
     because.set(why, (because.get(why) ?? 0) + 1);
   });
   return [table(`The best of ${d.candidates.length}`, [
-    { name: 'Heading', unit: '°', cell: (c) => fixed(c.heading_deg, 0) + (c.chosen ? ' ← chosen' : '') },
+    { name: 'Heading', cell: (c) => `${fixed(c.heading_deg, 0)}°${c.chosen ? ' ← chosen' : ''}` },
     { name: 'depth', unit: 'm', cell: (c) => fixed(c.depth_m, 2) },
     { name: 'floor rises', unit: 'm/m', cell: (c) => fixed(c.floor_rise, 2) },
     { name: 'out at', unit: 'm', cell: (c) => fixed(c.exit_z_m, 1) },
