@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/begins_with.hpp"
 #include "common/input_error.hpp"
 #include "common/nearest_word.hpp"
 #include "common/version.hpp"
@@ -97,7 +98,7 @@ int command_line(std::vector<std::string> words, Reporter& reporter) {
     words.emplace_back("--help");
   }
   const std::vector<Command> commands = add_commands(app, words, reporter);
-  if (help && words.size() > 1 && !is_command(app, words.front())) {
+  if (help && !begins_with(words.front(), "-") && !is_command(app, words.front())) {
     const std::string meant = guess(app, words);
     reporter.error(words.front() + " is not a command; " +
                    (meant.empty() ? "dipper help lists them" : "did you mean " + meant + "?"));

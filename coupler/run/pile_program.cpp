@@ -37,14 +37,15 @@ std::string how_far(const fs::path& screen) {
                       : fmt::format("the last line of {} is '{}'", screen.string(), last);
 }
 
-/// LIGGGHTS prints rows of step, time, ... while it steps.
-std::string progress_line(const fs::path& screen, double wall_s) {
+/// LIGGGHTS prints rows of step, time, ... while it steps. \param all_s  simulated time of the
+/// script, 0: not known.
+std::string progress_line(const fs::path& screen, double all_s, double wall_s) {
   std::istringstream row(last_line(screen));
   std::int64_t step = 0;
   double time_s = 0;
-  return row >> step >> time_s
-             ? fmt::format("pile: settling, {:.2f} s simulated in {:.0f} s", time_s, wall_s)
-             : fmt::format("pile: settling, {:.0f} s", wall_s);
+  if (!(row >> step >> time_s)) return fmt::format("pile: settling, {:.0f} s", wall_s);
+  const std::string all = all_s > 0 ? fmt::format(" of {:.1f}", all_s) : "";
+  return fmt::format("pile: settling, {:.1f}{} s simulated in {:.0f} s", time_s, all, wall_s);
 }
 
 }  // namespace
@@ -94,11 +95,12 @@ void PilePrograms::run(const fs::path& folder, const std::string& name, int rank
     command.insert(command.end(), {"-var", variables[i], variables[i + 1]});
   launch::Process process(launch::mpirun(ranks, std::move(command), places), log, folder);
   launch::HangWatch watch(c.coupling.timeout_s);
+  const double all_s = name == "settle" ? c.pile.settle_s + c.pile.relax_s : 0;
   while (!process.wait(std::chrono::milliseconds(100))) {
     std::error_code none_yet;
     const auto written = fs::file_size(screen, none_yet);
     const std::chrono::duration<double> now = std::chrono::steady_clock::now() - began;
-    reporter.progress(progress_line(screen, now.count()));
+    reporter.progress(progress_line(screen, all_s, now.count()));
     const std::string hung = watch.look(now.count(), process.active_s(), none_yet ? 0 : written);
     if (!hung.empty()) {
       process.end();
