@@ -52,7 +52,8 @@ CaseSize size_of(const cases::Case& c) {
 std::string summary(const cases::Case& c) {
   const CaseSize s = size_of(c);
   return fmt::format(
-      "about {:.0f} rocks poured; {:g} s simulated in {:.0f} DEM steps and {:.0f} sync steps of {:g} ms, "
+      "about {:.0f} rocks poured; {:g} s simulated in {:.0f} DEM steps and {:.0f} sync steps of "
+      "{:g} ms, "
       "after {:.0f} DEM steps to settle the pile; the DEM step is {:.0f} % of the largest stable "
       "one, {:.3g} s",
       s.rocks, s.simulated_s, s.steps, s.windows, c.coupling.sync_steps * c.dem.timestep_s * 1e3,

@@ -20,8 +20,8 @@ TEST(RowFaults, AFewAreReportedOneByOne) {
   for (const int line : {2, 4, 9}) faults.add("x", line, 3, "x is wrong", "it must be right");
   EXPECT_FALSE(faults.empty());
   EXPECT_THAT(reported(faults), testing::ElementsAre("t.csv:2:3: x is wrong; it must be right",
-                                                 "t.csv:4:3: x is wrong; it must be right",
-                                                 "t.csv:9:3: x is wrong; it must be right"));
+                                                     "t.csv:4:3: x is wrong; it must be right",
+                                                     "t.csv:9:3: x is wrong; it must be right"));
 }
 
 TEST(RowFaults, ManyOfOneKindAreOneLine) {
@@ -29,8 +29,8 @@ TEST(RowFaults, ManyOfOneKindAreOneLine) {
   for (int line = 2; line < 102; ++line) faults.add("x", line, 0, "x is wrong", "it must be right");
   faults.add("y", 50, 0, "y is wrong", "none");
   EXPECT_THAT(reported(faults), testing::ElementsAre("t.csv:2: x is wrong, and the same in 99 more "
-                                                 "lines; it must be right",
-                                                 "t.csv:50: y is wrong; none"));
+                                                     "lines; it must be right",
+                                                     "t.csv:50: y is wrong; none"));
 }
 
 }  // namespace
