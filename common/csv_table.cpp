@@ -337,7 +337,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
     }
     if (sound) rows.push_back(std::move(row));
   }
-  faults.tell(file, findings);
+  faults.report(file, findings);
   if (grouped && !number.commas_are_decimal() && faults.empty()) findings.push_back(*grouped);
   if (layout.delimiter == 0)
     findings.push_back(

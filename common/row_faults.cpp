@@ -17,7 +17,7 @@ void RowFaults::add(std::string kind, int line, int column, std::string wrong, s
   faults_.push_back({std::move(kind), line, column, std::move(wrong), std::move(right)});
 }
 
-void RowFaults::tell(const std::filesystem::path& file, std::vector<Finding>& findings) const {
+void RowFaults::report(const std::filesystem::path& file, std::vector<Finding>& findings) const {
   std::map<std::string, int> count;
   for (const Fault& f : faults_) ++count[f.kind];
   std::set<std::string> seen_kinds;

@@ -19,7 +19,7 @@ class RowFaults {
   bool empty() const { return faults_.empty(); }
 
   /// Adds "wrong; right" of each to the findings.
-  void tell(const std::filesystem::path& file, std::vector<Finding>& findings) const;
+  void report(const std::filesystem::path& file, std::vector<Finding>& findings) const;
 
  private:
   struct Fault {

@@ -82,7 +82,7 @@ PoseTable PoseTable::load(const std::filesystem::path& file) {
       rows.push_back({t, {R.normalized(), p}, row.line});
     }
   }
-  faults.tell(file, findings);
+  faults.report(file, findings);
   if (findings.empty() && table.tracks_.empty())
     findings.push_back({file, 0, "", "no rows; write one or more for each body", 1});
   sort_by_line(findings);

@@ -55,8 +55,8 @@ class DumpReader {
 
   /// Passes a frame's rows to `visit`, up to kChunkRows at a time, in the file's order. Positions
   /// requested as x, y, z are made from xu or xs when the dump has only those, a radius from a
-  /// diameter. Throws InputError
-  /// naming file and line: a missing column, a row that is too short, not a number.
+  /// diameter. Throws InputError naming file and line: a missing column, a row that is too short,
+  /// not a number.
   static void read(const DumpFrame& frame, const std::vector<std::string>& columns,
                    const std::function<void(const ParticleChunk&)>& visit);
 

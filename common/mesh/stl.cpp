@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "common/begins_with.hpp"
 #include "common/input_error.hpp"
 #include "common/numbers.hpp"
 
@@ -297,12 +298,12 @@ std::string other_format(std::string_view bytes) {
         Beginning{"glTF", "glTF"}, Beginning{"OFF", "OFF"}, Beginning{"# vtk", "VTK"},
         Beginning{"<?xml", "XML"}, Beginning{"\x1F\x8B", "gzip"}, Beginning{"\xFF\xFE", "UTF-16"},
         Beginning{"\xFE\xFF", "UTF-16"}})
-    if (bytes.substr(0, begin.size()) == begin) return name;
+    if (begins_with(bytes, begin)) return name;
   for (std::size_t at = 0; at < bytes.size();) {  // OBJ: comments, then such words
     const std::string_view line = bytes.substr(at, bytes.find('\n', at) - at);
     at += line.size() + 1;
     for (const std::string_view word : {"v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl "})
-      if (line.substr(0, word.size()) == word) return "OBJ";
+      if (begins_with(line, word)) return "OBJ";
     if (!line.empty() && line[0] != '#' && line[0] != '\r') break;
   }
   return "";

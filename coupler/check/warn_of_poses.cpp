@@ -15,12 +15,10 @@ namespace {
 
 using Rows = std::vector<machine::PoseTable::Row>;
 
-constexpr double kFastest_m_s = 20;  // no tool that digs is so fast
-constexpr double kUsualRow_s = 60;   // rows further apart, as a rule: times in ms
-constexpr double kFarthestTurn =
-    0.9;  // of half a turn; beyond half a turn the shorter way is another
-constexpr double kHalfTurned =
-    0.7072;  // qz of a body turned by 90 degrees about z, and a little more
+constexpr double kFastest_m_s = 20;     // no tool that digs is so fast
+constexpr double kUsualRow_s = 60;      // rows further apart, as a rule: times in ms
+constexpr double kFarthestTurn = 0.9;   // of half a turn; beyond that the shorter way is another
+constexpr double kHalfTurned = 0.7072;  // a little over qz of a body turned by 90 degrees about z
 
 // The first rows between which a body is too fast, or turns so far that either way may be meant.
 void warn_of_steps(const cases::Case& c, const std::string& body, const Rows& rows,
@@ -81,16 +79,10 @@ void warn_of_poses(const cases::Case& c, std::vector<Finding>& warnings) {
     if (*middle > kUsualRow_s)
       say(fmt::format("time_s has a row every {:g} s: in ms, perhaps?", *middle));
   }
-  if (first_s < 0)
-    say(
-        fmt::format("the first row is at {:g} s; the run begins at 0 s, so what is before is left "
-                    "out",
-                    first_s));
-  if (first_s > 0)
-    say(
-        fmt::format("the first row is at {:g} s; the run begins at 0 s, and nothing moves until "
-                    "then",
-                    first_s));
+  if (first_s != 0)
+    say(fmt::format(
+        "the first row is at {:g} s; the run begins at 0 s, {}", first_s,
+        first_s < 0 ? "so what is before is left out" : "and nothing moves until then"));
 }
 
 }  // namespace dipper::check

@@ -5,6 +5,7 @@
 #include <memory>
 #include <sstream>
 
+#include "common/begins_with.hpp"
 #include "common/version.hpp"
 
 namespace dipper::cli {
@@ -54,7 +55,7 @@ std::string roff_footer(const std::string& footer) {
   bool example = false;
   std::istringstream lines(footer);
   for (std::string line; std::getline(lines, line);) {
-    const bool indented = line.rfind("  ", 0) == 0;
+    const bool indented = begins_with(line, "  ");
     if (indented != example) out += indented ? ".PP\n.nf\n" : ".fi\n.PP\n";
     example = indented;
     out += (indented ? "    " + roff(line.substr(2)) : roff(line)) + "\n";

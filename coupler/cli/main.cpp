@@ -36,12 +36,6 @@ Command add_help_command(CLI::App& app) {
           [] { return 0; }};
 }
 
-bool is_command(const CLI::App& app, const std::string& word) {
-  const auto listed = listed_commands(app);
-  return std::any_of(listed.begin(), listed.end(),
-                     [&](const CLI::App* sub) { return sub->get_name() == word; });
-}
-
 /// The known word nearest to the first unknown one; empty: none is near.
 std::string guess(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* command = nullptr;
@@ -98,7 +92,8 @@ int command_line(std::vector<std::string> words, Reporter& reporter) {
     words.emplace_back("--help");
   }
   const std::vector<Command> commands = add_commands(app, words, reporter);
-  if (help && !begins_with(words.front(), "-") && !is_command(app, words.front())) {
+  const auto asked = [&](const CLI::App* sub) { return sub->get_name() == words.front(); };
+  if (help && !begins_with(words.front(), "-") && app.get_subcommands(asked).empty()) {
     const std::string meant = guess(app, words);
     reporter.error(words.front() + " is not a command; " +
                    (meant.empty() ? "dipper help lists them" : "did you mean " + meant + "?"));

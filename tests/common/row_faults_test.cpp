@@ -8,7 +8,7 @@ namespace {
 
 std::vector<std::string> reported(const RowFaults& faults) {
   std::vector<Finding> findings;
-  faults.tell("t.csv", findings);
+  faults.report("t.csv", findings);
   std::vector<std::string> said;
   for (const Finding& finding : findings) said.push_back(to_string(finding));
   return said;

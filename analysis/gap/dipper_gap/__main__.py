@@ -20,8 +20,8 @@ from dipper_run.text_file import read_text
 from .answer import write_answer
 from .forecast import as_lines, forecast, write_forecast
 from .readings.before import check_reference
-from .readings.fidelity import read_fidelity
 from .readings.channels import ASSUMED, read_channels
+from .readings.fidelity import read_fidelity
 from .readings.measured import read_measured
 from .readings.motion import compare_motion, read_motion
 from .readings.passes import NEED_PASSES

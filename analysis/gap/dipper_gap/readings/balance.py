@@ -7,8 +7,8 @@ follows from the baseline's own runs.
 """
 import numpy as np
 
-from .features import Cell
 from .channels import MASS
+from .features import Cell
 
 HOIST = "hoist_force_kN"
 BALANCE = "balance"
