@@ -28,7 +28,7 @@ function nearby(slices, times) {
     const before = slices[k - 1];
     if (!before || before.stage.pass !== slice.stage.pass || frame(slice) < 0 || frame(slice) - frame(before) > 1) return slice;
     const near = frame(slice) === frame(before) ? `in the same frame as stage ${before.stage.stage}`
-      : `one frame (${number(slice.stage.t_s - before.stage.t_s, 2)} s) after stage ${before.stage.stage}, the interval of the dumps`;
+      : `one frame (${number(slice.stage.t_s - before.stage.t_s, 2)} s) after stage ${before.stage.stage}; no frame lies between`;
     return { ...slice, stage: { ...slice.stage, near } };
   });
 }
