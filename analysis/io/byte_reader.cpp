@@ -21,6 +21,7 @@ ByteReader::ByteReader(std::filesystem::path file, std::int64_t offset, long lin
       base_(offset) {
   if (gzseek(stream_.get(), offset, SEEK_SET) < 0)
     throw input_error(file_, line, "cannot be read here");
+  if (offset == 0 && next_is("\xEF\xBB\xBF")) read_ += 3;
 }
 
 bool ByteReader::refill() {

@@ -12,7 +12,7 @@ struct gzFile_s;  // of zlib.h
 namespace dipper::analysis::io {
 
 /// Reads a file, gzipped or not, in a buffer of fixed size; counts lines as long as it is read as
-/// text. Throws InputError when the file cannot be read.
+/// text; skips a byte-order mark of UTF-8. Throws InputError when the file cannot be read.
 class ByteReader {
  public:
   explicit ByteReader(std::filesystem::path file, std::int64_t offset = 0, long line = 1);

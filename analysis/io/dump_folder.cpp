@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -41,6 +42,12 @@ bool is_text_dump(const fs::path& file) {
   return in.next_is("ITEM: TIMESTEP") || in.next_is("ITEM: UNITS") || in.next_is("ITEM: TIME");
 }
 
+/// By its extension: only gzip is unpacked here.
+bool is_packed(const fs::path& file) {
+  constexpr std::array<std::string_view, 4> kPackers{".bz2", ".xz", ".zst", ".lz4"};
+  return std::find(kPackers.begin(), kPackers.end(), file.extension()) != kPackers.end();
+}
+
 using Groups = std::map<std::string, std::vector<fs::path>>;
 
 const Groups::value_type& only(const Groups& groups, const fs::path& folder) {
@@ -55,7 +62,7 @@ const Groups::value_type& only(const Groups& groups, const fs::path& folder) {
 }
 
 struct Found {
-  Groups text, vtk;
+  Groups text, vtk, packed;  // packed: compressed, and not by gzip
   decltype(DumpFolder::walls) walls;
 };
 
@@ -70,7 +77,9 @@ Found find_dumps(const fs::path& folder) {
   for (const fs::path& file : files) {
     const std::string ext = without_gz(file).extension().string();
     const std::string stem = stem_of(file);
-    if (ext == ".vtp" || ext == ".vtk") {
+    if (is_packed(file)) {
+      found.packed[stem_of(file.stem())].push_back(file);
+    } else if (ext == ".vtp" || ext == ".vtk") {
       const auto step = step_in_name(file);
       if (!step) continue;  // a single image, not a frame
       auto known = is_wall.find(stem + ext);
@@ -183,7 +192,12 @@ DumpFolder open_dump_folder(const fs::path& folder, std::optional<double> timest
   d.folder = fs::is_directory(folder / "dumps") ? folder / "dumps" : folder;
   if (!fs::is_directory(d.folder)) throw input_error(d.folder, 0, "not a folder");
   Found found = find_dumps(d.folder);
-  if (found.text.empty() && found.vtk.empty())
+  const bool none = found.text.empty() && found.vtk.empty();
+  for (const auto& [name, files] : found.packed)
+    if (none || found.text.count(name) + found.vtk.count(name) > 0)
+      throw input_error(files.front(), 0,
+                        "compressed in a way that is not read; unpack it, or compress it by gzip");
+  if (none)
     throw input_error(d.folder, 0,
                       "no particle dumps; expected text dumps of `dump custom`, or .vtp or .vtk "
                       "files of `dump custom/vtk`");

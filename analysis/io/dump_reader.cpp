@@ -105,6 +105,11 @@ Source source_of(const DumpFrame& frame, const std::string& column) {
   if (column.size() == 1 && column[0] >= 'x' && column[0] <= 'z') {
     if (frame.has(column + "u")) return {column + "u"};
     if (frame.has(column + "s") && frame.box) {
+      if (frame.tilted)
+        throw input_error(frame.file, frame.line,
+                          fmt::format("{0}s is scaled to a tilted box, which is not read; add {0} "
+                                      "to the dump's columns",
+                                      column));
       const int axis = column[0] - 'x';
       return {column + "s", frame.box->min_m[axis], frame.box->sides_m()[axis]};
     }

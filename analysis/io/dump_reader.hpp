@@ -26,6 +26,7 @@ struct DumpFrame {
   std::int64_t offset = 0;  ///< of its first row (text)
   std::size_t particles = 0;
   std::optional<Box> box;
+  bool tilted = false;  ///< the box: then scaled positions (xs) do not follow from its bounds
   std::vector<std::string> columns;
   std::shared_ptr<KeptRows> kept;  ///< of the reader's text frames (text)
 

@@ -30,7 +30,8 @@ std::int64_t whole_number(LineReader& in, const char* what) {
   return value;
 }
 
-Box box_bounds(LineReader& in) {
+/// Three lines of two bounds, with a tilt factor each if the box is triclinic.
+Box box_bounds(LineReader& in, bool& tilted) {
   Box box;
   for (int i = 0; i < 3; ++i) {
     std::string_view text = header_line(in, "a box bound");
@@ -38,6 +39,8 @@ Box box_bounds(LineReader& in) {
         !parse_number(take_word(text), box.max_m[i]) || box.min_m[i] > box.max_m[i])
       throw input_error(in.file(), in.line(),
                         "not a box bound; write two numbers, the lower one first");
+    double tilt_m = 0;
+    if (parse_number(take_word(text), tilt_m) && tilt_m != 0) tilted = true;
   }
   return box;
 }
@@ -57,7 +60,7 @@ DumpFrame read_header(LineReader& in, std::string_view text) {
       frame.particles = static_cast<std::size_t>(n);
       has_count = true;
     } else if (starts(text, "ITEM: BOX BOUNDS")) {
-      frame.box = box_bounds(in);
+      frame.box = box_bounds(in, frame.tilted);
     } else if (starts(text, "ITEM: TIME")) {
       double time_s = 0;
       std::string_view value = header_line(in, "the time");

@@ -15,6 +15,8 @@ LEAST_OF_STALL = 0.02      # of what a drive can pull: an empty dipper's weight 
 FEW = 3                    # readings
 DROP = 0.2                 # of the usual force: a fall to next to nothing and back from more is no load's
 SMALL = 0.02               # of the usual force: next to nothing
+STUCK_ROWS = 10            # one force for as many readings,
+STUCK_M = 5.0              # while rope and handle move by as much: no load does that
 
 
 def warn_of_readings(rows, spans, what, notes):
@@ -24,6 +26,8 @@ def warn_of_readings(rows, spans, what, notes):
             _warn_of_empty(name, rows, notes)
         if name in what.channels and name in FORCES:
             _warn_of_falls(name, rows, notes)
+            if not what.channels[name].held:
+                _warn_of_stuck(name, rows, notes)
     lengths = [b - a for a, b in spans]
     if lengths and not (PASS_S[0] <= np.median(lengths) <= PASS_S[1]):
         notes.append(f"warning: a pass takes {np.median(lengths):.4g} s, where 20 to 60 s are usual: is "
@@ -80,6 +84,34 @@ def _warn_of_falls(name, rows, notes):
             notes.append(f"warning: {name}: {some_rows(rows.lines[fallen], 'reading')} of {low:.6g} {unit} between "
                          f"others of {least:.4g} {unit} and more: no readings? Leave such cells empty{listed}, or "
                          f"name the column that says which readings are good (channels.{name}.quality)")
+
+
+def _warn_of_stuck(name, rows, notes):
+    """Of a force other than 0 that does not change by a digit while rope and handle move: an instrument that is stuck,
+    or at the end of its range."""
+    there = np.flatnonzero(np.isfinite(rows.values[name]) & (rows.values[name] != 0))
+    if not len(there):
+        return
+    value = rows.values[name][there]
+    moved = sum(_way(rows.values[drive])[there] for drive in ("hoist", "crowd"))
+    first = np.flatnonzero(np.diff(value, prepend=np.nan) != 0)
+    last = np.append(first[1:], len(value)) - 1
+    stuck = (last - first + 1 >= STUCK_ROWS) & (moved[last] - moved[first] >= STUCK_M)
+    if stuck.any():
+        longest = np.flatnonzero(stuck)[np.argmax((last - first)[stuck])]
+        a, b = first[longest], last[longest]
+        times = f"; {stuck.sum()} times, this one the longest" if stuck.sum() > 1 else ""
+        notes.append(f"warning: {name}: {value[a]:.6g} {CHANNELS[name].unit} in all {b - a + 1} rows from line "
+                     f"{rows.lines[there[a]]} to {rows.lines[there[b]]}, while hoist and crowd move by "
+                     f"{moved[b] - moved[a]:.3g} m{times}: is the instrument stuck, or at the end of its range? Leave "
+                     f"such cells empty, or name the column that says which readings are good (channels.{name}.quality)")
+
+
+def _way(position):
+    """Length of the way up to each row; empty cells are passed over."""
+    there = np.flatnonzero(np.isfinite(position))
+    steps = np.abs(np.diff(position[there], prepend=position[there[:1]]))
+    return np.interp(np.arange(len(position)), there, np.cumsum(steps)) if len(there) else np.zeros(len(position))
 
 
 def _falls(value, there, low, usual):

@@ -94,6 +94,31 @@ TEST(DumpFolder, GzippedFrames) {
               HasSubstr("rocks_100.dump.gz"));
 }
 
+TEST(DumpFolder, AByteOrderMarkIsNoPartOfADump) {
+  const Scratch s;
+  for (const long step : {0, 100}) {
+    s.write("rocks_" + std::to_string(step) + ".dump", "\xEF\xBB\xBF" + frame(step));
+  }
+  const DumpFolder d = open_dump_folder(s.folder(), 1e-3);
+  ASSERT_EQ(d.frames.size(), 2u);
+  std::vector<double> x;
+  DumpReader::read(d.frames[1], {"x"}, [&](const ParticleChunk& c) { x = c.columns[0]; });
+  EXPECT_EQ(x.at(0), 2);
+}
+
+TEST(DumpFolder, AFrameCompressedOtherwiseThanByGzipIsNamed) {
+  const Scratch s;
+  s.write("rocks_100.dump.bz2", "BZh91AY&SY");
+  const auto message = [&] {
+    return test::message_of([&] { open_dump_folder(s.folder(), 1e-3); });
+  };
+  EXPECT_THAT(message(), HasSubstr("rocks_100.dump.bz2: compressed in a way that is not read"));
+  s.write("rocks_0.dump", frame(0));
+  EXPECT_THAT(message(), HasSubstr("rocks_100.dump.bz2: compressed in a way that is not read"));
+  fs::rename(s.folder() / "rocks_100.dump.bz2", s.folder() / "log.xz");
+  EXPECT_EQ(open_dump_folder(s.folder(), 1e-3).frames.size(), 1u);
+}
+
 TEST(DumpFolder, AMissingFrameIsNamed) {
   const Scratch s;
   write_run(s);

@@ -64,6 +64,22 @@ TEST(TextDump, LammpsHasTimesUnwrappedAndScaledPositions) {
               ElementsAre(ElementsAre(99), ElementsAre(5), ElementsAre(0)));
 }
 
+TEST(TextDump, PositionsScaledToATiltedBoxAreRefused) {
+  const Scratch scratch;
+  const auto tilted = [](const std::string& columns, const std::string& tilt) {
+    return "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n"
+           "0 10 " +
+           tilt + "\n0 20 0\n0 30 0\nITEM: ATOMS " + columns + "\n0.5\n";
+  };
+  const DumpReader scaled({scratch.write("scaled_5.dump", tilted("xs", "2.5"))});
+  EXPECT_THAT(test::message_of([&] { all(scaled.frames()[0], {"x"}); }),
+              HasSubstr("xs is scaled to a tilted box, which is not read"));
+  const DumpReader upright({scratch.write("upright_5.dump", tilted("xs", "0"))});
+  EXPECT_THAT(all(upright.frames()[0], {"x"}), ElementsAre(ElementsAre(5)));
+  const DumpReader plain({scratch.write("plain_5.dump", tilted("x", "2.5"))});
+  EXPECT_THAT(all(plain.frames()[0], {"x"}), ElementsAre(ElementsAre(0.5)));
+}
+
 TEST(TextDump, ARadiusIsHalfADiameter) {
   const Scratch scratch;
   const DumpReader reader(

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from dipper_import.build import _warn_of_tare, _masses
-from dipper_import.warn import _warn_of_empty, _warn_of_falls, _warn_of_size, warn_of_masses
+from dipper_import.warn import _warn_of_empty, _warn_of_falls, _warn_of_size, _warn_of_stuck, warn_of_masses
 from dipper_run.findings import Findings
 
 SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5)
@@ -93,3 +93,25 @@ def test_forces_smaller_than_an_empty_dipper_s(scale, warns):
     _warn_of_size("hoist_force", rows, what, notes := [])
     assert bool(notes) == warns
     assert not warns or "no reading is beyond 1.2 kN, less than an empty dipper takes" in notes[0]
+
+
+@pytest.mark.parametrize("rows, hoist_m_s, warned", [
+    (60, 0.5, "812.5 kN in all 60 rows from line 102 to 161, while hoist and crowd move by 29.5 m"),
+    (60, 0.0, None),   # the machine stands: so does its force
+    (8, 1.5, None)])   # a moment
+def test_a_force_that_does_not_change_while_the_machine_moves(rows, hoist_m_s, warned):
+    force = 900 + 50 * np.sin(np.arange(300.0))
+    force[100:100 + rows] = 812.5
+    hoist = hoist_m_s * np.minimum(np.arange(300.0), 200)
+    hoist[150] = np.nan
+    log = SimpleNamespace(lines=2 + np.arange(300),
+                          values={"hoist_force": force, "hoist": hoist, "crowd": np.full(300, 1.0)})
+    _warn_of_stuck("hoist_force", log, notes := [])
+    assert [warned in note for note in notes] == ([True] if warned else [])
+
+
+def test_a_force_that_never_changes():
+    log = SimpleNamespace(lines=2 + np.arange(50), values={"crowd_force": np.full(50, 7.0), "hoist": np.zeros(50),
+                                                           "crowd": 0.2 * np.arange(50.0)})
+    _warn_of_stuck("crowd_force", log, notes := [])
+    assert "7 kN in all 50 rows" in notes[0]
