@@ -327,7 +327,7 @@ TEST(CheckCase, MachineThatCannotClose) {
   text.replace(text.find(length), length.size(), "length_at_zero_hoist: {value: 19.88");
   write_text(model, text);
   expect_findings(check(checkout),
-                  {{model, 0, "machine.model", "at a crowd of -1.70 m the ropes hold the bail"}});
+                  {{model, 0, "machine.model", "at a crowd of -2.60 m the ropes hold the bail"}});
 }
 
 TEST(CheckCase, StepAboveTheStabilityLimit) {

@@ -103,7 +103,7 @@ class Operator(RunTest):
                 ("nonsense", GREETS + "read line; echo woe", "not a line of JSON: 'woe'"),
                 ("nan", GREETS + f"read line; echo '{STILL.replace('0,', 'NaN,', 1)}'; sleep 9", "not a line of JSON"),
                 ("far", GREETS + f"read line; echo '{STILL.replace('-1.5589', '3.3')}'; sleep 9",
-                 "crowd_m: 3.3 is out of the drive's reach, -1.7 to 3.2"),
+                 "crowd_m: 3.3 is out of the drive's reach, -2.6 to 3.2"),
                 ("lacks", GREETS + "read line; echo '{\"hoist_m\": -0.0469}'; sleep 9", "crowd_m: missing key")):
             with self.subTest(name):
                 file = self.program(name, script)
