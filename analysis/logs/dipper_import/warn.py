@@ -104,7 +104,8 @@ def _warn_of_stuck(name, rows, notes):
         notes.append(f"warning: {name}: {value[a]:.6g} {CHANNELS[name].unit} in all {b - a + 1} rows from line "
                      f"{rows.lines[there[a]]} to {rows.lines[there[b]]}, while hoist and crowd move by "
                      f"{moved[b] - moved[a]:.3g} m{times}: is the instrument stuck, or at the end of its range? Leave "
-                     f"such cells empty, or name the column that says which readings are good (channels.{name}.quality)")
+                     "such cells empty, or name the column that says which readings are good "
+                     f"(channels.{name}.quality)")
 
 
 def _way(position):
