@@ -34,8 +34,8 @@ def _rows(file, found):
 def read_table(file, need, found, allowed=None):
     """Columns of numbers by name, and the line of each row; unreadable cells are findings.
 
-    Columns parted by semicolons or tabs may have decimal commas. A column of TIMES may hold ISO 8601 stamps: they
-    become seconds since 1970.
+    Columns parted by semicolons or tabs may have decimal commas, and numbers their unit behind them. A column of TIMES
+    may hold ISO 8601 stamps: they become seconds since 1970.
     """
     header_line, header, rows, delimiter = _rows(file, found)
     if not header:
@@ -55,7 +55,7 @@ def read_table(file, need, found, allowed=None):
     faults = [(line, "row", f"{len(row)} values", _right_number(len(row), len(header), delimiter))
               for line, row in rows if len(row) != len(header)]
     lines = [line for line, _ in rows]
-    rows = [(row + [""] * len(header))[:len(header)] for _, row in rows]
+    rows = [[_without_unit(name, cell) for name, cell in zip(header, row + [""] * len(header))] for _, row in rows]
     decimal, doubtful = find_decimal(cell for row in rows for cell in row)
     if doubtful and decimal == ",":
         line, name = next((i, n) for i, row in zip(lines, rows) for n, cell in zip(header, row) if cell == doubtful)
@@ -69,6 +69,12 @@ def read_table(file, need, found, allowed=None):
     faults = [f for f in faults if f[1] == "row" or f[0] not in broken]
     found.add_rows(file, faults)
     return values, lines
+
+
+def _without_unit(name, cell):
+    """"80.7" of "80.7 t" in a column whose unit is t, by the channel or by the column's name."""
+    unit = KNOWN[name].unit if name in KNOWN else name.rpartition("_")[2]
+    return cell.removesuffix(unit).rstrip() if unit and cell[:1] in "+-.0123456789" else cell
 
 
 def _right_number(has, needs, delimiter):

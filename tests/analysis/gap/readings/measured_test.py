@@ -207,6 +207,25 @@ def test_semicolons_decimal_commas_blanks_byte_order_mark_and_carriage_returns(f
     assert all(np.array_equal(again.signals[n], first.signals[n]) for n in first.signals)
 
 
+@pytest.mark.parametrize("behind, decimal", [(" t", "."), ("t", "."), (" t", ",")])
+def test_a_mass_with_its_unit_behind_it(folder, behind, decimal):
+    first = read_measured(folder)
+    header, *rows = [line.split(",") for line in (folder / "passes.csv").read_text().splitlines()]
+    at = header.index("truck_mass_t")
+    rows = [[cell + behind if k == at else cell for k, cell in enumerate(row)] for row in rows]
+    (folder / "passes.csv").write_text("\n".join(";".join(row).replace(".", decimal) for row in [header, *rows]))
+    assert read_measured(folder).passes == first.passes
+
+
+def test_a_mass_with_another_unit_behind_it_is_refused(folder):
+    rows = (folder / "passes.csv").read_text().splitlines()
+    at = rows[0].split(",").index("truck_mass_t")
+    first = rows[1].split(",")
+    first[at] += " kg"
+    (folder / "passes.csv").write_text("\n".join([rows[0], ",".join(first), *rows[2:]]))
+    assert any("passes.csv:2: truck_mass_t: is '" in f and "kg'" in f for f in findings(folder))
+
+
 def test_commas_that_may_part_thousands_are_refused(folder):
     """As in the tables of a case: 943,981 kN is 944 kN or 943,981 kN."""
     header, *rows = [line.split(",") for line in (folder / "signals.csv").read_text().splitlines()]
