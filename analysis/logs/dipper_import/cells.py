@@ -3,13 +3,12 @@ import re
 
 import numpy as np
 
-from dipper_run.csv_text import THOUSANDS, decimal_number, find_decimal, parted_by, with_minus_first
+from dipper_run.csv_text import (THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by, with_minus_first,
+                                 without_unit)
 
 from .units import DRIVES, SWITCH
 from .phrases import LONGEST_SHOWN, some_names, some_rows
 
-WITH_UNIT = re.compile(r"(.*\d[.,]?)\s*([^\d\s.,+'()#-]\D*)", re.DOTALL)
-OTHER_NAMES = {"°": "deg", "º": "deg", "degrees": "deg", "tonnes": "t"}
 # What loggers write for "no reading": 9s, the ends of 16 and 32 bit numbers and these with a decimal point put in.
 SENTINELS = {s * float(n) for n in ("999", "9999", "99999", "999999") for s in (1, -1)} | \
     {-999.25, -2147483648.0, 2147483647.0} | {n / d for n in (-32768, 32767, 65535) for d in (1, 10, 100, 1000)}
@@ -27,7 +26,7 @@ class CellReader:
         self._what = what
         known, file = {c.unit for c in what.channels.values()}, what.file
         marks = {ord(m): None for m in THOUSANDS[file.thousands]} if file.thousands in ("'", "space") else {}
-        self._decimal, doubtful = find_decimal(_bare(c, known).translate(marks) for c in cells)
+        self._decimal, doubtful = find_decimal(without_unit(c, known).translate(marks) for c in cells)
         if file.decimal:
             self._decimal = file.decimal
         elif file.thousands in OTHER_MARK:
@@ -48,7 +47,7 @@ class CellReader:
                 continue
             if channel.switch:
                 text = SWITCH_WORDS.get(text.lower(), text)
-            value = decimal_number(_bare(text, {channel.unit}), self._decimal, file.thousands)
+            value = decimal_number(without_unit(text, {channel.unit}), self._decimal, file.thousands)
             if value is None:
                 faults.append((group.lines[k], channel.column, f"is '{text[:LONGEST_SHOWN]}'",
                                self._right(text, channel)))
@@ -60,11 +59,11 @@ class CellReader:
         return channel.slope * raw + channel.intercept
 
     def _right(self, text, channel):
-        if right := with_minus_first(_bare(text, {channel.unit})):
+        if right := with_minus_first(without_unit(text, {channel.unit})):
             return f"{right}, if that is meant: a minus before the number"
         if channel.unit == SWITCH:
             return "0 or 1, or words such as open and closed, on and off, true and false"
-        mark = parted_by(_bare(text, {channel.unit}), self._decimal)
+        mark = parted_by(without_unit(text, {channel.unit}), self._decimal)
         if not mark and text.count(self._decimal) > 1:
             mark = self._decimal
         if mark:
@@ -96,14 +95,6 @@ class CellReader:
         value = decimal_number(text, ".")  # OPC: 192 and more are good
         return text.lower().startswith("good") or text.lower() in ("ok", "valid") or \
             (value is not None and value >= 192)
-
-
-def _bare(text, units):
-    """The text without a unit behind its number, where that is one of `units`."""
-    if not text or text[-1].isdigit():
-        return text
-    m = WITH_UNIT.fullmatch(text)
-    return m[1].strip() if m and OTHER_NAMES.get(m[2], m[2]).lower() in {u.lower() for u in units} else text
 
 
 def _warn_of_sentinels(name, channel, limits, lines, raw, notes):

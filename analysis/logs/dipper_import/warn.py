@@ -21,10 +21,11 @@ STUCK_M = 5.0              # while rope and handle move by as much: no load does
 
 def warn_of_readings(rows, spans, what, notes):
     for name in (*FORCES, TRUCK_MASS):
-        if name in what.channels:
-            _warn_of_size(name, rows, what, notes)
+        if name not in what.channels:
+            continue
+        _warn_of_size(name, rows, what, notes)
+        if name in FORCES:
             _warn_of_empty(name, rows, notes)
-        if name in what.channels and name in FORCES:
             _warn_of_falls(name, rows, notes)
             if not what.channels[name].held:
                 _warn_of_stuck(name, rows, notes)
@@ -47,7 +48,7 @@ def warn_of_masses(masses, what, notes):
 
 def _warn_of_empty(name, rows, notes):
     empty = ~np.isfinite(rows.values[name])
-    if name in FORCES and empty.mean() > MOSTLY_EMPTY:
+    if empty.mean() > MOSTLY_EMPTY:
         notes.append(f"warning: {name}: {int(empty.sum())} of {len(empty)} rows have no reading: "
                      f"channels.{name}.held: true, if it is written only as it changes")
 

@@ -14,6 +14,8 @@ MINUS = str.maketrans(dict.fromkeys("\u2212\u2010\u2011\u2012\u2013\u2014\ufe63\
 LINE_END = re.compile("\r*\n|\r|\x85|\u2028|\u2029")
 SIGN = re.compile(r"([+-])[ \u00a0]+(?=[\d.,])")  # before a number, with blanks as accountants write it
 MINUS_ELSEWHERE = re.compile(r"\((\d[\d.,' ]*)\)|(\d[\d.,' ]*)-", re.ASCII)  # (200.0), 200.0-
+WITH_UNIT = re.compile(r"(.*\d[.,]?)\s*([^\d\s.,+'()#-]\D*)", re.DOTALL)
+OTHER_NAMES = {"°": "deg", "º": "deg", "degrees": "deg", "tonnes": "t"}  # of units
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d.*", re.ASCII)
 FIRST_STAMP_S = 10 * 365 * 86400  # seconds since 1970: a clock that began at 0 has not run for ten years
 SEPARATOR = re.compile(r"sep=.", re.IGNORECASE)  # a spreadsheet's first line, which is no header
@@ -90,6 +92,14 @@ def decimal_number(text, decimal, thousands=""):
     if decimal == ",":
         return None if "." in text else number(text.replace(",", "."))
     return number(text)
+
+
+def without_unit(text, units):
+    """The text without a unit behind its number, where that is one of `units`."""
+    if not text or text[-1].isdigit():
+        return text
+    m = WITH_UNIT.fullmatch(text)
+    return m[1].strip() if m and OTHER_NAMES.get(m[2], m[2]).lower() in {u.lower() for u in units} else text
 
 
 def plain_sign(text):

@@ -4,7 +4,7 @@ import math
 import numpy as np
 
 from dipper_run.csv_text import (SEPARATOR, cells_of, decimal_number, find_decimal, find_delimiter, lines_of,
-                                 parted_by, read_stamp, stamp_seconds)
+                                 parted_by, read_stamp, stamp_seconds, without_unit)
 from dipper_run.text_file import read_text
 
 from .channels import KNOWN
@@ -55,7 +55,8 @@ def read_table(file, need, found, allowed=None):
     faults = [(line, "row", f"{len(row)} values", _right_number(len(row), len(header), delimiter))
               for line, row in rows if len(row) != len(header)]
     lines = [line for line, _ in rows]
-    rows = [[_without_unit(name, cell) for name, cell in zip(header, row + [""] * len(header))] for _, row in rows]
+    units = [{_unit_of(name)} for name in header]
+    rows = [[without_unit(cell, unit) for cell, unit in zip(row + [""] * len(header), units)] for _, row in rows]
     decimal, doubtful = find_decimal(cell for row in rows for cell in row)
     if doubtful and decimal == ",":
         line, name = next((i, n) for i, row in zip(lines, rows) for n, cell in zip(header, row) if cell == doubtful)
@@ -71,10 +72,9 @@ def read_table(file, need, found, allowed=None):
     return values, lines
 
 
-def _without_unit(name, cell):
-    """"80.7" of "80.7 t" in a column whose unit is t, by the channel or by the column's name."""
-    unit = KNOWN[name].unit if name in KNOWN else name.rpartition("_")[2]
-    return cell.removesuffix(unit).rstrip() if unit and cell[:1] in "+-.0123456789" else cell
+def _unit_of(name):
+    """Of a column, by its channel or else its name: t of truck_mass_t."""
+    return KNOWN[name].unit if name in KNOWN else name.rpartition("_")[2]
 
 
 def _right_number(has, needs, delimiter):
