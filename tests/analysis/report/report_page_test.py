@@ -251,7 +251,7 @@ class Page(unittest.TestCase):
 
     def test_dark_where_the_system_is_and_light_on_paper(self):
         driver = self.browser.driver
-        sky = lambda: self.picture().getpixel((5, 200))
+        sky = lambda: self.picture().getpixel((5, 60))
         painted = lambda: self.browser.run("return document.querySelector('#signals canvas').toDataURL()")
         light = sum(sky()), painted()
         driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
@@ -282,6 +282,9 @@ class Page(unittest.TestCase):
         outside = self.browser.run("return performance.getEntriesByType('resource').map((e) => e.name).filter((n) => !/^(data|blob):/.test(n))")
         self.assertEqual(outside, [])
 
+    def test_passes_are_unfolded_on_a_wide_screen(self):
+        self.assertEqual(set(self.browser.run("return [...document.querySelectorAll('details.pass')].map((e) => e.open)")), {True})
+
     def test_less_motion_where_the_reader_wants_less(self):
         driver = self.browser.driver
         moving = "return [...document.querySelectorAll('*')].filter((e) => parseFloat(getComputedStyle(e).transitionDuration) > 0).length"
@@ -309,6 +312,8 @@ class Phone(unittest.TestCase):
             self.assertIn("Dig force, peak (MN)", names, "a name that stands alone")
             head = browser.run("return document.querySelector('header').textContent")
             self.assertIn("each pass planned by the operator", head)
+            passes = "return [...document.querySelectorAll('details.pass')].map((e) => e.open)"
+            self.assertEqual(set(browser.run(passes)), {False}, "a pass is unfolded by a tap")
             self.assertEqual(browser.errors(), [])
 
 

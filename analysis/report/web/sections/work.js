@@ -1,6 +1,7 @@
 // Work and power of the drives in each phase, of a run with rock or without.
-import { h, section } from '../dom.js';
+import { section } from '../dom.js';
 import { fixed, megajoules, megawatts } from '../format.js';
+import { eachPass } from '../parts/each_pass.js';
 import { table } from '../parts/table.js';
 
 const DRIVES = ['hoist', 'crowd', 'swing'];
@@ -12,11 +13,6 @@ export function work(passes) {
   return section('work', 'Work and power by phase',
     'The work of each drive on the machine; negative where it brakes. Peak: the largest power.',
     eachPass(worked, (p) => byPhase(p.phases)));
-}
-
-/// What `show` makes of each pass, under the pass's number where there are several.
-export function eachPass(passes, show) {
-  return passes.map((p) => [passes.length > 1 && h('h3', `Pass ${p.pass}`), show(p)]);
 }
 
 function byPhase(phases) {

@@ -1,8 +1,8 @@
 // The demand on the machine by phase: slack ropes, teeth off their path, drives at or beyond their limits.
 import { section } from '../../dom.js';
 import { fixed } from '../../format.js';
+import { eachPass } from '../../parts/each_pass.js';
 import { table } from '../../parts/table.js';
-import { eachPass } from '../work.js';
 
 const PRESCRIBED = 'Beyond: the drive needs more force than the machine has.';
 const LIMITED = 'At limit: the drive needs more force or power than it has. Lost: by how much the machine falls behind its motion. '

@@ -2,6 +2,7 @@
 import { h, section, svg } from '../../dom.js';
 import { fixed, meganewtons, tonnes } from '../../format.js';
 import { passColour, ramp, SIZE } from '../../palette.js';
+import { eachPass } from '../../parts/each_pass.js';
 import { table } from '../../parts/table.js';
 
 const STEP = 5; // m, of the grid
@@ -14,14 +15,14 @@ export function operator(data) {
   return section('operator', 'What the operator saw and chose',
     'Before each pass: the face as the operator saw it, in the plane of the boom, and the chosen path of the teeth. Map: the height of the rock '
     + 'from above, darker is higher; the line is the chosen heading. Expected figures are the operator\'s estimate, not the run\'s.',
-    decisions.map(decision), data.end && h('p.note', `End: ${data.end.reason}.`));
+    eachPass(decisions, decision), data.end && h('p.note', `End: ${data.end.reason}.`));
 }
 
 const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 function decision(d) {
   const chosen = d.candidates[d.chosen];
-  return h('div.decision', h('h3', `Pass ${d.pass}`), h('p', `${sentence(d.reason)}.`),
+  return h('div.decision', h('p', `${sentence(d.reason)}.`),
     h('div.ways', chosen && profile(d), map(d, chosen)), candidates(d));
 }
 

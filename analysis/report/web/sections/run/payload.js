@@ -2,6 +2,7 @@
 import { h, section } from '../../dom.js';
 import { percent, seconds, tonnes } from '../../format.js';
 import { bar } from '../../parts/bar.js';
+import { eachPass } from '../../parts/each_pass.js';
 import { table } from '../../parts/table.js';
 
 export function payload(model) {
@@ -9,7 +10,7 @@ export function payload(model) {
   if (!passes.length) return null;
   return section('payload', 'The payload, weighed in several ways',
     'The rock inside the dipper, the weight on its walls while it hangs still, the gain of the truck, and what the shovel\'s own monitor would show.',
-    passes.flatMap((p) => [passes.length > 1 && h('h3', `Pass ${p.pass}`), ways(p), notes(p), fate(p)]));
+    eachPass(passes, (p) => [ways(p), notes(p), fate(p)]));
 }
 
 function ways(pass) {
