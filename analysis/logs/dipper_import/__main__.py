@@ -37,6 +37,8 @@ def read(log, map_file):
     rows = order_rows(raw, what, log, found, notes)
     found.raise_if_any()
     made = build(rows, what, log, found, notes)
+    if found.all:  # a warning may be the cause
+        found.all += [note for note in notes if note.startswith("warning: ")]
     found.raise_if_any()
     return made, what, words(made, what, log, notes)
 

@@ -8,6 +8,7 @@ from dipper_gap.readings.measured import LEAST_SAMPLES, Measured, Pass
 from dipper_gap.readings.phases import find_phases, planned_passes
 
 from .warn import warn_of_readings, warn_of_masses
+from .warn_drives import warn_of_drives
 from .fit import fit_drive
 from .phrases import some_rows
 from .readings import held_readings, row_gaps, sound_readings
@@ -55,6 +56,7 @@ def build(rows, what, path, found, notes):
     spans = planned_passes(grid, np.radians(fits["door"].value))
     if not spans:
         notes.append("no pass: the door never opens")
+    warn_of_drives(readings, fits, spans, what, notes)
     warn_of_readings(rows, spans, what, notes)
     measured = _measured(rows, readings, fits, grid, spans, what, path, found, notes) if what.measured() else None
     return None if found.all else Imported(rows, readings, fits, grid, gaps, spans, measured)
@@ -82,7 +84,7 @@ def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
         return None
     signals = {CHANNELS[n].measured: rows.values[n][whole] * CHANNELS[n].factor for n in names}
     _check_sizes(signals, rows.lines[whole], what, path, found)
-    _check_readings(rows.time_s[whole], rows.lines[whole], spans, path, found)
+    _check_readings(rows, whole, spans, path, found)
     masses = [np.nan] * len(spans)
     if TRUCK_MASS in what.channels:
         masses = _masses(rows, fits, grid, spans, what.channels[TRUCK_MASS], path, found, notes)
@@ -109,15 +111,16 @@ def _check_sizes(signals, lines, what, path, found):
                               for k in np.flatnonzero(np.abs(values) > kind.largest)] if kind else [])
 
 
-def _check_readings(time_s, lines, spans, path, found):
+def _check_readings(rows, whole, spans, path, found):
     """Finding about the first pass with too few readings to be cut into phases."""
     for number, (start, end) in enumerate(spans, 1):
-        inside = np.flatnonzero((time_s >= start) & (time_s <= end))
-        if len(inside) < LEAST_SAMPLES:
-            found.add(path, int(lines[inside[0]] if len(inside) else lines[0]), "time",
-                      f"{len(inside)} rows with a reading of every channel within pass {number} ({start:.4g} to "
-                      f"{end:.4g} s)", f"{LEAST_SAMPLES} or more: rows more often, or held: true for channels that are "
-                      "written only as they change")
+        inside = (rows.time_s >= start) & (rows.time_s <= end)
+        if (whole & inside).sum() < LEAST_SAMPLES:
+            found.add(path, int(rows.lines[np.argmax(inside)]), "time",
+                      f"{(whole & inside).sum()} rows with a reading of every channel within pass {number} "
+                      f"({start:.4g} to {end:.4g} s)",
+                      f"{LEAST_SAMPLES} or more: rows more often; held: true for channels that are "
+                      "written only as they change; or a map of their own for times of their own (channels.NAME.time)")
             return
 
 

@@ -15,6 +15,9 @@ SENTINELS = {s * float(n) for n in ("999", "9999", "99999", "999999") for s in (
 NOT_A_NUMBER = re.compile(r"[+-]?1\.#\w+")  # 1.#QNAN, -1.#IND: NaN as programs on Windows print it
 SWITCH_WORDS = {**dict.fromkeys(("on", "open", "opened", "true", "yes"), "1"),
                 **dict.fromkeys(("off", "closed", "shut", "false", "no"), "0")}
+OPC_GOOD = (192, 255)       # OPC's quality, of 8 bits: these are good
+OPC_UA_NOT_GOOD = 1 << 30   # OPC UA's status codes, of 32 bits: 0 is good, these are uncertain or bad
+HEX = re.compile(r"0x[0-9a-f]+", re.IGNORECASE | re.ASCII)
 OTHER_MARK = {",": ".", ".": ","}
 SPIKE = 0.2  # of the range of all other readings: so far off its neighbours, a 9999 is no reading
 
@@ -75,10 +78,15 @@ class CellReader:
             "; if it means that there is no reading, list it under file.missing"
 
     def _leave_out_bad(self, name, group, raw, faults, notes):
-        texts = group.quality[name]
+        texts, channel, file = group.quality[name], self._what.channels[name], self._what.file
         bad = np.array([not self._good(t) for t in texts], bool) & np.isfinite(raw)
-        if bad.any() and bad.sum() == np.isfinite(raw).sum():
-            faults.append((group.lines[0], self._what.channels[name].quality, f"no reading of {name} is good: they are "
+        status = next((t for t in texts if abs(_code(t) or 0) >= OPC_UA_NOT_GOOD), None)
+        if status and not file.good:
+            good = next((t for t in texts if _code(t) == 0), "0")
+            faults.append((group.lines[texts.index(status)], channel.quality, f"is {status}, a status code of OPC UA",
+                           f"0 is good there: file: {{good: ['{good}']}}, and more codes if they are good, too"))
+        elif bad.any() and bad.sum() == np.isfinite(raw).sum():
+            faults.append((group.lines[0], channel.quality, f"no reading of {name} is good: they are "
                            + some_names(sorted({t or "empty" for t in texts}), 4),
                            "list what says that one is under file.good"
                            + (" ('' for empty)" if "" in texts else "")))
@@ -92,9 +100,14 @@ class CellReader:
         good = self._what.file.good
         if good:
             return text.lower() in good
-        value = decimal_number(text, ".")  # OPC: 192 and more are good
+        value = _code(text)
         return text.lower().startswith("good") or text.lower() in ("ok", "valid") or \
-            (value is not None and value >= 192)
+            (value is not None and OPC_GOOD[0] <= value <= OPC_GOOD[1])
+
+
+def _code(text):
+    """The number of a quality, as 192 or 0xC0; None where it is none."""
+    return int(text, 16) if HEX.fullmatch(text) else decimal_number(text, ".")
 
 
 def _warn_of_sentinels(name, channel, limits, lines, raw, notes):

@@ -1,5 +1,4 @@
 """MAP.yaml: which column of a log is which channel, in what unit, and what the machine can do (docs/import.md)."""
-import codecs
 import math
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -122,11 +121,8 @@ def _file(top):
     s = top.section("file")
     delimiter = s.one_of("delimiter", tuple(DELIMITERS))
     encoding = s.text("encoding", right="such as utf-8, utf-16, cp1252")
-    if encoding:
-        try:
-            codecs.lookup(encoding)
-        except LookupError:
-            s.wrong("encoding", f"is {encoding}", "such as utf-8, utf-16, cp1252")
+    if encoding and not _is_of_text(encoding):
+        s.wrong("encoding", f"is {encoding}", "such as utf-8, utf-16, cp1252")
     header = s.number("header_line", right="a line, from 1", allowed=_whole)
     data = s.number("data_line", right="a line, from 1", allowed=_whole)
     missing, decimal = s.texts("missing", "texts that stand for no reading"), s.one_of("decimal", (".", ","))
@@ -139,6 +135,17 @@ def _file(top):
     return FileFormat(DELIMITERS.get(delimiter), decimal, thousands, encoding, header and int(header),
                       data and int(data), frozenset(MISSING) | {m.lower() for m in missing},
                       frozenset(n for n in numbers if n is not None), frozenset(g.lower() for g in good), value)
+
+
+def _is_of_text(encoding):
+    """Whether Python knows it, as letters in bytes: not hex, base64 or rot13, which read bytes as bytes."""
+    try:
+        b"0".decode(encoding)
+    except LookupError:
+        return False
+    except ValueError:  # half a letter of utf-16
+        pass
+    return True
 
 
 def _column(section, key):
@@ -174,7 +181,16 @@ def _channels(top):
     for name in DRIVES:
         if name not in section:
             section.wrong(name, "missing", f"name its column: motion.csv has {', '.join(DRIVES)}")
+    _check_columns(section, channels)
     return channels
+
+
+def _check_columns(section, channels):
+    first = {}
+    for name, channel in channels.items():
+        other = first.setdefault(channel.column, name)
+        if other != name and channel.column:
+            section.wrong(name, f"has the column '{channel.column}', as {other}", "a column of its own")
 
 
 def _channel(channels, name):

@@ -111,8 +111,9 @@ def _text(path, encoding, found):
         return text
     try:
         return data.decode(encoding).lstrip("\ufeff")
-    except UnicodeDecodeError as e:
-        found.add(path, 0, "encoding", f"is not {encoding}: {e.reason} at byte {e.start}", "another file.encoding")
+    except ValueError as e:  # of punycode and idna no UnicodeDecodeError
+        why = f"{e.reason} at byte {e.start}" if isinstance(e, UnicodeDecodeError) else str(e)
+        found.add(path, 0, "encoding", f"is not {encoding}: {why}", "another file.encoding")
     return None
 
 

@@ -31,10 +31,18 @@ def held_readings(rows, what, notes):
         empty = ~np.isfinite(values[name])
         if channel.held and empty.any():
             last = np.maximum.accumulate(np.where(empty, -1, np.arange(len(empty))))
-            values[name] = np.where(last >= 0, values[name][last], np.nan)
+            values[name] = np.where(last >= 0, values[name][last], before_first(values[name][~empty], channel))
             notes.append(f"{name}: {some_rows(rows.lines[empty & (last >= 0)])} without a reading have the last one "
                          "before (held)")
     return replace(rows, values=values)
+
+
+def before_first(written, channel):
+    """What a held channel has before the first reading that is written: nothing is known, but a switch that is written
+    only as it changes had its other value."""
+    if not channel.switch or not len(written) or (np.diff(written) == 0).any():
+        return np.nan
+    return 2 * channel.intercept + channel.slope - written[0]
 
 
 def sound_readings(rows, name, channel, limits, what, path, found, notes):

@@ -1,9 +1,14 @@
 """What historians, spreadsheets and loggers of the field send: read, or refused with the key that helps."""
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from dipper_import.build import _check_readings
+from dipper_import.clock import Rows
 from dipper_import.import_map import read_map
 from dipper_import.log_file import read_log
+from dipper_import.readings import held_readings
 from dipper_run.findings import Findings
 
 MAP = """\
@@ -120,6 +125,27 @@ def test_own_words_for_good(read):
     assert not found and np.isnan(log.values["hoist_force"]).sum() == 1
 
 
+@pytest.mark.parametrize("good, bad", [("0", "2147483648"), ("0x00000000", "0x80AB0000"), ("0", "1073741824")])
+def test_status_codes_of_opc_ua_wait_for_the_map(read, good, bad):
+    """Of their 32 bits 0 is good, and of OPC's older eight 192 to 255."""
+    body = with_quality(good=good)
+    body[2][QUALITY_NAMES.index("Pull Quality")] = bad
+    log = text(body, names=QUALITY_NAMES)
+    _, found, _ = read(log, map_text=WITH_QUALITY)
+    assert f"log.csv:4: Pull Quality: is {bad}, a status code of OPC UA; 0 is good there: file: {{good: ['{good}']}}" \
+        in found[0]
+    log, found, _ = read(log, f"file: {{good: ['{good}']}}\n", WITH_QUALITY)
+    assert not found and np.flatnonzero(np.isnan(log.values["hoist_force"])).tolist() == [2]
+
+
+@pytest.mark.parametrize("code, good", [("191", False), ("192", True), ("219", True), ("255", True), ("256", False)])
+def test_codes_of_opc_are_good_from_192_to_255(read, code, good):
+    body = with_quality(good="192")
+    body[2][QUALITY_NAMES.index("Pull Quality")] = code
+    log, found, _ = read(text(body, names=QUALITY_NAMES), map_text=WITH_QUALITY)
+    assert not found and np.isfinite(log.values["hoist_force"][2]) == good
+
+
 def test_a_quality_that_the_map_does_not_name_is_warned_of(read):
     _, found, notes = read(text(with_quality((2, 5), (3, 5)), names=QUALITY_NAMES))
     assert not found and len(notes) == 1
@@ -210,13 +236,31 @@ def test_a_minus_that_does_not_stand_before_its_number_is_not_called_missing(rea
 
 @pytest.mark.parametrize("shut, open_", [("Closed", "Open"), ("FALSE", "TRUE"), ("off", "on"), ("0", "1")])
 def test_words_of_a_switch(read, shut, open_):
-    switch = MAP.replace("Door, unit: deg", "Door, unit: switch, range: [0, 75]").replace(
-        "door: {min: 0, max: 90}", "door: {min: 0, max: 90, speed: 100, acceleration: 300}")
     body = [[*row[:4], open_ if k > 6 else shut, row[5]] for k, row in enumerate(rows())]
-    log, found, _ = read(text(body), map_text=switch)
+    log, found, _ = read(text(body), map_text=SWITCH)
     assert not found and log.values["door"].tolist() == [75.0 if k > 6 else 0.0 for k in range(N)]
     body[3][4] = "ajar"
-    assert "Door: is 'ajar'; 0 or 1, or words such as open and closed" in read(text(body), map_text=switch)[1][0]
+    assert "Door: is 'ajar'; 0 or 1, or words such as open and closed" in read(text(body), map_text=SWITCH)[1][0]
+
+
+SWITCH = MAP.replace("Door, unit: deg", "Door, unit: switch, range: [0, 75]").replace(
+    "door: {min: 0, max: 90}", "door: {min: 0, max: 90, speed: 100, acceleration: 300}")
+
+
+@pytest.mark.parametrize("cells, before", [
+    ({3: "1", 5: "0", 9: "1"}, 0.0), ({3: "Closed", 5: "Open"}, 75.0), ({3: "1", 4: "1", 5: "0"}, np.nan)])
+@pytest.mark.parametrize("a_row_a_reading", [False, True])
+def test_a_switch_written_only_as_it_changes_had_its_other_value_before(read, cells, before, a_row_a_reading):
+    """One that is written twice with one value is written otherwise, and its first rows are empty."""
+    body = [[*row[:4], cells.get(k, ""), row[5]] for k, row in enumerate(rows())]
+    if a_row_a_reading:
+        log = text([r for r in long(body) if r[2]], names=["Tag", "Time", "Value", "Quality"])
+    else:
+        log = text(body)
+    log, found, notes = read(log, map_text=SWITCH)
+    what = SimpleNamespace(channels={"door": SimpleNamespace(held=True, switch=True, slope=75.0, intercept=0.0)})
+    door = held_readings(Rows(log.stamp_s, log.lines, log.values, 0.2, "", ""), what, notes).values["door"]
+    assert not found and np.array_equal(door[:3], [before] * 3, equal_nan=True) and door[3] != before
 
 
 def test_a_preamble_that_has_the_name_of_the_time(read):
@@ -227,6 +271,14 @@ def test_a_preamble_that_has_the_name_of_the_time(read):
 def test_columns_parted_by_blanks_are_reported(read):
     _, found, _ = read(text(rows()).replace(" ", "T").replace(",", " "))
     assert len(found) == 1 and "columns are parted by , ; | or a tab (file.delimiter), not by blanks" in found[0]
+
+
+def test_rows_that_never_have_every_channel_name_the_key():
+    """As a bus sends them: one channel a row."""
+    log = Rows(0.2 * np.arange(60), 2 + np.arange(60), {}, 0.2, "", "")
+    _check_readings(log, np.zeros(60, bool), [(0, 10)], "log.csv", found := Findings())
+    assert found.all[0].startswith("log.csv:2: time: 0 rows with a reading of every channel within pass 1 (0 to 10 s)")
+    assert "held: true for channels that are written only as they change" in found.all[0]
 
 
 def test_names_with_line_breaks_match_their_names_with_blanks(read):
