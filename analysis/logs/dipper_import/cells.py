@@ -3,8 +3,8 @@ import re
 
 import numpy as np
 
-from dipper_run.csv_text import (THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by, with_minus_first,
-                                 without_unit)
+from dipper_run.csv_text import (GROUPED, THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by, plain_sign,
+                                 with_minus_first, without_unit)
 
 from .units import DRIVES, SWITCH
 from .phrases import LONGEST_SHOWN, some_names, some_rows
@@ -18,6 +18,8 @@ SWITCH_WORDS = {**dict.fromkeys(("on", "open", "opened", "true", "yes"), "1"),
 OPC_GOOD = (192, 255)       # OPC's quality, of 8 bits: these are good
 OPC_UA_NOT_GOOD = 1 << 30   # OPC UA's status codes, of 32 bits: 0 is good, these are uncertain or bad
 HEX = re.compile(r"0x[0-9a-f]+", re.IGNORECASE | re.ASCII)
+WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
+LEAST_WHOLE = 100  # among whole numbers up to 1.234: they go on above 999
 OTHER_MARK = {",": ".", ".": ","}
 SPIKE = 0.2  # of the range of all other readings: so far off its neighbours, a 9999 is no reading
 
@@ -56,6 +58,12 @@ class CellReader:
                                self._right(text, channel)))
             elif value not in file.missing_numbers:
                 raw[k] = value
+        parted = None if file.thousands or file.decimal else parted_thousands(group.cells[name])
+        if parted and self._decimal in parted:
+            at = group.lines[group.cells[name].index(parted)]
+            faults.append((at, channel.column, f"is '{parted}', beside whole numbers up to 999",
+                           f"{parted.replace(self._decimal, '')}, if that parts its thousands: in other columns it is "
+                           f"the decimal mark; file.decimal: \"{self._decimal}\", if here, too"))
         if name in group.quality:
             self._leave_out_bad(name, group, raw, faults, notes)
         _warn_of_sentinels(name, channel, self._what.limits.get(name), group.lines, raw, notes)
@@ -103,6 +111,18 @@ class CellReader:
         value = _code(text)
         return text.lower().startswith("good") or text.lower() in ("ok", "valid") or \
             (value is not None and OPC_GOOD[0] <= value <= OPC_GOOD[1])
+
+
+def parted_thousands(cells):
+    """A cell such as 1,234 among others such as 705, where every cell with that mark has three digits after it: what
+    parts thousands, not decimals; None where there is none."""
+    grouped = next((m for m in map(GROUPED.fullmatch, map(plain_sign, cells)) if m), None)
+    if grouped is None:
+        return None
+    mark = grouped[1]
+    whole = [abs(int(c)) for c in map(plain_sign, cells) if WHOLE.fullmatch(c)]
+    below = bool(whole) and LEAST_WHOLE <= max(whole) < 1000
+    return grouped[0] if below and all(GROUPED.fullmatch(plain_sign(c)) for c in cells if mark in c) else None
 
 
 def _code(text):

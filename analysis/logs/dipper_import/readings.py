@@ -145,12 +145,16 @@ def row_gaps(rows, what, path, found, notes):
         start, end = float(rows.time_s[k]), float(rows.time_s[k + 1])
         a, b = sorted((int(rows.lines[k]), int(rows.lines[k + 1])))
         gaps.append((start, end))
+        set_forward = goes_on(rows.values, what.smooth(), range(k - 1, k + 3), (end - start) / rows.interval_s)
+        hint = f"the drives go on as if no time had passed: was the clock set? time.clock_set_at: [{b}]"
         if end - start <= what.longest_gap_s:
-            notes.append(f"gap of {end - start:.3g} s between lines {a} and {b}: bridged")
+            gap = f"gap of {end - start:.3g} s between lines {a} and {b}"
+            notes.append(f"{gap}: bridged")
+            if set_forward:
+                notes.append(f"warning: {gap}: {hint}")
             continue
         found.add(path, a, "time", f"nothing for {end - start:.6g} s, up to line {b}",
                   f"{what.longest_gap_s:g} s at most (longest_gap_s); choose a part with time.from and time.to"
-                  + (f"; the drives go on as if no time had passed: was the clock set? time.clock_set_at: [{b}]"
-                     if goes_on(rows.values, what.smooth(), range(k - 1, k + 3)) else "")
+                  + (f"; {hint}" if set_forward else "")
                   + (f"; line {alone[k]} stands alone there: is its stamp wrong?" if k in alone else ""))
     return gaps

@@ -172,11 +172,13 @@ def test_ticks_of_windows(read, first):
     assert not found and np.allclose(log.stamp_s - log.stamp_s[0], 0.2 * np.arange(N), atol=1e-4)
 
 
-@pytest.mark.parametrize("first", [0, 1])
-def test_the_number_of_a_row_is_warned_of(read, first):
-    body = [[f"{first + k}", *row[1:]] for k, row in enumerate(rows())]
+@pytest.mark.parametrize("first, form, warns", [
+    (0, "{}", True), (1, "{}", True), (1001, "{}", True), (0, "{}.0", True), (1700000000, "{}", False)])
+def test_the_number_of_a_row_is_warned_of(read, first, form, warns):
+    body = [[form.format(first + k), *row[1:]] for k, row in enumerate(rows())]
     _, found, notes = read(text(body))
-    assert not found and "warning: the time is " in notes[0] and "is it the row's number?" in notes[0]
+    assert not found and bool(notes) == warns
+    assert not warns or "warning: the time is " in notes[0] and "is it the row's number?" in notes[0]
     assert not read(text(body), map_text=MAP.replace("{column: Time}", "{column: Time, format: s}"))[2]
 
 
@@ -218,6 +220,16 @@ def test_parted_thousands_are_refused_with_the_key_and_read_with_it(read, mark, 
     assert len(found) == 1 and f'file.thousands: "{thousands}", if that parts its thousands' in found[0]
     log_read, found, _ = read(log, f'file: {{thousands: "{thousands}"}}\n')
     assert not found and is_whole(log_read)
+
+
+@pytest.mark.parametrize("mark, body", [(".", rows()), (",", german(rows()))])
+def test_thousands_parted_in_one_column_by_the_decimal_mark_of_others(read, mark, body):
+    """705 and 1.234 in a column of whole numbers, 0.25 in others."""
+    cells = [f"{705 + 100 * k:,}".replace(",", mark) for k in range(N)]
+    _, found, _ = read(text(with_pull(cells, body), ";"))
+    assert len(found) == 1 and f"log.csv:5: Pull: is '1{mark}005', beside whole numbers up to 999; 1005, if" in found[0]
+    _, found, _ = read(text(with_pull([f"{0.705 + k / 10:.3f}".replace(".", mark) for k in range(N)], body), ";"))
+    assert not found
 
 
 def test_thousands_as_india_parts_them(read):
