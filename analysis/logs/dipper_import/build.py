@@ -144,7 +144,9 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
                       f"pass {number} ({start:.4g} to {end:.4g} s) "
                       + ("has no reading before or after its dump" if after is None or before is None
                          else f"brings {after - before:.4g} t"),
-                      f"0 t or more, down to {least:.3g} t where it loads nothing ({SIGMAS} sigma); {WAYS_TO_READ}")
+                      f"0 t or more, down to {least:.3g} t where it loads nothing ({SIGMAS} sigma); {WAYS_TO_READ}"
+                      + ("" if channel.held or after is not None and before is not None else
+                         "; held: true, if it is written once a dump"))
             return [np.nan] * len(spans)
         if after < before:
             notes.append(f"pass {number} ({start:.4g} to {end:.4g} s) brings {after - before:.4g} t, within {SIGMAS} "

@@ -18,6 +18,7 @@ SWITCH_WORDS = {**dict.fromkeys(("on", "open", "opened", "true", "yes"), "1"),
 OPC_GOOD = (192, 255)       # OPC's quality, of 8 bits: these are good
 OPC_UA_NOT_GOOD = 1 << 30   # OPC UA's status codes, of 32 bits: 0 is good, these are uncertain or bad
 HEX = re.compile(r"0x[0-9a-f]+", re.IGNORECASE | re.ASCII)
+TURN = (360.0, 25.0)  # deg, and how much a machine may swing between two rows or over a gap
 WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
 LEAST_WHOLE = 100  # among whole numbers up to 1.234: they go on above 999
 OTHER_MARK = {",": ".", ".": ","}
@@ -67,7 +68,8 @@ class CellReader:
         if name in group.quality:
             self._leave_out_bad(name, group, raw, faults, notes)
         _warn_of_sentinels(name, channel, self._what.limits.get(name), group.lines, raw, notes)
-        return channel.slope * raw + channel.intercept
+        value = channel.slope * raw + channel.intercept
+        return _unwrapped(value, group.lines, notes) if name == "swing" else value
 
     def _right(self, text, channel):
         if right := with_minus_first(without_unit(text, {channel.unit})):
@@ -128,6 +130,18 @@ def parted_thousands(cells):
 def _code(text):
     """The number of a quality, as 192 or 0xC0; None where it is none."""
     return int(text, 16) if HEX.fullmatch(text) else decimal_number(text, ".")
+
+
+def _unwrapped(swing, lines, notes):
+    """A swing in deg that begins anew after a whole turn, as one that goes on."""
+    there = np.flatnonzero(np.isfinite(swing))
+    steps = np.diff(swing[there], prepend=swing[there[:1]])
+    turns = np.where(np.abs(np.abs(steps) - TURN[0]) < TURN[1], np.sign(steps), 0.0)
+    if turns.any():
+        notes.append(f"swing: {some_rows(np.array(lines)[there[turns != 0]], 'step')} of a whole turn: it goes on from "
+                     "there, without them")
+        swing[there] -= TURN[0] * np.cumsum(turns)
+    return swing
 
 
 def _warn_of_sentinels(name, channel, limits, lines, raw, notes):

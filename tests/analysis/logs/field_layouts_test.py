@@ -116,6 +116,24 @@ def test_another_signal_beside_a_channel_is_no_quality(read):
     assert not read(text(body, names=[*NAMES, "Pull of the other rope", "Mode"]))[2]
 
 
+@pytest.mark.parametrize("name, good, bad", [
+    ("Estado", "Bueno", "Malo"), ("质量", "好", "坏"), ("OPC", "192", "24"), ("Shovel", "SH12", "SH13")])
+@pytest.mark.parametrize("right", [True, False])
+def test_a_quality_of_any_name_beside_the_time_is_warned_of(read, name, good, bad, right):
+    beside = lambda row, cell: [row[0], cell, *row[1:]] if right else [cell, *row]
+    body = [beside(row, bad if k in (3, 4) else good) for k, row in enumerate(rows())]
+    _, found, notes = read(text(body, names=beside(NAMES, name)))
+    assert not found and len(notes) == 1 and notes[0].startswith(f"warning: '{name}' in 12 cells says ")
+
+
+@pytest.mark.parametrize("name, cells", [
+    ("Shift", ["B"] * N), ("Digging", ["0", "1"] * 6), ("Date", ["14.03.2026"] * 6 + ["15.03.2026"] * 6),
+    ("Operator", list("ABCDEFABCDEF"))])
+def test_another_column_beside_the_time_is_none(read, name, cells):
+    body = [[row[0], cell, *row[1:]] for row, cell in zip(rows(), cells)]
+    assert read(text(body, names=["Time", name, *NAMES[1:]]))[1:] == ([], [])
+
+
 def test_own_words_for_good(read):
     log = text(with_quality((2, 5), good="G"), names=QUALITY_NAMES)
     _, found, _ = read(log, map_text=WITH_QUALITY)
@@ -417,6 +435,33 @@ def test_a_time_beside_each_reading(read):
         log, found, notes = read(log, map_text=map_text)
         assert not found and notes[0] == "5 columns of time, each for the readings beside it"
         assert np.allclose(log.values["crowd"][1:], 0.1 * np.arange(N)[1:] - 0.005)
+
+
+@pytest.mark.parametrize("late_ms", [0, 100])
+@pytest.mark.parametrize("name", ["SH13", "7"])
+def test_two_machines_with_the_same_tags_are_refused(read, late_ms, name):
+    other = [[stamp(k, late_ms), *row[1:]] for k, row in enumerate(rows())]
+    log = [["SH12" if name == "SH13" else "6", *r] for r in long(rows())] + [[name, *r] for r in long(other)]
+    for body in (log, sorted(log, key=lambda r: r[2])):
+        _, found, _ = read(text(body, names=["Asset", "Tag", "Time", "Value", "Quality"]), "file: {value: Value}\n")
+        assert len(found) == 1 and f"'{name}' in turn, of one tag: several machines in one log?; one machine's rows" \
+            in found[0] and ": Asset: says " in found[0]
+    log = [[asset, *row] for asset, body in (("SH12", rows()), ("SH13", other)) for row in body]
+    _, found, _ = read(text(log, names=["Asset", *NAMES]))
+    assert len(found) == 1 and "Asset: says 'SH12', 'SH13' in turn: several machines in one log?" in found[0]
+
+
+def test_a_bit_that_beats_names_no_machine(read):
+    body = [[*row, str(k % 2)] for k, row in enumerate(rows())]
+    assert read(text(body, names=[*NAMES, "Watchdog"]))[1:] == ([], [])
+
+
+@pytest.mark.parametrize("unit, turn", [("deg", 360), ("rad", 2 * np.pi), ("rev", 1), ("mrad", 2000 * np.pi)])
+def test_a_swing_that_begins_anew_after_a_turn_goes_on(read, unit, turn):
+    body = [[*row[:3], f"{(turn * (10 - 3 * k) / 360) % turn:.6f}", *row[4:]] for k, row in enumerate(rows())]
+    log, found, notes = read(text(body), map_text=MAP.replace("Swing, unit: deg", f"Swing, unit: {unit}"))
+    assert not found and np.allclose(log.values["swing"], 10 - 3 * np.arange(N), atol=1e-3)
+    assert notes == ["swing: 1 step (line 6) of a whole turn: it goes on from there, without them"]
 
 
 def test_a_time_to_the_right_of_each_reading(read):
