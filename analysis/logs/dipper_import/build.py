@@ -152,6 +152,9 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
             notes.append(f"pass {number} ({start:.4g} to {end:.4g} s) brings {after - before:.4g} t, within {SIGMAS} "
                          f"sigma of the scale ({-least:.3g} t): taken as 0")
         out.append(max(0.0, after - before))
+    if channel.reads == "pass":
+        dumps = [found_phases.get("dump", span)[0] for span, found_phases in zip(spans, phases)]
+        _warn_of_late(rows.time_s, mass, there, spans, [*dumps[1:], rows.time_s[-1]], channel, notes)
     if not any(out):
         found.add(path, int(rows.lines[0]), channel.column,
                   f"no pass brings anything with reads: {channel.reads}; the readings "
@@ -165,6 +168,17 @@ def _warn_of_tare(number, empty, full, channel, notes):
     if None not in (empty, full) and empty > max(SIGMAS * channel.sigma, TARE * full):
         notes.append(f"warning: truck_mass: as pass {number} begins, {empty:.4g} t are in the dipper: its own weight "
                      "(offset), or what the last pass brought (reads: pass)?")
+
+
+def _warn_of_late(time, mass, there, spans, until, channel, notes):
+    """Warns of a scale that shows a pass only after its end: each mass is then that of the pass before."""
+    for number, ((_, end), next_dump) in enumerate(zip(spans, until), 1):
+        at_end = _scale(time, mass, there, end - WEIGHED_S, end)
+        later = _scale(time, mass, there, max(end, next_dump - WEIGHED_S), next_dump)
+        if None not in (at_end, later) and later > SIGMAS * channel.sigma < abs(later - at_end):
+            notes.append(f"warning: truck_mass: {at_end:.4g} t as pass {number} ends, and {later:.4g} t before the "
+                         "next dump: does the scale show a pass only then? Its masses are those of the passes before")
+            return
 
 
 def _scale(time, mass, there, start, end):

@@ -3,15 +3,13 @@ import re
 
 import numpy as np
 
+from dipper_gap.readings.doubtful import sentinels
 from dipper_run.csv_text import (GROUPED, THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by, plain_sign,
                                  with_minus_first, without_unit)
 
 from .units import DRIVES, SWITCH
 from .phrases import LONGEST_SHOWN, some_names, some_rows
 
-# What loggers write for "no reading": 9s, the ends of 16 and 32 bit numbers and these with a decimal point put in.
-SENTINELS = {s * float(n) for n in ("999", "9999", "99999", "999999") for s in (1, -1)} | \
-    {-999.25, -2147483648.0, 2147483647.0} | {n / d for n in (-32768, 32767, 65535) for d in (1, 10, 100, 1000)}
 NOT_A_NUMBER = re.compile(r"[+-]?1\.#\w+")  # 1.#QNAN, -1.#IND: NaN as programs on Windows print it
 SWITCH_WORDS = {**dict.fromkeys(("on", "open", "opened", "true", "yes"), "1"),
                 **dict.fromkeys(("off", "closed", "shut", "false", "no"), "0")}
@@ -22,7 +20,6 @@ TURN = (360.0, 25.0)  # deg, and how much a machine may swing between two rows o
 WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
 LEAST_WHOLE = 100  # among whole numbers up to 1.234: they go on above 999
 OTHER_MARK = {",": ".", ".": ","}
-SPIKE = 0.2  # of the range of all other readings: so far off its neighbours, a 9999 is no reading
 
 
 class CellReader:
@@ -149,18 +146,8 @@ def _warn_of_sentinels(name, channel, limits, lines, raw, notes):
     of a drive outside its limits are left out later on, and reported."""
     if name in DRIVES and limits is not None and np.isfinite([limits.min, limits.max]).all():
         return
-    there = np.flatnonzero(np.isfinite(raw))
-    like = np.isin(raw[there], list(SENTINELS)) | (np.abs(raw[there]) >= 1e30)
-    others = there[~like]
-    if not like.any() or len(others) < 2:
-        return
-    before = np.clip(np.searchsorted(others, there[like]) - 1, 0, len(others) - 1)
-    after = np.clip(before + 1, 0, len(others) - 1)
-    value = raw[there[like]]
-    off = np.minimum(np.abs(value - raw[others[before]]), np.abs(value - raw[others[after]]))
-    alone = off > SPIKE * max(np.ptp(raw[others]), 1e-9)
-    if alone.any():
-        at = there[like][alone]
+    at = sentinels(raw)
+    if len(at):
         notes.append(f"warning: {name}: {some_rows(np.array(lines)[at], 'reading')} of {raw[at[0]]:.6g} "
                      f"{channel.unit}, far off those beside it: if that means no reading, "
                      f"file: {{missing: [{raw[at[0]]:.12g}]}}")

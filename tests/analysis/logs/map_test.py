@@ -80,6 +80,7 @@ def test_what_is_no_map_is_refused(sound, text):
 
 def test_what_a_drive_can_pull_is_the_machine_s(sound):
     assert read_map(sound).stall_kN == {"hoist_force": 4800, "crowd_force": 3000}
+    assert read_map(sound).empty_kN == {"hoist_force": pytest.approx(9.81 * 50)}  # of its dipper and door
 
 
 def test_thousands_and_decimals_have_marks_of_their_own(sound):
