@@ -152,7 +152,7 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
             notes.append(f"pass {number} ({start:.4g} to {end:.4g} s) brings {after - before:.4g} t, within {SIGMAS} "
                          f"sigma of the scale ({-least:.3g} t): taken as 0")
         out.append(max(0.0, after - before))
-    if channel.reads == "pass":
+    if channel.reads == "pass" and any(out):
         dumps = [found_phases.get("dump", span)[0] for span, found_phases in zip(spans, phases)]
         _warn_of_late(rows.time_s, mass, there, spans, [*dumps[1:], rows.time_s[-1]], channel, notes)
     if not any(out):
