@@ -171,7 +171,10 @@ def _find_machines(header, rows, times, used, numbers):
     """Finding about a column that names several machines, where they take turns from time to time and each has its
     share of the rows; how good readings are does not. `numbers`: whether numbers may name them."""
     rows = sorted(rows, key=lambda row: [row[1][t] for t in times])
+    qualities = {channel.quality for channel in header.what.channels.values()}
     for k in {*range(len(header.names))} - used:
+        if header.names[k] in qualities or QUALITY.search(header.names[k]):
+            continue
         cells = [row[1][k] for row in rows]
         count = Counter(cells).most_common(FEW_WORDS + 1)
         if not 1 < len(count) <= FEW_WORDS or any(UNSOUND.search(c) or _is_number(c) and not numbers for c, _ in count):

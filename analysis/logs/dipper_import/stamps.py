@@ -78,12 +78,11 @@ def _unpadded(stamps, clock):
     """The first row that goes back because its milliseconds lack the zeros before them: .50 after .0 is 50 ms; None
     where more rows go back when they are read so."""
     fractions = [FRACTION.search(stamp) for stamp in stamps]
-    rows = [k for k, (m, stamp) in enumerate(zip(fractions, stamps)) if m and clock(stamp) is not None]
-    digits = [fractions[k][1] for k in rows]
-    if len({len(d) for d in digits}) < 2:
+    if len({len(m[1]) for m in fractions if m}) < 2:
         return None
-    time = np.array([clock(stamps[k]) for k in rows])
-    in_ms = time + [1e-3 * int(d) - float(f"0.{d}") for d in digits]
+    read = [(k, m[1], time) for k, m in enumerate(fractions) if m and (time := clock(stamps[k])) is not None]
+    rows, digits, time = zip(*read) if read else ((), (), ())
+    in_ms = np.array(time) + [1e-3 * int(d) - float(f"0.{d}") for d in digits]
     back, back_in_ms = ([np.flatnonzero(sign * np.diff(t) < -1e-9) for sign in (1, -1)] for t in (time, in_ms))
     back = min(back, key=len)
     return rows[back[0] + 1] if len(back) > len(min(back_in_ms, key=len)) else None

@@ -451,6 +451,13 @@ def test_two_machines_with_the_same_tags_are_refused(read, late_ms, name):
     assert len(found) == 1 and "Asset: says 'SH12', 'SH13' in turn: several machines in one log?" in found[0]
 
 
+def test_a_quality_that_changes_from_row_to_row_names_no_machine(read):
+    log = [[*r[:3], "192" if k % 2 else "24"] for k, r in enumerate(long(rows(), by_tag=True))]
+    named = WITH_QUALITY.replace("Pull Quality", "Note")
+    assert not read(text(log, names=["Tag", "Time", "Value", "Quality"]))[1]
+    assert not read(text(log, names=["Tag", "Time", "Value", "Note"]), "file: {value: Value}\n", named)[1]
+
+
 def test_a_bit_that_beats_names_no_machine(read):
     body = [[*row, str(k % 2)] for k, row in enumerate(rows())]
     assert read(text(body, names=[*NAMES, "Watchdog"]))[1:] == ([], [])
