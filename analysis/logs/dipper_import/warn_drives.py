@@ -6,8 +6,8 @@ from .units import CHANNELS, PERCENT, SWITCH, UNITS
 DOOR_DEG = 5.0       # a door whose largest angle is less is never seen to open
 OPEN = 0.5           # of its largest angle, and of the log: a door is shut while the dipper digs and swings
 FEW = 3              # readings
-JUMP = 1.5           # times what a drive can do from one reading to the next, for a clock that errs,
-NOISE = 10           # and times the readings' scatter
+JUMP = 1.2           # times what a drive can do from one reading to the next, for a clock that errs,
+NOISE = 6            # and times the readings' scatter
 FASTEST = {"hoist": 3.0, "crowd": 2.0, "swing": 40.0}  # m/s, m/s, deg/s, far beyond any shovel's, without limits
 SELDOM = 0.1         # of the steps: a drive that jumps more often is logged in steps
 LITTLE = 0.02        # of a drive's range: passes take most of it
