@@ -3,7 +3,7 @@ import numpy as np
 
 from .doubtful import falls, pushes, sentinels, stuck
 
-MOST_KN = 8000.0  # far beyond any shovel's
+MOST_KN = 20000.0  # strokes of mines made by another code go up to 13000
 LEAST_KN = {"hoist_force_kN": 100.0, "crowd_force_kN": 50.0}  # the largest of all: less than an empty dipper takes
 
 
