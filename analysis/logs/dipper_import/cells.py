@@ -4,7 +4,7 @@ import re
 import numpy as np
 
 from dipper_gap.readings.doubtful import sentinels
-from dipper_run.csv_text import (GROUPED, THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by, plain_sign,
+from dipper_run.csv_text import (GROUPED, THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by,
                                  with_minus_first, without_unit)
 
 from .units import DRIVES, SWITCH
@@ -115,13 +115,11 @@ class CellReader:
 def parted_thousands(cells):
     """A cell such as 1,234 among others such as 705, where every cell with that mark has three digits after it: what
     parts thousands, not decimals; None where there is none."""
-    grouped = next((m for m in map(GROUPED.fullmatch, map(plain_sign, cells)) if m), None)
-    if grouped is None:
+    grouped = next(filter(None, map(GROUPED.fullmatch, cells)), None)
+    if grouped is None or not all(GROUPED.fullmatch(c) for c in cells if grouped[1] in c):
         return None
-    mark = grouped[1]
-    whole = [abs(int(c)) for c in map(plain_sign, cells) if WHOLE.fullmatch(c)]
-    below = bool(whole) and LEAST_WHOLE <= max(whole) < 1000
-    return grouped[0] if below and all(GROUPED.fullmatch(plain_sign(c)) for c in cells if mark in c) else None
+    whole = max((abs(int(c)) for c in cells if WHOLE.fullmatch(c)), default=0)
+    return grouped[0] if LEAST_WHOLE <= whole < 1000 else None
 
 
 def _code(text):

@@ -11,7 +11,7 @@ from .phrases import some_names
 QUALITY = re.compile(r"qualit|calidad|status|valid|good|confiden|flag|\bqual\b|\bqc\b|_qc?$|\bok\b|_ok$", re.IGNORECASE)
 UNSOUND = re.compile(r"\bbad|uncertain|questionable|invalid|fail|error|stale|comm\b|time.?out|false", re.IGNORECASE)
 FEWER_WORDS = 4  # beside the time: good, bad and two between
-OPC_GOOD = "192"  # a number that says how good a reading is
+GOOD_CODE = "192"  # a number that says how good a reading is
 SHARE = 0.2  # of the rows, of the machine with the second most: a log of one has no such other
 FEW_WORDS = 8  # different cells: a column beside a reading with more says something else than how good it is
 ROWS_LOOKED_AT = 5000  # of a log with a row a reading: where tags and numbers are looked for
@@ -232,8 +232,8 @@ def unnamed_qualities(what, names, rows, notes):
         cells = [cells[k] for _, cells in rows]
         words = set(cells)
         beside = {*names[max(k - 1, 0):k + 2]}
-        says = OPC_GOOD in words or not any(map(_is_number, words))
-        spelt = any(c.isalpha() for c in "".join(words)) or OPC_GOOD in words
+        says = GOOD_CODE in words or not any(map(_is_number, words))
+        spelt = any(c.isalpha() for c in "".join(words)) or GOOD_CODE in words
         most = FEW_WORDS if name.startswith(channels) or says and names[max(k - 1, 0)] in channels else \
             FEWER_WORDS if says and spelt and beside & {*what.time.columns} else 0
         if name in used or not (QUALITY.search(name) or len(words) <= most and len(cells) > FEW_WORDS):
