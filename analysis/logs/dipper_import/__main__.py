@@ -33,12 +33,20 @@ def read(log, map_file):
     what = read_map(map_file)
     found, notes = Findings(), []
     raw = read_log(log, what, found, notes)
-    found.raise_if_any()
+    _stop_if_any(found, notes)
     rows = order_rows(raw, what, log, found, notes)
-    found.raise_if_any()
+    _stop_if_any(found, notes)
     made = build(rows, what, log, found, notes)
-    found.raise_if_any()
+    _stop_if_any(found, notes)
     return made, what, words(made, what, log, notes)
+
+
+def _stop_if_any(found, notes):
+    """Says the warnings before it throws: one of them may be the cause of a fault."""
+    for note in notes if found.all else ():
+        if note.startswith("warning: "):
+            print(note, file=sys.stderr)
+    found.raise_if_any()
 
 
 def write(made, what, said, log, out, dry):

@@ -8,6 +8,7 @@ from dipper_gap.readings.measured import LEAST_SAMPLES, Measured, Pass
 from dipper_gap.readings.phases import find_phases, planned_passes
 
 from .warn import warn_of_readings, warn_of_masses
+from .warn_drives import warn_of_drives
 from .fit import fit_drive
 from .phrases import some_rows
 from .readings import held_readings, row_gaps, sound_readings
@@ -55,6 +56,7 @@ def build(rows, what, path, found, notes):
     spans = planned_passes(grid, np.radians(fits["door"].value))
     if not spans:
         notes.append("no pass: the door never opens")
+    warn_of_drives(readings, fits, spans, what, notes)
     warn_of_readings(rows, spans, what, notes)
     measured = _measured(rows, readings, fits, grid, spans, what, path, found, notes) if what.measured() else None
     return None if found.all else Imported(rows, readings, fits, grid, gaps, spans, measured)
@@ -82,7 +84,7 @@ def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
         return None
     signals = {CHANNELS[n].measured: rows.values[n][whole] * CHANNELS[n].factor for n in names}
     _check_sizes(signals, rows.lines[whole], what, path, found)
-    _check_readings(rows.time_s[whole], rows.lines[whole], spans, path, found)
+    _check_readings(rows, whole, spans, path, found)
     masses = [np.nan] * len(spans)
     if TRUCK_MASS in what.channels:
         masses = _masses(rows, fits, grid, spans, what.channels[TRUCK_MASS], path, found, notes)
@@ -109,15 +111,16 @@ def _check_sizes(signals, lines, what, path, found):
                               for k in np.flatnonzero(np.abs(values) > kind.largest)] if kind else [])
 
 
-def _check_readings(time_s, lines, spans, path, found):
+def _check_readings(rows, whole, spans, path, found):
     """Finding about the first pass with too few readings to be cut into phases."""
     for number, (start, end) in enumerate(spans, 1):
-        inside = np.flatnonzero((time_s >= start) & (time_s <= end))
-        if len(inside) < LEAST_SAMPLES:
-            found.add(path, int(lines[inside[0]] if len(inside) else lines[0]), "time",
-                      f"{len(inside)} rows with a reading of every channel within pass {number} ({start:.4g} to "
-                      f"{end:.4g} s)", f"{LEAST_SAMPLES} or more: rows more often, or held: true for channels that are "
-                      "written only as they change")
+        inside = (rows.time_s >= start) & (rows.time_s <= end)
+        if (whole & inside).sum() < LEAST_SAMPLES:
+            found.add(path, int(rows.lines[np.argmax(inside)]), "time",
+                      f"{(whole & inside).sum()} rows with a reading of every channel within pass {number} "
+                      f"({start:.4g} to {end:.4g} s)",
+                      f"{LEAST_SAMPLES} or more: rows more often; held: true for channels that are "
+                      "written only as they change; or a map of their own for times of their own (channels.NAME.time)")
             return
 
 
@@ -141,12 +144,17 @@ def _masses(rows, fits, grid, spans, channel, path, found, notes):
                       f"pass {number} ({start:.4g} to {end:.4g} s) "
                       + ("has no reading before or after its dump" if after is None or before is None
                          else f"brings {after - before:.4g} t"),
-                      f"0 t or more, down to {least:.3g} t where it loads nothing ({SIGMAS} sigma); {WAYS_TO_READ}")
+                      f"0 t or more, down to {least:.3g} t where it loads nothing ({SIGMAS} sigma); {WAYS_TO_READ}"
+                      + ("" if channel.held or after is not None and before is not None else
+                         "; held: true, if it is written once a dump"))
             return [np.nan] * len(spans)
         if after < before:
             notes.append(f"pass {number} ({start:.4g} to {end:.4g} s) brings {after - before:.4g} t, within {SIGMAS} "
                          f"sigma of the scale ({-least:.3g} t): taken as 0")
         out.append(max(0.0, after - before))
+    if channel.reads == "pass" and any(out):
+        dumps = [found_phases.get("dump", span)[0] for span, found_phases in zip(spans, phases)]
+        _warn_of_late(rows.time_s, mass, there, spans, [*dumps[1:], rows.time_s[-1]], channel, notes)
     if not any(out):
         found.add(path, int(rows.lines[0]), channel.column,
                   f"no pass brings anything with reads: {channel.reads}; the readings "
@@ -160,6 +168,17 @@ def _warn_of_tare(number, empty, full, channel, notes):
     if None not in (empty, full) and empty > max(SIGMAS * channel.sigma, TARE * full):
         notes.append(f"warning: truck_mass: as pass {number} begins, {empty:.4g} t are in the dipper: its own weight "
                      "(offset), or what the last pass brought (reads: pass)?")
+
+
+def _warn_of_late(time, mass, there, spans, until, channel, notes):
+    """Warns of a scale that shows a pass only after its end: each mass is then that of the pass before."""
+    for number, ((_, end), next_dump) in enumerate(zip(spans, until), 1):
+        at_end = _scale(time, mass, there, end - WEIGHED_S, end)
+        later = _scale(time, mass, there, max(end, next_dump - WEIGHED_S), next_dump)
+        if None not in (at_end, later) and later > SIGMAS * channel.sigma < abs(later - at_end):
+            notes.append(f"warning: truck_mass: {at_end:.4g} t as pass {number} ends, and {later:.4g} t before the "
+                         "next dump: does the scale show a pass only then? Its masses are those of the passes before")
+            return
 
 
 def _scale(time, mass, there, start, end):

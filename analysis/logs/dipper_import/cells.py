@@ -3,20 +3,23 @@ import re
 
 import numpy as np
 
-from dipper_run.csv_text import (THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by, with_minus_first,
-                                 without_unit)
+from dipper_gap.readings.doubtful import sentinels
+from dipper_run.csv_text import (GROUPED, THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by,
+                                 with_minus_first, without_unit)
 
 from .units import DRIVES, SWITCH
 from .phrases import LONGEST_SHOWN, some_names, some_rows
 
-# What loggers write for "no reading": 9s, the ends of 16 and 32 bit numbers and these with a decimal point put in.
-SENTINELS = {s * float(n) for n in ("999", "9999", "99999", "999999") for s in (1, -1)} | \
-    {-999.25, -2147483648.0, 2147483647.0} | {n / d for n in (-32768, 32767, 65535) for d in (1, 10, 100, 1000)}
 NOT_A_NUMBER = re.compile(r"[+-]?1\.#\w+")  # 1.#QNAN, -1.#IND: NaN as programs on Windows print it
 SWITCH_WORDS = {**dict.fromkeys(("on", "open", "opened", "true", "yes"), "1"),
                 **dict.fromkeys(("off", "closed", "shut", "false", "no"), "0")}
+OPC_GOOD = (192, 255)       # OPC's quality, of 8 bits: these are good
+OPC_UA_NOT_GOOD = 1 << 30   # OPC UA's status codes, of 32 bits: 0 is good, these are uncertain or bad
+HEX = re.compile(r"0x[0-9a-f]+", re.IGNORECASE | re.ASCII)
+TURN = (360.0, 25.0)  # deg, and how much a machine may swing between two rows or over a gap
+WHOLE = re.compile(r"[+-]?\d+", re.ASCII)
+LEAST_WHOLE = 100  # among whole numbers up to 1.234: they go on above 999
 OTHER_MARK = {",": ".", ".": ","}
-SPIKE = 0.2  # of the range of all other readings: so far off its neighbours, a 9999 is no reading
 
 
 class CellReader:
@@ -53,10 +56,17 @@ class CellReader:
                                self._right(text, channel)))
             elif value not in file.missing_numbers:
                 raw[k] = value
+        parted = None if file.thousands or file.decimal else parted_thousands(group.cells[name])
+        if parted and self._decimal in parted:
+            at = group.lines[group.cells[name].index(parted)]
+            faults.append((at, channel.column, f"is '{parted}', beside whole numbers up to 999",
+                           f"{parted.replace(self._decimal, '')}, if that parts its thousands: in other columns it is "
+                           f"the decimal mark; file.decimal: \"{self._decimal}\", if here, too"))
         if name in group.quality:
             self._leave_out_bad(name, group, raw, faults, notes)
         _warn_of_sentinels(name, channel, self._what.limits.get(name), group.lines, raw, notes)
-        return channel.slope * raw + channel.intercept
+        value = channel.slope * raw + channel.intercept
+        return _unwrapped(value, group.lines, notes) if name == "swing" else value
 
     def _right(self, text, channel):
         if right := with_minus_first(without_unit(text, {channel.unit})):
@@ -75,10 +85,15 @@ class CellReader:
             "; if it means that there is no reading, list it under file.missing"
 
     def _leave_out_bad(self, name, group, raw, faults, notes):
-        texts = group.quality[name]
+        texts, channel, file = group.quality[name], self._what.channels[name], self._what.file
         bad = np.array([not self._good(t) for t in texts], bool) & np.isfinite(raw)
-        if bad.any() and bad.sum() == np.isfinite(raw).sum():
-            faults.append((group.lines[0], self._what.channels[name].quality, f"no reading of {name} is good: they are "
+        status = next((t for t in texts if abs(_code(t) or 0) >= OPC_UA_NOT_GOOD), None)
+        if status and not file.good:
+            good = next((t for t in texts if _code(t) == 0), "0")
+            faults.append((group.lines[texts.index(status)], channel.quality, f"is {status}, a status code of OPC UA",
+                           f"0 is good there: file: {{good: ['{good}']}}, and more codes if they are good, too"))
+        elif bad.any() and bad.sum() == np.isfinite(raw).sum():
+            faults.append((group.lines[0], channel.quality, f"no reading of {name} is good: they are "
                            + some_names(sorted({t or "empty" for t in texts}), 4),
                            "list what says that one is under file.good"
                            + (" ('' for empty)" if "" in texts else "")))
@@ -92,9 +107,36 @@ class CellReader:
         good = self._what.file.good
         if good:
             return text.lower() in good
-        value = decimal_number(text, ".")  # OPC: 192 and more are good
+        value = _code(text)
         return text.lower().startswith("good") or text.lower() in ("ok", "valid") or \
-            (value is not None and value >= 192)
+            (value is not None and OPC_GOOD[0] <= value <= OPC_GOOD[1])
+
+
+def parted_thousands(cells):
+    """A cell such as 1,234 among others such as 705, where every cell with that mark has three digits after it: what
+    parts thousands, not decimals; None where there is none."""
+    grouped = next(filter(None, map(GROUPED.fullmatch, cells)), None)
+    if grouped is None or not all(GROUPED.fullmatch(c) for c in cells if grouped[1] in c):
+        return None
+    whole = max((abs(int(c)) for c in cells if WHOLE.fullmatch(c)), default=0)
+    return grouped[0] if LEAST_WHOLE <= whole < 1000 else None
+
+
+def _code(text):
+    """The number of a quality, as 192 or 0xC0; None where it is none."""
+    return int(text, 16) if HEX.fullmatch(text) else decimal_number(text, ".")
+
+
+def _unwrapped(swing, lines, notes):
+    """A swing in deg that begins anew after a whole turn, as one that goes on."""
+    there = np.flatnonzero(np.isfinite(swing))
+    steps = np.diff(swing[there], prepend=swing[there[:1]])
+    turns = np.where(np.abs(np.abs(steps) - TURN[0]) < TURN[1], np.sign(steps), 0.0)
+    if turns.any():
+        notes.append(f"swing: {some_rows(np.array(lines)[there[turns != 0]], 'step')} of a whole turn: it goes on from "
+                     "there, without them")
+        swing[there] -= TURN[0] * np.cumsum(turns)
+    return swing
 
 
 def _warn_of_sentinels(name, channel, limits, lines, raw, notes):
@@ -102,18 +144,8 @@ def _warn_of_sentinels(name, channel, limits, lines, raw, notes):
     of a drive outside its limits are left out later on, and reported."""
     if name in DRIVES and limits is not None and np.isfinite([limits.min, limits.max]).all():
         return
-    there = np.flatnonzero(np.isfinite(raw))
-    like = np.isin(raw[there], list(SENTINELS)) | (np.abs(raw[there]) >= 1e30)
-    others = there[~like]
-    if not like.any() or len(others) < 2:
-        return
-    before = np.clip(np.searchsorted(others, there[like]) - 1, 0, len(others) - 1)
-    after = np.clip(before + 1, 0, len(others) - 1)
-    value = raw[there[like]]
-    off = np.minimum(np.abs(value - raw[others[before]]), np.abs(value - raw[others[after]]))
-    alone = off > SPIKE * max(np.ptp(raw[others]), 1e-9)
-    if alone.any():
-        at = there[like][alone]
+    at = sentinels(raw)
+    if len(at):
         notes.append(f"warning: {name}: {some_rows(np.array(lines)[at], 'reading')} of {raw[at[0]]:.6g} "
                      f"{channel.unit}, far off those beside it: if that means no reading, "
                      f"file: {{missing: [{raw[at[0]]:.12g}]}}")

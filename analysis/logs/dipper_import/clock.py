@@ -5,10 +5,15 @@ import numpy as np
 
 from .import_map import NUMBER_FORMATS
 from .phrases import some_rows
+from .units import DRIVES
 
 DAY_S = 86400.0
 SHORTEST_S = 1e-3  # between two rows
+SLOWEST_S = 5.0    # between two rows in which a pass of 20 to 60 s is still seen,
+ROOM = 1.5         # and of the interval, for the next row that comes late
 DOUBLED = 1.5      # rows for each interval of the log: from so many on, two stretches lie over one another
+ELSEWHERE = 1.5    # of the usual step: beyond the half of it by which goes_on lets a step differ, and noise
+FAR_APART = 2.0    # times the largest usual step: so much no drive moves within one stamp
 SAME_TIME = 0.05   # of the rows may share their time with another one that has other readings
 
 
@@ -58,7 +63,9 @@ def order_rows(log, what, path, found, notes):
 def _tell_interval(interval, log, what, path, found):
     """Finding about rows too far apart to see a dig, or closer than any logger's: the unit of the time, mostly."""
     found.add(path, int(log.lines[0]), "time", f"is one row each {interval:.3g} s",
-              f"{SHORTEST_S:g} to {what.longest_gap_s:g} s (longest_gap_s)" + _other_unit(interval, what, log.unit))
+              f"{SHORTEST_S:g} to {what.longest_gap_s:g} s (longest_gap_s)" + _other_unit(interval, what, log.unit)
+              + (f"; longest_gap_s: {ROOM * interval:.2g}, if the logger is as slow" if what.longest_gap_s < interval
+                 <= SLOWEST_S else ""))
 
 
 def _other_unit(interval, what, unit):
@@ -101,9 +108,9 @@ def _first_is_last(log, index, stamp, what, path, found):
     return True
 
 
-def goes_on(values, drives, rows):
+def goes_on(values, drives, rows, intervals=np.inf):
     """Whether each drive goes from the second to the third of four rows as between the first two and the last two, and
-    one of them moves: no time has passed there."""
+    one of them moves so fast that it had gone elsewhere in so many `intervals`: no time has passed there."""
     rows, moves = list(rows), False
     if len(rows) != 4:
         return False
@@ -115,7 +122,7 @@ def goes_on(values, drives, rows):
         usual = np.nanpercentile(np.abs(np.diff(all_of_it)), 90)
         if abs(across - 0.5 * (before + after)) > 0.5 * usual:
             return False
-        moves |= abs(before) > 0.2 * usual
+        moves |= abs(before) > 0.2 * usual and abs(before + after) / 2 * (intervals - 1) > ELSEWHERE * usual
     return moves
 
 
@@ -166,6 +173,18 @@ def _same(log, a, b):
     return all(v[a] == v[b] or (np.isnan(v[a]) and np.isnan(v[b])) for v in log.values.values())
 
 
+def _far_apart(log, index, keep, first, other):
+    """Whether a drive at one time is further apart than it goes from one time to the next: two machines in one log."""
+    for name in (n for n in DRIVES if n in log.values):
+        value = log.values[name][index]
+        apart = np.abs(value[other] - value[first[other]])
+        steps = np.abs(np.diff(value[keep]))
+        if np.isfinite(apart).any() and np.isfinite(steps).any() and \
+                np.nanmedian(apart) > FAR_APART * np.nanpercentile(steps, 95):
+            return True
+    return False
+
+
 def _each_time_once(log, index, time, path, found, notes):
     """(index, time) without rows whose time has been seen; None after a finding."""
     keep = np.append(True, np.diff(time) > 1e-9)
@@ -176,7 +195,8 @@ def _each_time_once(log, index, time, path, found, notes):
     if len(other) > SAME_TIME * len(time):
         found.add(path, int(log.lines[index[other[0]]]), "time",
                   f"{len(other)} of {len(time)} rows have the time of another row, and other readings",
-                  "a time with fractions of a second, or time.same_stamp: spread (evenly up to the next stamp)")
+                  "one machine's rows: those of one stamp are far apart" if _far_apart(log, index, keep, first, other)
+                  else "a time with fractions of a second, or time.same_stamp: spread (evenly up to the next stamp)")
         return None
     for rows, words in ((same, "twice in the file, left out"),
                         (other, "at the time of another row, with other readings, left out")):

@@ -1,5 +1,4 @@
 """MAP.yaml: which column of a log is which channel, in what unit, and what the machine can do (docs/import.md)."""
-import codecs
 import math
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,6 +18,7 @@ NUMBER_FORMATS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9, "ticks": 1e-7, "
 MISSING = ("", "-", "--", "---", "nan", "null", "none", "n/a", "na", "#n/a")
 READS = ("total", "pass", "dipper")  # in the truck; what the last pass brought; the load in the dipper
 LONGEST_GAP_S = 2.0
+G = 9.81  # m/s^2
 SAMPLE_S = 0.1
 
 
@@ -83,6 +83,7 @@ class ImportMap:
     channels: dict
     limits: dict = field(default_factory=dict)   # {drive: Limits}
     stall_kN: dict = field(default_factory=dict)  # {force: what the machine's drive can pull}, as far as it says so
+    empty_kN: dict = field(default_factory=dict)  # {force: what an empty dipper takes}, as far as the machine says so
     rated_load_t: float = None                    # of the machine's dipper, as far as it says so
     longest_gap_s: float = LONGEST_GAP_S
     sample_s: float = SAMPLE_S
@@ -102,8 +103,8 @@ def read_map(path):
     root = read_yaml(path, found, "a map with time, channels, ...")
     found.raise_if_any()
     top = Section(root, path, found)
-    limits, stall_kN, rated_load_t = _limits(top, path)
-    made = ImportMap(path, _file(top), _time(top), _channels(top), limits, stall_kN, rated_load_t,
+    limits, forces = _limits(top, path)
+    made = ImportMap(path, _file(top), _time(top), _channels(top), limits, *forces,
                      top.number("longest_gap_s", LONGEST_GAP_S, "seconds, above 0", allowed=lambda x: x > 0),
                      top.number("sample_s", SAMPLE_S, "seconds, above 0", allowed=lambda x: x > 0))
     top.end()
@@ -122,11 +123,8 @@ def _file(top):
     s = top.section("file")
     delimiter = s.one_of("delimiter", tuple(DELIMITERS))
     encoding = s.text("encoding", right="such as utf-8, utf-16, cp1252")
-    if encoding:
-        try:
-            codecs.lookup(encoding)
-        except LookupError:
-            s.wrong("encoding", f"is {encoding}", "such as utf-8, utf-16, cp1252")
+    if encoding and not _is_of_text(encoding):
+        s.wrong("encoding", f"is {encoding}", "such as utf-8, utf-16, cp1252")
     header = s.number("header_line", right="a line, from 1", allowed=_whole)
     data = s.number("data_line", right="a line, from 1", allowed=_whole)
     missing, decimal = s.texts("missing", "texts that stand for no reading"), s.one_of("decimal", (".", ","))
@@ -139,6 +137,17 @@ def _file(top):
     return FileFormat(DELIMITERS.get(delimiter), decimal, thousands, encoding, header and int(header),
                       data and int(data), frozenset(MISSING) | {m.lower() for m in missing},
                       frozenset(n for n in numbers if n is not None), frozenset(g.lower() for g in good), value)
+
+
+def _is_of_text(encoding):
+    """Whether Python knows it, as letters in bytes: not hex, base64 or rot13, which read bytes as bytes."""
+    try:
+        b"0".decode(encoding)
+    except LookupError:
+        return False
+    except ValueError:  # half a letter of utf-16
+        pass
+    return True
 
 
 def _column(section, key):
@@ -174,7 +183,16 @@ def _channels(top):
     for name in DRIVES:
         if name not in section:
             section.wrong(name, "missing", f"name its column: motion.csv has {', '.join(DRIVES)}")
+    _check_columns(section, channels)
     return channels
+
+
+def _check_columns(section, channels):
+    first = {}
+    for name, channel in channels.items():
+        other = first.setdefault(channel.column, name)
+        if other != name and channel.column:
+            section.wrong(name, f"has the column '{channel.column}', as {other}", "a column of its own")
 
 
 def _channel(channels, name):
@@ -209,7 +227,7 @@ def _channel(channels, name):
 def _limits(top, path):
     s = top.section("limits")
     machine = s.text("machine", right="a machine's file, such as ../../mbs/bucyrus495.yaml")
-    known, stall_kN, rated_load_t = _machine_limits(s, path.parent / machine) if machine else ({}, {}, None)
+    known, forces = _machine_limits(s, path.parent / machine) if machine else ({}, ({}, {}, None))
     out = {}
     for name in DRIVES:
         own = s.section(name)
@@ -225,19 +243,19 @@ def _limits(top, path):
         if out[name].min >= out[name].max:
             own.wrong("min", f"is {out[name].min:g}", f"below max, {out[name].max:g}")
     s.end()
-    return out, stall_kN, rated_load_t
+    return out, forces
 
 
 def _machine_limits(section, file):
-    """{drive: {min, max, speed}}, {force: kN} and the dipper's rated load in t of a machine's file, as far as it says
-    so."""
+    """{drive: {min, max, speed}} of a machine's file, and (what its drives can pull and what its empty dipper takes,
+    {force: kN}; the dipper's rated load, t), as far as it says so."""
     try:
         data = yaml.safe_load(file.read_text())
         limits = data["limits"]
     except (OSError, UnicodeDecodeError, yaml.YAMLError, KeyError, TypeError):
         section.wrong("machine", f"{file} cannot be read, or has no limits",
                       "a machine's file, seen from the map's folder")
-        return {}, {}, None
+        return {}, ({}, {}, None)
     out = {}
     for name in DRIVES:
         for key in ("min", "max", "speed"):
@@ -251,7 +269,9 @@ def _machine_limits(section, file):
                               f"{{value, unit}} with a unit of {CHANNELS[name].quantity}")
                 continue
             out.setdefault(name, {})[key] = value * UNITS[unit][1]
-    return out, _stall_forces(data.get("drives")), _in_own_unit(_entry(data.get("dipper"), "rated_load"))
+    dipper = data.get("dipper")
+    return out, (_stall_forces(data.get("drives")), _empty_forces(dipper, data.get("door")),
+                 _in_own_unit(_entry(dipper, "rated_load")))
 
 
 def _stall_forces(drives):
@@ -261,6 +281,12 @@ def _stall_forces(drives):
         if value is not None:
             out[name] = value
     return out
+
+
+def _empty_forces(dipper, door):
+    """The ropes carry the dipper and its door, and a part of the handle."""
+    masses = [_in_own_unit(_entry(part, "mass")) for part in (dipper, door)]
+    return {} if None in masses else {"hoist_force": G * sum(masses)}
 
 
 def _entry(section, key):

@@ -1,6 +1,7 @@
 """Channels that were logged at times of their own, brought to those of one drive."""
 import numpy as np
 
+from .readings import before_first
 from .units import DRIVES
 
 
@@ -14,7 +15,7 @@ def join(logs, what, notes):
     for log in logs:
         if log is not base:
             for name, value in log.values.items():
-                values[name] = _at(base.stamp_s, log.stamp_s, value, what.channels[name].held, what.longest_gap_s)
+                values[name] = _at(base.stamp_s, log.stamp_s, value, what.channels[name], what.longest_gap_s)
     joined = ", ".join(n for log in logs if log is not base for n in log.values)
     notes.append(f"{joined}: logged at times of their own, taken at those of "
                  + next(n for n in base.values if n in DRIVES))
@@ -23,15 +24,15 @@ def join(logs, what, notes):
                       base.unit)
 
 
-def _at(times, stamp_s, value, held, longest_gap_s):
+def _at(times, stamp_s, value, channel, longest_gap_s):
     there = np.isfinite(value) & np.isfinite(stamp_s)
     if not there.any():
         return np.full(len(times), np.nan)
     order = np.argsort(stamp_s[there], kind="stable")
     t, v = stamp_s[there][order], value[there][order]
     before = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 1)
-    if held:
-        return np.where(times >= t[0], v[before], np.nan)
+    if channel.held:
+        return np.where(times >= t[0], v[before], before_first(v, channel))
     after = np.clip(np.searchsorted(t, times, side="left"), 0, len(t) - 1)
     near = (times >= t[0]) & (times <= t[-1]) & (t[after] - t[before] <= longest_gap_s)
     return np.where(near, np.interp(times, t, v), np.nan)

@@ -1,5 +1,6 @@
 """How a log lays its readings out: a column a channel; a time column beside each; or a row a reading, with its tag."""
 import re
+from collections import Counter
 from dataclasses import dataclass
 
 from dipper_run.csv_text import decimal_number, find_decimal
@@ -9,6 +10,9 @@ from .phrases import some_names
 
 QUALITY = re.compile(r"qualit|calidad|status|valid|good|confiden|flag|\bqual\b|\bqc\b|_qc?$|\bok\b|_ok$", re.IGNORECASE)
 UNSOUND = re.compile(r"\bbad|uncertain|questionable|invalid|fail|error|stale|comm\b|time.?out|false", re.IGNORECASE)
+FEWER_WORDS = 4  # beside the time: good, bad and two between
+GOOD_CODE = "192"  # a number that says how good a reading is
+SHARE = 0.2  # of the rows, of the machine with the second most: a log of one has no such other
 FEW_WORDS = 8  # different cells: a column beside a reading with more says something else than how good it is
 ROWS_LOOKED_AT = 5000  # of a log with a row a reading: where tags and numbers are looked for
 
@@ -95,6 +99,9 @@ def _wide(header, rows, notes):
         if None in cells:
             return None
         times.setdefault(tuple(cells), []).append(name)
+    _find_machines(header, rows, next(iter(times)), {*place.values(), *quality.values(), *sum(times, ())}, False)
+    if len(header.found.all) > before:
+        return None
     if len(times) == 1:
         return [_group(rows, next(iter(times)), place, quality, list(place))]
     notes.append(f"{len(times)} columns of time, each for the readings beside it")
@@ -151,10 +158,33 @@ def _long(header, rows, tags, notes):
                       f"there are {some_names(by_tag)}")
             continue
         groups.append(_group(by_tag[channel.column], times, {name: value}, {name: header.quality(name)}, [name]))
+        _find_machines(header, by_tag[channel.column], times, {tags, value, *times}, True)
+        if len(found.all) > before:
+            break
     if len(found.all) > before:
         return None
     notes.append(f"a row a reading: '{header.names[tags]}' says whose, '{header.names[value]}' what")
     return _merged(groups)
+
+
+def _find_machines(header, rows, times, used, numbers):
+    """Finding about a column that names several machines, where they take turns from time to time and each has its
+    share of the rows; how good readings are does not. `numbers`: whether numbers may name them."""
+    rows = sorted(rows, key=lambda row: [row[1][t] for t in times])
+    qualities = {channel.quality for channel in header.what.channels.values()}
+    for k in {*range(len(header.names))} - used:
+        if header.names[k] in qualities or QUALITY.search(header.names[k]):
+            continue
+        cells = [row[1][k] for row in rows]
+        count = Counter(cells).most_common(FEW_WORDS + 1)
+        if not 1 < len(count) <= FEW_WORDS or any(UNSOUND.search(c) or _is_number(c) and not numbers for c, _ in count):
+            continue
+        turns, second = sum(a != b for a, b in zip(cells, cells[1:])), count[1][1]
+        if second >= SHARE * len(rows) and turns >= second:
+            header.found.add(header.path, rows[0][0], header.names[k], f"says {some_names(sorted(c for c, _ in count))}"
+                             f" in turn{', of one tag' if numbers else ''}: several machines in one log?",
+                             "one machine's rows: filter the log by that column first")
+            return
 
 
 def _column_of_values(header, rows, tags):
@@ -201,8 +231,12 @@ def unnamed_qualities(what, names, rows, notes):
     for k, name in enumerate(names):
         cells = [cells[k] for _, cells in rows]
         words = set(cells)
-        beside = name.startswith(channels) or (names[k - 1] in channels and not any(map(_is_number, words)))
-        if name in used or not (QUALITY.search(name) or beside and len(words) <= FEW_WORDS < len(cells)):
+        beside = {*names[max(k - 1, 0):k + 2]}
+        says = GOOD_CODE in words or not any(map(_is_number, words))
+        spelt = any(c.isalpha() for c in "".join(words)) or GOOD_CODE in words
+        most = FEW_WORDS if name.startswith(channels) or says and names[max(k - 1, 0)] in channels else \
+            FEWER_WORDS if says and spelt and beside & {*what.time.columns} else 0
+        if name in used or not (QUALITY.search(name) or len(words) <= most and len(cells) > FEW_WORDS):
             continue
         bad = sorted({c for c in words if UNSOUND.search(c)} or (words if len(words) > 1 else ()))
         if bad:

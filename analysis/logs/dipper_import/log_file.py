@@ -1,26 +1,19 @@
 """A logger's CSV as it stands: the time of each row and the reading of each channel, with the row's line."""
-import re
 from collections import Counter
 from dataclasses import dataclass
-from datetime import datetime
 
 import numpy as np
 
-from dipper_run.csv_text import (DELIMITERS, cells_of, decimal_number, find_decimal, find_delimiter, lines_of,
-                                 one_blank, read_stamp, stamp_seconds)
+from dipper_run.csv_text import DELIMITERS, cells_of, find_delimiter, lines_of, one_blank
 from dipper_run.text_file import read_bytes, text_of
 
 from .cells import CellReader
-from .import_map import NUMBER_FORMATS
 from .join import join
 from .layout import find_layout, unnamed_qualities
 from .phrases import LONGEST_SHOWN, some_rows
+from .stamps import find_clock, has_date, unit_of_time, warn_of_row_numbers
 
-DATE = re.compile(r"%[dDjxcUWyYmbBGs]")  # what in a pattern says the day
 HEADER_WITHIN = 1000  # lines: where a header without the time's column is guessed at
-READINGS_WITHIN = 20  # lines after the header: where the first readings are looked for, for a hint
-SINCE_1970_S = (3e8, 1e10)  # 1979 to 2286: a number beyond it is no count of seconds
-TICKS = ((1.2e17, 1.5e17), (6.2e17, 6.8e17))  # of 100 ns since 1601 and since the year 1: 1981 and later
 
 
 @dataclass(frozen=True)
@@ -56,7 +49,7 @@ def read_log(path, what, found, notes):
     if not groups[0].lines:
         found.add(path, header_line, "file", "no rows after the header", "readings")
         return None
-    clock = _clock(path, what, groups[0], found)
+    clock = find_clock(path, what, groups[0], found)
     if clock is None:
         return None
     unnamed_qualities(what, names, rows, notes)
@@ -71,33 +64,13 @@ def read_log(path, what, found, notes):
             faults.append((cut.lines[k], "time", f"is '{cut.stamps[k][:LONGEST_SHOWN]}'",
                            f"as in the first row, '{group.stamps[0]}'"))
         values = {name: reader.values(name, cut, faults, notes) for name in cut.cells}
-        logs.append(Log(np.array(cut.lines, int), stamp_s, cut.stamps, values, _has_date(what.time.format),
-                        _unit_of_time(what.time.format, cut.stamps)))
+        logs.append(Log(np.array(cut.lines, int), stamp_s, cut.stamps, values, has_date(what.time.format),
+                        unit_of_time(what.time.format, cut.stamps)))
     found.add_rows(path, faults)
     if found.all:
         return None
-    _warn_of_row_numbers(what, groups[0].stamps, notes)
+    warn_of_row_numbers(what, groups[0].stamps, notes)
     return join(logs, what, notes)
-
-
-def _unit_of_time(form, stamps):
-    """The unit of numbers; None of other stamps."""
-    if form is None and stamps and not read_stamp(stamps[0]):
-        return "s"
-    return form if form in NUMBER_FORMATS else None
-
-
-def _warn_of_row_numbers(what, stamps, notes):
-    """Warns of times 0, 1, 2, ... that the map does not call seconds."""
-    first = stamps[0]
-    if what.time.format is None and len(stamps) > 2 and first in ("0", "1") and \
-            all(text == str(k) for k, text in enumerate(stamps, int(first))):
-        notes.append(f"warning: the time is {first}, {stamps[1]}, {stamps[2]}, ... in every row, taken as seconds: is "
-                     "it the row's number? time.format: s, if not")
-
-
-def _has_date(form):
-    return not form or "%" not in form or bool(DATE.search(form))
 
 
 def _text(path, encoding, found):
@@ -111,8 +84,9 @@ def _text(path, encoding, found):
         return text
     try:
         return data.decode(encoding).lstrip("\ufeff")
-    except UnicodeDecodeError as e:
-        found.add(path, 0, "encoding", f"is not {encoding}: {e.reason} at byte {e.start}", "another file.encoding")
+    except ValueError as e:  # of punycode and idna no UnicodeDecodeError
+        why = f"{e.reason} at byte {e.start}" if isinstance(e, UnicodeDecodeError) else str(e)
+        found.add(path, 0, "encoding", f"is not {encoding}: {why}", "another file.encoding")
     return None
 
 
@@ -172,67 +146,6 @@ def _rows(path, rows, names, delimiter, found, notes):
     if repeated:
         notes.append(f"{some_rows(repeated)}: the header again, left out")
     return sound
-
-
-def _clock(path, what, group, found):
-    """Function from a stamp's text to seconds, None where it is none; None after a finding."""
-    line, first, form = group.lines[0], group.stamps[0], what.time.format
-    if form is None:
-        form = "iso" if read_stamp(first) else "s" if _number(first) is not None else None
-    if form is None:
-        later = _first_that(group, lambda t: read_stamp(t) or _number(t) is not None)
-        found.add(path, line, "time", f"is '{first[:LONGEST_SHOWN]}', neither ISO 8601 nor a number",
-                  later or "write its pattern in the map, such as time: {format: '%d.%m.%Y %H:%M:%S'}")
-        return None
-    if form in NUMBER_FORMATS:
-        if what.time.format is None and _number(first) > SINCE_1970_S[1]:
-            found.add(path, line, "time", f"is {first}, which is no count of seconds", _unit_since_1970(_number(first)))
-            return None
-        unit = NUMBER_FORMATS[form]
-        zero = _number(first)
-        clock = lambda text: None if _number(text) is None else (_number(text) - (zero or 0.0)) * unit
-    elif form == "iso":
-        zoned = read_stamp(first)
-        clock = lambda text: _iso(text, zoned is not None and zoned.tzinfo is not None)
-    else:
-        clock = lambda text: _local(text, form)
-    if clock(first) is None:
-        found.add(path, line, "time", f"is '{first[:LONGEST_SHOWN]}', not as time.format says",
-                  _first_that(group, lambda t: clock(t) is not None) or form)
-        return None
-    return clock
-
-
-def _unit_since_1970(value):
-    units = [u for u, size in NUMBER_FORMATS.items() if SINCE_1970_S[0] <= value * size <= SINCE_1970_S[1]]
-    if any(a <= value <= b for a, b in TICKS):
-        units = ["ticks"]
-    return "its unit in the map, " + (f"time.format: {units[0]}, perhaps" if units else
-                                      f"time.format: one of {', '.join(NUMBER_FORMATS)}")
-
-
-def _first_that(group, is_stamp):
-    """What to write where units or descriptions stand between the header and the readings; None where they do not."""
-    for line, stamp in list(zip(group.lines, group.stamps))[1:READINGS_WITHIN]:
-        if is_stamp(stamp):
-            return f"if the readings begin at line {line}, file.data_line: {line}"
-    return None
-
-
-def _number(text):
-    return decimal_number(text, find_decimal([text])[0])
-
-
-def _iso(text, zoned):
-    stamp = read_stamp(text)
-    return None if stamp is None or (stamp.tzinfo is not None) != zoned else stamp_seconds(stamp)
-
-
-def _local(text, form):
-    try:
-        return stamp_seconds(datetime.strptime(text, form))
-    except ValueError:
-        return None
 
 
 def _cut(path, what, clock, group, found):

@@ -31,10 +31,18 @@ def held_readings(rows, what, notes):
         empty = ~np.isfinite(values[name])
         if channel.held and empty.any():
             last = np.maximum.accumulate(np.where(empty, -1, np.arange(len(empty))))
-            values[name] = np.where(last >= 0, values[name][last], np.nan)
+            values[name] = np.where(last >= 0, values[name][last], before_first(values[name][~empty], channel))
             notes.append(f"{name}: {some_rows(rows.lines[empty & (last >= 0)])} without a reading have the last one "
                          "before (held)")
     return replace(rows, values=values)
+
+
+def before_first(written, channel):
+    """What a held channel has before the first reading that is written: nothing is known, but a switch that is written
+    only as it changes had its other value."""
+    if not channel.switch or not len(written) or (np.diff(written) == 0).any():
+        return np.nan
+    return 2 * channel.intercept + channel.slope - written[0]
 
 
 def sound_readings(rows, name, channel, limits, what, path, found, notes):
@@ -137,12 +145,16 @@ def row_gaps(rows, what, path, found, notes):
         start, end = float(rows.time_s[k]), float(rows.time_s[k + 1])
         a, b = sorted((int(rows.lines[k]), int(rows.lines[k + 1])))
         gaps.append((start, end))
+        set_forward = goes_on(rows.values, what.smooth(), range(k - 1, k + 3), (end - start) / rows.interval_s)
+        hint = f"the drives go on as if no time had passed: was the clock set? time.clock_set_at: [{b}]"
         if end - start <= what.longest_gap_s:
-            notes.append(f"gap of {end - start:.3g} s between lines {a} and {b}: bridged")
+            gap = f"gap of {end - start:.3g} s between lines {a} and {b}"
+            notes.append(f"{gap}: bridged")
+            if set_forward:
+                notes.append(f"warning: {gap}: {hint}")
             continue
         found.add(path, a, "time", f"nothing for {end - start:.6g} s, up to line {b}",
                   f"{what.longest_gap_s:g} s at most (longest_gap_s); choose a part with time.from and time.to"
-                  + (f"; the drives go on as if no time had passed: was the clock set? time.clock_set_at: [{b}]"
-                     if goes_on(rows.values, what.smooth(), range(k - 1, k + 3)) else "")
+                  + (f"; {hint}" if set_forward else "")
                   + (f"; line {alone[k]} stands alone there: is its stamp wrong?" if k in alone else ""))
     return gaps

@@ -18,12 +18,12 @@ HOIST = np.sin(TIME)
 class Read:
     """What comes of a log with a column of time and one of hoist."""
 
-    def __init__(self, folder, stamps, order=None, hoist=HOIST, head="t,h", **time):
+    def __init__(self, folder, stamps, order=None, hoist=HOIST, head="t,h", file=FileFormat(), **time):
         order = range(N) if order is None else order
         self.file = folder / "log.csv"
         self.file.write_text("\n".join([head, *(f"{stamps[k]},{hoist[k]:.5f}" for k in order)]) + "\n")
         usual = dict(columns=("t",), format=None, clock_set_at=frozenset(), first=None, last=None, spread=False, line=1)
-        self.what = ImportMap(folder / "map.yaml", FileFormat(), TimeFormat(**{**usual, **time}),
+        self.what = ImportMap(folder / "map.yaml", file, TimeFormat(**{**usual, **time}),
                               {"hoist": Channel("h", "m", 1.0, 0.0, False, False, None, None, None, 0.0, None, 2)},
                               {"hoist": Limits()})
         self.found, self.notes, self.rows, self.gaps = Findings(), [], None, None
@@ -134,6 +134,24 @@ def test_a_clock_that_is_set_forward(tmp_path):
     assert read.is_whole() and "the clock is set forward by 3600 s at line 122" in read.notes[0]
 
 
+@pytest.mark.parametrize("ahead, at, told", [(1.5, 120, True), (0.3, 120, True), (0.2, 120, True), (1.5, 79, False)])
+def test_a_clock_that_is_set_forward_by_less_than_the_longest_gap(tmp_path, ahead, at, told):
+    """A gap that is bridged, where the drive goes on at once; not where it hardly moves."""
+    stamps = seconds()[:at] + [f"{t + ahead:.3f}" for t in TIME[at:]]
+    read = Read(tmp_path, stamps)
+    gap = f"gap of {ahead + 0.1:g} s between lines {at + 1} and {at + 2}"
+    hint = f"the drives go on as if no time had passed: was the clock set? time.clock_set_at: [{at + 2}]"
+    assert read.notes == [f"{gap}: bridged", *([f"warning: {gap}: {hint}"] if told else [])]
+    assert not told or Read(tmp_path, stamps, clock_set_at=frozenset([at + 2])).is_whole()
+
+
+@pytest.mark.parametrize("length", [3, 5, 10, 18])
+@pytest.mark.parametrize("start", range(10, 170, 7))
+def test_lost_rows_of_a_drive_that_moves_are_a_gap_alone(tmp_path, start, length):
+    read = Read(tmp_path, seconds(), [*range(start), *range(start + length, N)])
+    assert len(read.notes) == 1 and read.notes[0].endswith(": bridged")
+
+
 @pytest.mark.parametrize("row, stamp, line", [(N - 1, 0.0, 201), (0, 0.0, 2), (N - 1, 1.8e9, 201)])
 @pytest.mark.parametrize("backwards", [False, True])
 def test_a_clock_that_is_wrong_in_one_row_at_an_end(tmp_path, row, stamp, line, backwards):
@@ -163,6 +181,56 @@ def test_gaps_are_reported_with_their_lines(tmp_path):
     read = Read(tmp_path, seconds(), [*range(60), *range(90, N)])
     assert "log.csv:61: time: nothing for 3.1 s, up to line 62; 2 s at most" in read.found.all[0]
     assert "clock_set_at" not in read.found.all[0]
+
+
+def unpadded(separator, late_ms=30):
+    stamps = [START + timedelta(seconds=float(t), milliseconds=late_ms) for t in TIME]
+    return [s.strftime(f"%d.%m.%Y %H:%M:%S{separator}{s.microsecond // 1000}") for s in stamps]
+
+
+@pytest.mark.parametrize("separator", [".", ",", ":", " "])
+def test_milliseconds_without_zeros_before_them_are_refused(tmp_path, separator):
+    read = Read(tmp_path, [f'"{s}"' for s in unpadded(separator)], format=f"%d.%m.%Y %H:%M:%S{separator}%f")
+    assert len(read.found.all) == 1 and read.found.all[0].startswith(
+        f"{read.file}:3: time: is '14.03.2026 23:59:55{separator}130', before the row above as it stands")
+    assert read.found.all[0].endswith("; milliseconds with zeros before them (.050 for 50)")
+
+
+@pytest.mark.parametrize("order", [None, list(reversed(range(N))), [1, 0, *range(2, N)]])
+def test_decimals_without_zeros_behind_them_are_read(tmp_path, order):
+    stamps = [(START + timedelta(seconds=0.05 + float(t))).strftime("%d.%m.%Y %H:%M:%S.%f").rstrip("0") for t in TIME]
+    assert Read(tmp_path, stamps, order, format="%d.%m.%Y %H:%M:%S.%f").is_whole()
+
+
+@pytest.mark.parametrize("form, pattern", [("%Y%m%d%H%M%S.%f", "%Y%m%d%H%M%S.%f"), ("%Y%m%d%H%M%S", "%Y%m%d%H%M%S")])
+def test_a_stamp_that_is_all_digits_names_its_pattern(tmp_path, form, pattern):
+    read = Read(tmp_path, local(form))
+    assert read.found.all[0].endswith(f"; its pattern in the map, time.format: '{pattern}'")
+
+
+def test_numbers_of_which_a_spreadsheet_has_cut_the_digits(tmp_path):
+    read = Read(tmp_path, [f"{1.77e12 + 1000 * t:.5E}" for t in TIME], format="ms")
+    assert "is 1.77000E+12, as many rows: its last digits are lost" in read.found.all[0]
+    assert Read(tmp_path, [f"{1e3 + 1000 * t:.6E}" for t in TIME], format="ms").is_whole()
+
+
+def test_thousands_in_the_time(tmp_path):
+    stamps = [f'"{800 + 1000 * t:,.0f}"' for t in TIME]
+    read = Read(tmp_path, stamps, format="ms")
+    assert "log.csv:4: time: is '1,000', beside numbers without its mark; file.thousands: \",\"" in read.found.all[0]
+    assert Read(tmp_path, stamps, format="ms", file=FileFormat(thousands=",")).is_whole()
+
+
+def test_two_machines_in_one_log(tmp_path):
+    stamps, hoist = [s for s in seconds() for _ in "ab"], [h for k in HOIST for h in (k, 3 - k)]
+    read = Read(tmp_path, stamps, range(2 * N), hoist)
+    assert read.found.all[0].endswith("; one machine's rows: those of one stamp are far apart")
+
+
+def test_a_slow_logger_names_the_key(tmp_path):
+    read = Read(tmp_path, [f"{24 * t:.1f}" for t in TIME])
+    assert "is one row each 2.4 s; 0.001 to 2 s (longest_gap_s)" in read.found.all[0]
+    assert "; longest_gap_s: 3.6, if the logger is as slow" in read.found.all[0]
 
 
 def test_stamps_of_whole_seconds(tmp_path):

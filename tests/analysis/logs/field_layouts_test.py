@@ -1,9 +1,14 @@
 """What historians, spreadsheets and loggers of the field send: read, or refused with the key that helps."""
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from dipper_import.build import _check_readings
+from dipper_import.clock import Rows
 from dipper_import.import_map import read_map
 from dipper_import.log_file import read_log
+from dipper_import.readings import held_readings
 from dipper_run.findings import Findings
 
 MAP = """\
@@ -111,6 +116,24 @@ def test_another_signal_beside_a_channel_is_no_quality(read):
     assert not read(text(body, names=[*NAMES, "Pull of the other rope", "Mode"]))[2]
 
 
+@pytest.mark.parametrize("name, good, bad", [
+    ("Estado", "Bueno", "Malo"), ("质量", "好", "坏"), ("OPC", "192", "24"), ("Shovel", "SH12", "SH13")])
+@pytest.mark.parametrize("right", [True, False])
+def test_a_quality_of_any_name_beside_the_time_is_warned_of(read, name, good, bad, right):
+    beside = lambda row, cell: [row[0], cell, *row[1:]] if right else [cell, *row]
+    body = [beside(row, bad if k in (3, 4) else good) for k, row in enumerate(rows())]
+    _, found, notes = read(text(body, names=beside(NAMES, name)))
+    assert not found and len(notes) == 1 and notes[0].startswith(f"warning: '{name}' in 12 cells says ")
+
+
+@pytest.mark.parametrize("name, cells", [
+    ("Shift", ["B"] * N), ("Digging", ["0", "1"] * 6), ("Date", ["14.03.2026"] * 6 + ["15.03.2026"] * 6),
+    ("Operator", list("ABCDEFABCDEF"))])
+def test_another_column_beside_the_time_is_none(read, name, cells):
+    body = [[row[0], cell, *row[1:]] for row, cell in zip(rows(), cells)]
+    assert read(text(body, names=["Time", name, *NAMES[1:]]))[1:] == ([], [])
+
+
 def test_own_words_for_good(read):
     log = text(with_quality((2, 5), good="G"), names=QUALITY_NAMES)
     _, found, _ = read(log, map_text=WITH_QUALITY)
@@ -118,6 +141,27 @@ def test_own_words_for_good(read):
         "file.good" in found[0]
     log, found, _ = read(log, "file: {good: [g]}\n", WITH_QUALITY)
     assert not found and np.isnan(log.values["hoist_force"]).sum() == 1
+
+
+@pytest.mark.parametrize("good, bad", [("0", "2147483648"), ("0x00000000", "0x80AB0000"), ("0", "1073741824")])
+def test_status_codes_of_opc_ua_wait_for_the_map(read, good, bad):
+    """Of their 32 bits 0 is good, and of OPC's older eight 192 to 255."""
+    body = with_quality(good=good)
+    body[2][QUALITY_NAMES.index("Pull Quality")] = bad
+    log = text(body, names=QUALITY_NAMES)
+    _, found, _ = read(log, map_text=WITH_QUALITY)
+    assert f"log.csv:4: Pull Quality: is {bad}, a status code of OPC UA; 0 is good there: file: {{good: ['{good}']}}" \
+        in found[0]
+    log, found, _ = read(log, f"file: {{good: ['{good}']}}\n", WITH_QUALITY)
+    assert not found and np.flatnonzero(np.isnan(log.values["hoist_force"])).tolist() == [2]
+
+
+@pytest.mark.parametrize("code, good", [("191", False), ("192", True), ("219", True), ("255", True), ("256", False)])
+def test_codes_of_opc_are_good_from_192_to_255(read, code, good):
+    body = with_quality(good="192")
+    body[2][QUALITY_NAMES.index("Pull Quality")] = code
+    log, found, _ = read(text(body, names=QUALITY_NAMES), map_text=WITH_QUALITY)
+    assert not found and np.isfinite(log.values["hoist_force"][2]) == good
 
 
 def test_a_quality_that_the_map_does_not_name_is_warned_of(read):
@@ -146,11 +190,13 @@ def test_ticks_of_windows(read, first):
     assert not found and np.allclose(log.stamp_s - log.stamp_s[0], 0.2 * np.arange(N), atol=1e-4)
 
 
-@pytest.mark.parametrize("first", [0, 1])
-def test_the_number_of_a_row_is_warned_of(read, first):
-    body = [[f"{first + k}", *row[1:]] for k, row in enumerate(rows())]
+@pytest.mark.parametrize("first, form, warns", [
+    (0, "{}", True), (1, "{}", True), (1001, "{}", True), (0, "{}.0", True), (1700000000, "{}", False)])
+def test_the_number_of_a_row_is_warned_of(read, first, form, warns):
+    body = [[form.format(first + k), *row[1:]] for k, row in enumerate(rows())]
     _, found, notes = read(text(body))
-    assert not found and "warning: the time is " in notes[0] and "is it the row's number?" in notes[0]
+    assert not found and bool(notes) == warns
+    assert not warns or "warning: the time is " in notes[0] and "is it the row's number?" in notes[0]
     assert not read(text(body), map_text=MAP.replace("{column: Time}", "{column: Time, format: s}"))[2]
 
 
@@ -194,6 +240,16 @@ def test_parted_thousands_are_refused_with_the_key_and_read_with_it(read, mark, 
     assert not found and is_whole(log_read)
 
 
+@pytest.mark.parametrize("mark, body", [(".", rows()), (",", german(rows()))])
+def test_thousands_parted_in_one_column_by_the_decimal_mark_of_others(read, mark, body):
+    """705 and 1.234 in a column of whole numbers, 0.25 in others."""
+    cells = [f"{705 + 100 * k:,}".replace(",", mark) for k in range(N)]
+    _, found, _ = read(text(with_pull(cells, body), ";"))
+    assert len(found) == 1 and f"log.csv:5: Pull: is '1{mark}005', beside whole numbers up to 999; 1005, if" in found[0]
+    _, found, _ = read(text(with_pull([f"{0.705 + k / 10:.3f}".replace(".", mark) for k in range(N)], body), ";"))
+    assert not found
+
+
 def test_thousands_as_india_parts_them(read):
     log = text(with_pull([f"1,{k:02d},345" for k in range(N)]))
     _, found, _ = read(log)
@@ -210,13 +266,31 @@ def test_a_minus_that_does_not_stand_before_its_number_is_not_called_missing(rea
 
 @pytest.mark.parametrize("shut, open_", [("Closed", "Open"), ("FALSE", "TRUE"), ("off", "on"), ("0", "1")])
 def test_words_of_a_switch(read, shut, open_):
-    switch = MAP.replace("Door, unit: deg", "Door, unit: switch, range: [0, 75]").replace(
-        "door: {min: 0, max: 90}", "door: {min: 0, max: 90, speed: 100, acceleration: 300}")
     body = [[*row[:4], open_ if k > 6 else shut, row[5]] for k, row in enumerate(rows())]
-    log, found, _ = read(text(body), map_text=switch)
+    log, found, _ = read(text(body), map_text=SWITCH)
     assert not found and log.values["door"].tolist() == [75.0 if k > 6 else 0.0 for k in range(N)]
     body[3][4] = "ajar"
-    assert "Door: is 'ajar'; 0 or 1, or words such as open and closed" in read(text(body), map_text=switch)[1][0]
+    assert "Door: is 'ajar'; 0 or 1, or words such as open and closed" in read(text(body), map_text=SWITCH)[1][0]
+
+
+SWITCH = MAP.replace("Door, unit: deg", "Door, unit: switch, range: [0, 75]").replace(
+    "door: {min: 0, max: 90}", "door: {min: 0, max: 90, speed: 100, acceleration: 300}")
+
+
+@pytest.mark.parametrize("cells, before", [
+    ({3: "1", 5: "0", 9: "1"}, 0.0), ({3: "Closed", 5: "Open"}, 75.0), ({3: "1", 4: "1", 5: "0"}, np.nan)])
+@pytest.mark.parametrize("a_row_a_reading", [False, True])
+def test_a_switch_written_only_as_it_changes_had_its_other_value_before(read, cells, before, a_row_a_reading):
+    """One that is written twice with one value is written otherwise, and its first rows are empty."""
+    body = [[*row[:4], cells.get(k, ""), row[5]] for k, row in enumerate(rows())]
+    if a_row_a_reading:
+        log = text([r for r in long(body) if r[2]], names=["Tag", "Time", "Value", "Quality"])
+    else:
+        log = text(body)
+    log, found, notes = read(log, map_text=SWITCH)
+    what = SimpleNamespace(channels={"door": SimpleNamespace(held=True, switch=True, slope=75.0, intercept=0.0)})
+    door = held_readings(Rows(log.stamp_s, log.lines, log.values, 0.2, "", ""), what, notes).values["door"]
+    assert not found and np.array_equal(door[:3], [before] * 3, equal_nan=True) and door[3] != before
 
 
 def test_a_preamble_that_has_the_name_of_the_time(read):
@@ -227,6 +301,14 @@ def test_a_preamble_that_has_the_name_of_the_time(read):
 def test_columns_parted_by_blanks_are_reported(read):
     _, found, _ = read(text(rows()).replace(" ", "T").replace(",", " "))
     assert len(found) == 1 and "columns are parted by , ; | or a tab (file.delimiter), not by blanks" in found[0]
+
+
+def test_rows_that_never_have_every_channel_name_the_key():
+    """As a bus sends them: one channel a row."""
+    log = Rows(0.2 * np.arange(60), 2 + np.arange(60), {}, 0.2, "", "")
+    _check_readings(log, np.zeros(60, bool), [(0, 10)], "log.csv", found := Findings())
+    assert found.all[0].startswith("log.csv:2: time: 0 rows with a reading of every channel within pass 1 (0 to 10 s)")
+    assert "held: true for channels that are written only as they change" in found.all[0]
 
 
 def test_names_with_line_breaks_match_their_names_with_blanks(read):
@@ -353,6 +435,40 @@ def test_a_time_beside_each_reading(read):
         log, found, notes = read(log, map_text=map_text)
         assert not found and notes[0] == "5 columns of time, each for the readings beside it"
         assert np.allclose(log.values["crowd"][1:], 0.1 * np.arange(N)[1:] - 0.005)
+
+
+@pytest.mark.parametrize("late_ms", [0, 100])
+@pytest.mark.parametrize("name", ["SH13", "7"])
+def test_two_machines_with_the_same_tags_are_refused(read, late_ms, name):
+    other = [[stamp(k, late_ms), *row[1:]] for k, row in enumerate(rows())]
+    log = [["SH12" if name == "SH13" else "6", *r] for r in long(rows())] + [[name, *r] for r in long(other)]
+    for body in (log, sorted(log, key=lambda r: r[2])):
+        _, found, _ = read(text(body, names=["Asset", "Tag", "Time", "Value", "Quality"]), "file: {value: Value}\n")
+        assert len(found) == 1 and f"'{name}' in turn, of one tag: several machines in one log?; one machine's rows" \
+            in found[0] and ": Asset: says " in found[0]
+    log = [[asset, *row] for asset, body in (("SH12", rows()), ("SH13", other)) for row in body]
+    _, found, _ = read(text(log, names=["Asset", *NAMES]))
+    assert len(found) == 1 and "Asset: says 'SH12', 'SH13' in turn: several machines in one log?" in found[0]
+
+
+def test_a_quality_that_changes_from_row_to_row_names_no_machine(read):
+    log = [[*r[:3], "192" if k % 2 else "24"] for k, r in enumerate(long(rows(), by_tag=True))]
+    named = WITH_QUALITY.replace("Pull Quality", "Note")
+    assert not read(text(log, names=["Tag", "Time", "Value", "Quality"]))[1]
+    assert not read(text(log, names=["Tag", "Time", "Value", "Note"]), "file: {value: Value}\n", named)[1]
+
+
+def test_a_bit_that_beats_names_no_machine(read):
+    body = [[*row, str(k % 2)] for k, row in enumerate(rows())]
+    assert read(text(body, names=[*NAMES, "Watchdog"]))[1:] == ([], [])
+
+
+@pytest.mark.parametrize("unit, turn", [("deg", 360), ("rad", 2 * np.pi), ("rev", 1), ("mrad", 2000 * np.pi)])
+def test_a_swing_that_begins_anew_after_a_turn_goes_on(read, unit, turn):
+    body = [[*row[:3], f"{(turn * (10 - 3 * k) / 360) % turn:.6f}", *row[4:]] for k, row in enumerate(rows())]
+    log, found, notes = read(text(body), map_text=MAP.replace("Swing, unit: deg", f"Swing, unit: {unit}"))
+    assert not found and np.allclose(log.values["swing"], 10 - 3 * np.arange(N), atol=1e-3)
+    assert notes == ["swing: 1 step (line 6) of a whole turn: it goes on from there, without them"]
 
 
 def test_a_time_to_the_right_of_each_reading(read):

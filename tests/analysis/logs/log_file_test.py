@@ -87,6 +87,12 @@ def test_tables_of_the_field_are_read_as_the_program_reads_them(tmp_path, table)
     assert [log.values[n].tolist() for n in ("hoist", "crowd", "swing", "door")] == [list(c) for c in rest]
 
 
+@pytest.mark.parametrize("encoding", ["punycode", "undefined"])
+def test_an_encoding_of_no_file_is_refused(read, encoding):
+    _, found, _ = read(joined(ROWS, ";"), f"file: {{encoding: {encoding}}}\n")
+    assert f"log.csv: encoding: is not {encoding}: " in found[0] and found[0].endswith("; another file.encoding")
+
+
 @pytest.mark.parametrize("delimiter", [",", ";", "\t", "|"])
 def test_every_delimiter(read, delimiter):
     log, found, _ = read(joined(ROWS, delimiter))

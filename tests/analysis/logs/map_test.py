@@ -56,6 +56,9 @@ def test_a_sound_map(sound):
     ("acceleration: 2", "acceleration: -2", 9, "limits.hoist.acceleration: is -2; a number in m/s^2, above 0"),
     ("bucyrus495", "bucyrus", 8, "limits.machine: "),
     ("limits:\n", "sample_s: 0\nlimits:\n", 7, "sample_s: is 0; seconds, above 0"),
+    ("{column: C,", "{column: H,", 4, "channels.crowd: has the column 'H', as hoist; a column of its own"),
+    ("limits:\n", "file: {encoding: hex}\nlimits:\n", 7, "file.encoding: is hex; such as utf-8"),
+    ("limits:\n", "file: {encoding: rot13}\nlimits:\n", 7, "file.encoding: is rot13; such as utf-8"),
     ("unit: rad", "unit: rad, unit: deg", 5, "channels.swing.unit: given twice"),
     ("limits:\n", "  hoist_force: {column: F, unit: kip}\nlimits:\n", 7, "channels.hoist_force.sigma: missing"),
 ])
@@ -77,6 +80,7 @@ def test_what_is_no_map_is_refused(sound, text):
 
 def test_what_a_drive_can_pull_is_the_machine_s(sound):
     assert read_map(sound).stall_kN == {"hoist_force": 4800, "crowd_force": 3000}
+    assert read_map(sound).empty_kN == {"hoist_force": pytest.approx(9.81 * 50)}  # of its dipper and door
 
 
 def test_thousands_and_decimals_have_marks_of_their_own(sound):

@@ -262,6 +262,16 @@ def test_readings_beyond_the_machine_are_warned_of(tmp_path, plain_map):
         in read(log, plain_map)[2][-1]
 
 
+def test_warnings_are_said_before_a_fault_that_they_may_have_caused(tmp_path, plain_map, capsys):
+    """A swing in rad as deg has no dump: no pass brings anything."""
+    truth, log = known(), tmp_path / "plain.csv"
+    truth.channels["swing"][:] = np.radians(truth.channels["swing"])
+    log.write_text(plain(truth, truth.channels["truck_mass"]))
+    assert len(findings(log, plain_map)) == 1
+    said = capsys.readouterr().err
+    assert said.startswith("warning: swing: all its readings are within 1.") and "another unit (rad)" in said
+
+
 @pytest.mark.parametrize("unit_s, what", [(1e-3, "ms: 0.1 s"), (3600, "h: 0.1 s")])
 def test_times_in_another_unit_are_refused(tmp_path, plain_map, unit_s, what):
     truth, log = known(), tmp_path / "plain.csv"

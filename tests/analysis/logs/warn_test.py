@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from dipper_import.build import _warn_of_tare, _masses
-from dipper_import.warn import _warn_of_empty, _warn_of_falls, _warn_of_size, _warn_of_stuck, warn_of_masses
+from dipper_import.warn import (_warn_of_empty, _warn_of_falls, _warn_of_scale, _warn_of_sign, _warn_of_size,
+                                _warn_of_stuck, warn_of_masses)
 from dipper_run.findings import Findings
 
 SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5)
@@ -33,6 +34,44 @@ def test_a_payload_monitor_that_shows_a_load_as_a_pass_begins(empty, warns):
         assert notes[0].startswith(f"warning: truck_mass: as pass 2 begins, {empty:g} t are in the dipper")
     _warn_of_tare(1, None, 71.2, SCALE, notes)
     assert len(notes) == warns
+
+
+@pytest.mark.parametrize("late_s, masses, warns", [(0, [60.0, 70.0], False), (10, [55.0, 60.0], True)])
+def test_a_scale_that_shows_a_pass_after_its_end(monkeypatch, late_s, masses, warns):
+    monkeypatch.setattr("dipper_import.build.find_phases", lambda *_: [{"dump": (25.0, 28.0)}, {"dump": (50.0, 53.0)}])
+    mass = np.where(TIME < 26 + late_s, 55.0, np.where(TIME < 51 + late_s, 60.0, 70.0))
+    rows = SimpleNamespace(time_s=TIME, lines=2 + np.arange(300), values={"truck_mass": mass})
+    fits = {n: SimpleNamespace(value=TIME) for n in ("crowd", "swing")}
+    notes, found = [], Findings()
+    scale = SimpleNamespace(column="Truck", reads="pass", sigma=0.5)
+    assert _masses(rows, fits, TIME, [(0, 30), (30, 55)], scale, "log.csv", found, notes) == masses
+    assert not found.all and bool(notes) == warns
+    assert not warns or notes[0].startswith("warning: truck_mass: 55 t as pass 1 ends, and 60 t before the next dump")
+
+
+@pytest.mark.parametrize("low, until, back, warns", [
+    (0.0, 150, 60.0, True), (-5.0, 150, 60.4, True), (0.0, 300, 60.0, False),  # the truck leaves
+    (0.0, 150, 85.0, False), (58.0, 150, 60.0, False), (0.0, 260, 60.0, False)])  # another; noise; after a pass
+def test_a_total_that_falls_and_is_back_at_once(low, until, back, warns):
+    mass = np.where(TIME < 10, 0.0, 60.0)
+    mass[110:until], mass[until:] = low, back
+    rows = SimpleNamespace(time_s=TIME, lines=2 + np.arange(300), values={"truck_mass": mass})
+    scale = SimpleNamespace(reads="total", sigma=0.5)
+    _warn_of_scale(rows, [(0, 20), (20, 45)], scale, notes := [])
+    assert bool(notes) == warns
+    assert not warns or f"60 t, then {low:g} t from line 112 and {back:g} t again at line 152" in notes[0]
+    scale.reads = "dipper"
+    _warn_of_scale(rows, [(0, 20), (20, 45)], scale, none := [])
+    assert not none
+
+
+@pytest.mark.parametrize("sign, offset", [(1, 900), (1, 0), (-1, 900)])
+def test_a_rope_that_pushes(sign, offset):
+    """Not one that is slack most of the time."""
+    force = sign * (offset + np.maximum(0, 300 * np.sin(TIME))) + np.random.default_rng(1).standard_normal(300)
+    _warn_of_sign(SimpleNamespace(values={"hoist_force": force}), notes := [])
+    assert bool(notes) == (sign < 0)
+    assert not notes or notes[0].endswith("channels.hoist_force.sign: -1, perhaps?")
 
 
 def test_it_is_looked_at_in_every_pass(monkeypatch):
@@ -79,6 +118,16 @@ def test_a_force_that_falls_to_another_small_number_and_back(low):
     assert "list the number under file.missing" in notes[0]
 
 
+def test_forces_smaller_than_the_weight_of_the_machine_s_dipper():
+    """In tonnes of force, read as kN."""
+    what = SimpleNamespace(stall_kN={"hoist_force": 4800.0}, empty_kN={"hoist_force": 490.5})
+    for scale, warns in ((1, False), (1 / 9.80665, True)):
+        rows = SimpleNamespace(lines=2 + np.arange(300), values={"hoist_force": scale * (900 + 300 * np.sin(TIME))})
+        _warn_of_size("hoist_force", rows, what, notes := [])
+        assert bool(notes) == warns
+    assert "no reading is beyond 122.4 kN, less than an empty dipper takes (490.5 kN)" in notes[0]
+
+
 def test_a_force_that_changes_its_sign_at_once_falls_to_nothing():
     force = np.where(np.arange(300) // 10 % 2, 800.0, -800.0) + TIME
     force[::10] = 5.0
@@ -88,7 +137,7 @@ def test_a_force_that_changes_its_sign_at_once_falls_to_nothing():
 
 @pytest.mark.parametrize("scale, warns", [(1, False), (1e-3, True), (0, False)])
 def test_forces_smaller_than_an_empty_dipper_s(scale, warns):
-    what = SimpleNamespace(stall_kN={"hoist_force": 4800.0})
+    what = SimpleNamespace(stall_kN={"hoist_force": 4800.0}, empty_kN={})
     rows = SimpleNamespace(lines=2 + np.arange(300), values={"hoist_force": scale * (900 + 300 * np.sin(TIME))})
     _warn_of_size("hoist_force", rows, what, notes := [])
     assert bool(notes) == warns

@@ -2,6 +2,7 @@
 from statistics import median
 
 LEAST_LARGEST_T = 2.0  # a shovel's best pass brings more
+MOST_T = 200.0         # the largest dippers are rated for half of it
 FAR_ABOVE = 3.0        # times the median of all passes
 LIKE_A_TOTAL = 0.5     # of the first pass's mass: each pass of a total is that much above the last
 
@@ -13,6 +14,8 @@ def mass_warnings(passes):
     out = []
     if 0 < max(masses, default=0) < LEAST_LARGEST_T:
         out.append(f"truck_mass_t is {max(masses):g} at most: is it in t?")
+    if usual > MOST_T:
+        out.append(f"a pass brought {usual:g} t in the median, and no dipper holds more than {MOST_T:g}: is it in t?")
     if _rise_as_totals(passes):
         out.append(f"truck_mass_t rises with every pass of every truck, to {max(masses):g}, as the total on a scale "
                    "does: write what each pass brought")

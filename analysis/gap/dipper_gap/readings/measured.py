@@ -17,6 +17,7 @@ from dipper_run.findings import Findings
 
 from .channels import FACE, KNOWN, MASS, MOTION, RESPONSE, channels_in
 from .face import LEAST_POINTS
+from .force_warnings import force_warnings
 from .mass_warnings import mass_warnings
 from .number_table import read_table
 
@@ -65,10 +66,11 @@ class Measured:
         return replace(self, passes=passes, time_s=self.time_s[span], signals=signals)
 
     def questions(self):
-        """What is legal in channels.yaml and passes.csv and hardly ever meant, a line each."""
+        """What is legal in a folder's files and hardly ever meant, a line each."""
         return (*(f"{c.name}: sigma is 0: no instrument reads without an error of its own, and what it errs will be "
                   "taken for a gap" for c in self.channels.values() if c.role == RESPONSE and c.sigma == 0),
-                *(mass_warnings(self.passes) if MASS in self.channels else ()))
+                *(mass_warnings(self.passes) if MASS in self.channels else ()),
+                *force_warnings(self.time_s, self.signals))
 
     def responses(self):
         """Names of the signals that answer to the rock, in a fixed order."""

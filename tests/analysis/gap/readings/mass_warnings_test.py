@@ -19,6 +19,7 @@ def test_sound_masses_raise_no_question(masses):
     ((0.0808, 0.0792, 0.0818), ["truck_mass_t is 0.0818 at most: is it in t?"]),
     ((80.8, 160.1, 241.9), ["truck_mass_t rises with every pass of every truck, to 241.9, as the total on a scale"]),
     ((80.8, 999, 81.8), ["pass 2 of truck 1 brought 999 t, and the median is 81.8: is that a reading?"]),
+    ((290, 300, 310), ["a pass brought 300 t in the median, and no dipper holds more than 200: is it in t?"]),
     ((80.8, 0, 81.8), ["pass 2 of truck 1 brought nothing: is that a reading?"])])
 def test_others_do(masses, said):
     found = mass_warnings(passes(*masses))

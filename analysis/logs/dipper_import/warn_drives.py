@@ -1,0 +1,74 @@
+"""Drives that a map reads the wrong way, and readings no drive can make: a line each that begins with "warning: "."""
+import numpy as np
+
+from .units import CHANNELS, PERCENT, SWITCH, UNITS
+
+DOOR_DEG = 5.0       # a door whose largest angle is less is never seen to open
+OPEN = 0.5           # of its largest angle, and of the log: a door is shut while the dipper digs and swings
+FEW = 3              # readings
+JUMP = 1.2           # times what a drive can do from one reading to the next, for a clock that errs,
+NOISE = 6            # and times the readings' scatter
+FASTEST = {"hoist": 3.0, "crowd": 2.0, "swing": 40.0}  # m/s, m/s, deg/s, far beyond any shovel's, without limits
+SELDOM = 0.1         # of the steps: a drive that jumps more often is logged in steps
+LITTLE = 0.02        # of a drive's range: passes take most of it
+USUAL_RANGE = {"hoist": 12.0, "crowd": 5.0, "swing": 180.0}  # m, m, deg, of a drive without limits
+
+
+def warn_of_drives(readings, fits, spans, what, notes):
+    _warn_of_door(fits["door"].value, what.channels["door"], notes)
+    for name in USUAL_RANGE:
+        _warn_of_jumps(name, readings[name], what, notes)
+        if spans:
+            _warn_of_little(name, readings[name].value, what, notes)
+
+
+def _warn_of_door(value, channel, notes):
+    """Of a door that is open as the log begins, or most of the time: its ends are exchanged, mostly."""
+    most = value.max()
+    is_open = value > OPEN * most
+    if most < DOOR_DEG or not (is_open[0] or is_open.mean() > OPEN):
+        return
+    full = channel.slope * {PERCENT: 100.0, SWITCH: 1.0}.get(channel.unit, 0.0)
+    key = (f"range: [{channel.intercept + full:g}, {channel.intercept:g}]" if full else
+           f"sign: {-np.sign(channel.slope):g}, and an offset")
+    notes.append(f"warning: door: it is at {value[0]:.3g} deg as the log begins, and open for "
+                 f"{100 * is_open.mean():.0f} % of the time: is it shut there? channels.door.{key}, if its ends are "
+                 "exchanged")
+
+
+def _warn_of_jumps(name, readings, what, notes):
+    """Of a drive that keeps one value, and comes to it or leaves it faster than it can go: no reading, or a stuck one.
+    Where most steps are such, the log has a reading less often than a row."""
+    time, value, limit = readings.time_s, readings.value, min(what.limits[name].speed, FASTEST[name])
+    if what.channels[name].held:
+        return
+    steps = np.abs(np.diff(value))
+    jumps = steps > JUMP * limit * np.diff(time) + NOISE * np.median(np.abs(np.diff(value, 2)))
+    first = np.flatnonzero(np.append(True, steps > 0))
+    last = np.append(first[1:], len(value)) - 1
+    before, after = np.append(False, jumps)[first], np.append(jumps, False)[last]
+    odd = (last - first + 1 >= FEW) & (before | after)
+    if not odd.any() or jumps.sum() > SELDOM * (steps > 0).sum():
+        return
+    a, b = max(zip(first[odd], last[odd]), key=lambda s: s[1] - s[0])
+    times = f"; {odd.sum()} times, this one the longest" if odd.sum() > 1 else ""
+    unit = CHANNELS[name].unit
+    notes.append(f"warning: {name}: {value[a]:.6g} {unit} in all {b - a + 1} rows from line {readings.lines[a]} to "
+                 f"{readings.lines[b]}, beside readings that the drive cannot reach from there at {limit:.4g} {unit}/s"
+                 f"{times}: no readings, or stuck ones? Leave such cells empty, list the number under file.missing, or "
+                 f"name the column that says which readings are good (channels.{name}.quality)")
+
+
+def _warn_of_little(name, value, what, notes):
+    """Of a drive that takes next to nothing of its range over whole passes."""
+    limits, channel, unit = what.limits[name], what.channels[name], CHANNELS[name].unit
+    whole = limits.max - limits.min
+    whole = whole if np.isfinite(whole) else USUAL_RANGE[name]
+    went = np.ptp(value)
+    if went >= LITTLE * whole:
+        return
+    now = UNITS.get(channel.unit, ("", 1.0))[1]
+    likely = [u for u in CHANNELS[name].units() if LITTLE * whole <= went / now * UNITS[u][1] <= whole]
+    notes.append(f"warning: {name}: all its readings are within {went:.3g} {unit}, of a range of {whole:.4g} {unit}, "
+                 f"over whole passes: another unit{' (' + ', '.join(likely) + ')' if likely else ''}, a scale, or a "
+                 "column that says something else?")

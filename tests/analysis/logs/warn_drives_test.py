@@ -1,0 +1,80 @@
+"""Drives that are read the wrong way, or that no drive can follow: a line that begins with "warning: "."""
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import ugly_log
+from dipper_import.import_map import Limits
+from dipper_import.readings import Readings
+from dipper_import.warn_drives import _warn_of_door, _warn_of_jumps, _warn_of_little
+
+SPEED = {"hoist": 1.8, "crowd": 1.0, "swing": 20.0}
+
+
+def door(unit="deg", slope=1.0, intercept=0.0):
+    return SimpleNamespace(unit=unit, slope=slope, intercept=intercept)
+
+
+@pytest.mark.parametrize("channel, key", [
+    (door("switch", 75.0), "range: [75, 0]"), (door("%", 0.9, 5.0), "range: [95, 5]"), (door(), "sign: -1, and an")])
+def test_a_door_whose_ends_are_exchanged(channel, key):
+    shut = np.where(np.arange(300) % 100 < 90, 0.0, 75.0)
+    _warn_of_door(shut, channel, notes := [])
+    assert not notes
+    _warn_of_door(75 - shut, channel, notes)
+    assert notes[0].startswith("warning: door: it is at 75 deg as the log begins, and open for 90 % of the time")
+    assert f"channels.door.{key}" in notes[0]
+
+
+@pytest.mark.parametrize("value", [np.zeros(50), 0.3 * np.sin(np.arange(50.0)) ** 2])
+def test_a_door_that_stays_shut(value):
+    _warn_of_door(value, door(), notes := [])
+    assert not notes
+
+
+def jumps(name, value, rate_hz, speed=None, held=False):
+    what = SimpleNamespace(channels={name: SimpleNamespace(held=held)},
+                           limits={name: Limits(speed=speed or SPEED[name])})
+    n = len(value)
+    _warn_of_jumps(name, Readings(np.arange(n) / rate_hz, value, 2 + np.arange(n), np.ones(n, bool)), what, notes := [])
+    return notes
+
+
+def logged(name, rate_hz, scatter=0.01, step=0.0):
+    value = ugly_log.planned(rate_hz).channels[name]
+    value = value + scatter * (10 if name == "swing" else 1) * np.random.default_rng(1).standard_normal(len(value))
+    return np.round(value / step) * step if step else value
+
+
+@pytest.mark.parametrize("name", SPEED)
+@pytest.mark.parametrize("rate_hz, scatter, step", [(5, 0.01, 0), (1, 0.01, 0), (100, 0.01, 0.001), (10, 0.0, 0.05)])
+def test_a_sound_drive_has_none(name, rate_hz, scatter, step):
+    assert not jumps(name, logged(name, rate_hz, scatter, step * (20 if name == "swing" else 1)), rate_hz)
+
+
+@pytest.mark.parametrize("speed", [None, np.inf])
+@pytest.mark.parametrize("rows, value", [(slice(60, 70), 0.0), (slice(60, 63), 0.0), (slice(45, 65), None)])
+def test_a_drive_that_drops_to_one_value_or_is_stuck_there(rows, value, speed):
+    hoist = logged("hoist", 5)
+    hoist[rows] = hoist[rows.start] if value is None else value
+    notes = jumps("hoist", hoist, 5, speed)
+    assert len(notes) == 1 and f"in all {rows.stop - rows.start} rows from line {rows.start + 2} to {rows.stop + 1}, " \
+        "beside readings that the drive cannot reach from there" in notes[0]
+    assert not jumps("hoist", hoist, 5, held=True)
+
+
+def test_a_drive_that_is_logged_in_steps():
+    """A reading a second in a log of five rows a second."""
+    hoist = np.repeat(logged("hoist", 1), 5)
+    assert not jumps("hoist", hoist, 5)
+
+
+@pytest.mark.parametrize("limits", [Limits(-90, 90), Limits()])
+def test_a_drive_that_takes_next_to_nothing_of_its_range(limits):
+    what = SimpleNamespace(channels={"swing": SimpleNamespace(unit="deg")}, limits={"swing": limits})
+    swing = ugly_log.planned(5).channels["swing"]
+    _warn_of_little("swing", swing, what, notes := [])
+    assert not notes
+    _warn_of_little("swing", np.radians(swing), what, notes)
+    assert notes[0].startswith("warning: swing: all its readings are within 1.") and "another unit (rad)" in notes[0]
