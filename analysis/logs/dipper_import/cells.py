@@ -3,7 +3,7 @@ import re
 
 import numpy as np
 
-from dipper_gap.readings.doubtful import sentinels
+from dipper_gap.readings.suspect import sentinels
 from dipper_run.csv_text import (GROUPED, THOUSANDS, WITH_UNIT, decimal_number, find_decimal, parted_by,
                                  with_minus_first, without_unit)
 

@@ -1,7 +1,7 @@
 """Input that is valid but probably a mistake: a line each that begins with "warning: "."""
 import numpy as np
 
-from dipper_gap.readings.doubtful import DROP, SMALL, falls, pushes, stuck
+from dipper_gap.readings.suspect import DROP, SMALL, falls, pushes, stuck
 
 from .phrases import some_rows
 from .units import CHANNELS, FORCES, TRUCK_MASS

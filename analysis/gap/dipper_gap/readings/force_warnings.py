@@ -1,7 +1,7 @@
 """What is legal in the forces of signals.csv and hardly ever meant."""
 import numpy as np
 
-from .doubtful import falls, pushes, sentinels, stuck
+from .suspect import falls, pushes, sentinels, stuck
 
 MOST_KN = 20000.0  # strokes of mines made by another code go up to 13000
 LEAST_KN = {"hoist_force_kN": 100.0, "crowd_force_kN": 50.0}  # the largest of all: less than an empty dipper takes
