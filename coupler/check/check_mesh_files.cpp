@@ -83,12 +83,14 @@ bool is_elsewhere(const cases::Case& c, Findings& findings) {
     findings.push_back({c.pile.profile, 0, "pile.profile", what});
     return true;
   };
-  if (longest > kPile_mm * domain)
+  const bool elsewhere = away > domain + longest || box.min_m.z() > c.domain.max_m.z();
+  const bool fits_in_mm = longest > domain && 1e-3 * away <= domain;
+  if (longest > kPile_mm * domain || (elsewhere && fits_in_mm))
     return say(
         fmt::format("is {:.4g} m long, and the whole domain {:.4g} m: in mm, perhaps? write "
                     "it in m",
                     longest, domain));
-  if (away > domain + longest || box.min_m.z() > c.domain.max_m.z())
+  if (elsewhere)
     return say(fmt::format(
         "lies at x = {:.8g} to {:.8g} m, z = {:.6g} to {:.6g} m: in the mine's coordinates, "
         "perhaps? It belongs into W, whose origin is the swing axis at ground level "

@@ -17,7 +17,7 @@ using Rows = std::vector<machine::PoseTable::Row>;
 
 constexpr double kUnderGround = 0.1;  // of a body's height
 constexpr double kStill_m = 1e-3;     // and as much of a quaternion
-constexpr double kOutside_m = 0.2;    // of a cavity beyond the mesh that holds it
+constexpr double kCavityOut_m = 0.2;  // of a cavity beyond the mesh that holds it
 
 bool never_moves(const Rows& rows) {
   const Pose& first = rows.front().X_WB;
@@ -63,7 +63,7 @@ void warn_of_pose_bodies(const cases::Case& c, std::vector<Finding>& warnings) {
     if (!unread.empty()) continue;
     const double out_m =
         std::max((box.min_m - cavity.min_m).maxCoeff(), (cavity.max_m - box.max_m).maxCoeff());
-    if (out_m > kOutside_m)
+    if (out_m > kCavityOut_m)
       warnings.push_back(cases::finding_at(
           c, "bodies." + name,
           fmt::format("the cavity in its YAML extends {:.1f} m beyond the mesh: rock beside {} "

@@ -566,6 +566,9 @@ TEST(CheckCase, ProfileInAnotherUnitOrPlace) {
   const fs::path scan = checkout.folder() / "scan.csv";
   expect_findings(check(checkout),
                   {{scan, 0, "pile.profile", "is 6700 m long, and the whole domain 56 m: in mm"}});
+  write_text(scan, "x_m,z_m\n13300,0\n14000,1500\n15000,1500\n");
+  expect_findings(check(checkout),
+                  {{scan, 0, "pile.profile", "is 1700 m long, and the whole domain 56 m: in mm"}});
   for (const char* rows :
        {"512345,182.4\n512350,187\n512355,188\n", "13,182.4\n18,187\n20,188\n"}) {
     write_text(scan, std::string("x_m,z_m\n") + rows);
