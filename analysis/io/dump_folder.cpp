@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -177,6 +178,25 @@ void check_walls(const DumpFolder& d) {
   }
 }
 
+/// The time step that the dumps' own times give, of the first frame to the last; nothing if they
+/// have none.
+std::optional<double> timestep_of_times(const std::vector<DumpFrame>& frames) {
+  const DumpFrame &first = frames.front(), &last = frames.back();
+  if (!first.time_s || !last.time_s || last.step == first.step) return std::nullopt;
+  return (*last.time_s - *first.time_s) / static_cast<double>(last.step - first.step);
+}
+
+void check_times(const std::vector<DumpFrame>& frames, double timestep_s) {
+  constexpr double kMost = 0.01;
+  const auto fits_s = timestep_of_times(frames);
+  if (!fits_s || *fits_s <= 0 || std::abs(timestep_s - *fits_s) <= kMost * *fits_s) return;
+  const DumpFrame& last = frames.back();
+  throw input_error(last.file, last.line,
+                    fmt::format("ITEM: TIME is {:.6g} s at step {}, which a time step of {:.6g} s "
+                                "does not give; {:.6g} s does: write that, or leave --timestep out",
+                                *last.time_s, last.step, timestep_s, *fits_s));
+}
+
 }  // namespace
 
 std::size_t DumpFolder::nearest(double t) const {
@@ -214,6 +234,7 @@ DumpFolder open_dump_folder(const fs::path& folder, std::optional<double> timest
   if (!timestep_s) timestep_s = listed_s;
   if (timestep_s && *timestep_s <= 0)
     throw input_error(d.folder, 0, "the time step is not positive");
+  if (timestep_s) check_times(d.frames, *timestep_s);
   d.timestep_s = timestep_s.value_or(0);
   for (const DumpFrame& f : d.frames) {
     if (!timestep_s && !f.time_s)

@@ -29,7 +29,8 @@ struct DumpFolder {
 ///
 /// Throws InputError naming file and line: no dumps, an unknown time step, a frame that is missing
 /// (from an even spacing of steps, from a *.series, from one kind of dump but not the others), a
-/// file whose step is not the one in its name, and the errors of DumpReader.
+/// file whose step is not the one in its name, a time step that the dumps' own times contradict by
+/// more than 1 %, and the errors of DumpReader.
 DumpFolder open_dump_folder(const std::filesystem::path& folder,
                             std::optional<double> timestep_s = {});
 

@@ -105,6 +105,10 @@ std::vector<DumpFrame> index_text_dump(const std::filesystem::path& file) {
     const std::size_t n = frames.back().particles;
     for (std::size_t i = 0; i < n; ++i) {
       const bool there = in.next(text);
+      if (there && i + 1 == n && !in.ended_whole())
+        throw input_error(file, in.line(),
+                          "the last line has no end, so a digit may be missing: the file was cut "
+                          "short; if it was not, write a line break there");
       if (!there || text.empty() || text.front() == 'I' || !in.ended_whole())
         throw input_error(file, there ? in.line() : in.line() + 1,
                           fmt::format("the frame of step {} ends after {} of {} particles: the "

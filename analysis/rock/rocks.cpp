@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "analysis/io/line_reader.hpp"
+#include "analysis/rock/frame_faults.hpp"
 
 namespace dipper::analysis::rock {
 namespace {
@@ -83,7 +84,11 @@ class Columns {
     const double v = at(c, column, i, otherwise);
     if (!(std::abs(v) <= kLargestNumber))
       refuse(c, i, names_[static_cast<std::size_t>(column)].c_str(), v);
-    return static_cast<std::int64_t>(std::llround(v));
+    if (v != std::floor(v))
+      throw io::input_error(frame_.file, frame_.line,
+                            fmt::format("{} {:.6g} is not a whole number",
+                                        names_[static_cast<std::size_t>(column)], v));
+    return static_cast<std::int64_t>(v);
   }
   static double at(const io::ParticleChunk& c, int column, std::size_t i, double otherwise) {
     return column >= 0 ? c.columns[static_cast<std::size_t>(column)][i] : otherwise;
@@ -153,11 +158,13 @@ void for_each_fragment(const io::DumpFrame& frame, const ClumpMasses& masses,
         frame.file, frame.line,
         "particles without mass or density; add one of them to the dump's columns");
   std::unordered_map<std::int64_t, Clump> clumps;
+  FrameFaults faults(frame);
   io::DumpReader::read(frame, columns.names(), [&](const io::ParticleChunk& chunk) {
     for (std::size_t i = 0; i < chunk.rows; ++i) {
       const double r = columns.radius(chunk, i);
       const double volume = 4.0 / 3.0 * M_PI * r * r * r;
       const double mass = columns.mass(chunk, i, volume);
+      faults.see(columns.id(chunk, i), r, columns.p(chunk, i));
       if (const std::int64_t id = columns.clump(chunk, i); id >= 0) {
         Clump& c = clumps[id];
         c.type = columns.type(chunk, i);
@@ -178,6 +185,7 @@ void for_each_fragment(const io::DumpFrame& frame, const ClumpMasses& masses,
       visit(rock);
     }
   });
+  faults.judge();
   for (const auto& [id, c] : clumps) {
     Fragment rock;
     rock.key = -1 - id;

@@ -51,4 +51,10 @@ double signed_distance(const TriangleMesh& mesh, const Vector3d& p) {
   return angle > 2 * M_PI ? d : -d;
 }
 
+bool is_surface_near(const TriangleMesh& mesh, const Vector3d& p, double distance_m) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (distance_to_triangle(mesh.corners(i), p) <= distance_m) return true;
+  return false;
+}
+
 }  // namespace dipper::mesh

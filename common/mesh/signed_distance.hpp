@@ -9,4 +9,7 @@ namespace dipper::mesh {
 /// outside.
 double signed_distance(const TriangleMesh& mesh, const Eigen::Vector3d& p);
 
+/// Whether the surface comes as close to p as `distance_m`.
+bool is_surface_near(const TriangleMesh& mesh, const Eigen::Vector3d& p, double distance_m);
+
 }  // namespace dipper::mesh

@@ -15,8 +15,8 @@
 #include <string_view>
 #include <utility>
 
-#include "common/begins_with.hpp"
 #include "common/input_error.hpp"
+#include "common/mesh/other_format.hpp"
 #include "common/numbers.hpp"
 
 namespace dipper::mesh {
@@ -95,11 +95,12 @@ class Words {
     const std::string_view word = next();
     double x = 0;
     if (!parse_number(word, x))
-      fail(fmt::format("{} {}", shown(word),
-                       word.empty() ? "where a number belongs"
-                       : word.find(',') != std::string_view::npos
-                           ? "is not a number; write decimal points"
-                           : "is not a number"));
+      fail(fmt::format(
+          "{} {}", shown(word),
+          word.empty()                               ? "where a number belongs"
+          : word.find(',') != std::string_view::npos ? "is not a number; write decimal points"
+          : word.find_first_of("dD") != std::string_view::npos ? "is not a number; write E for D"
+                                                               : "is not a number"));
     finest_digit_ = std::min(finest_digit_, last_digit(word));
     return x;
   }
@@ -257,10 +258,12 @@ bool is_binary(const std::string& bytes, std::string_view text) {
          (!is_word(text.substr(0, 5), "solid") || bytes.find('\0') != std::string::npos);
 }
 
-// Without a byte-order mark and blank lines before the first word.
+// Without a byte-order mark and the Ctrl-Z with which DOS ends a text.
 std::string_view text_of(std::string_view bytes) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   if (bytes.substr(0, mark.size()) == mark) bytes.remove_prefix(mark.size());
+  const std::size_t last = bytes.find_last_not_of(" \t\r\n");
+  if (last != std::string_view::npos && bytes[last] == '\x1A') bytes = bytes.substr(0, last);
   return bytes;
 }
 
@@ -291,31 +294,16 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string other_format(std::string_view bytes) {
-  using Beginning = std::pair<std::string_view, const char*>;
-  for (const auto& [begin, name] :
-       {Beginning{"ply", "PLY"}, Beginning{"ISO-10303", "STEP"}, Beginning{"PK", "3MF or zip"},
-        Beginning{"glTF", "glTF"}, Beginning{"OFF", "OFF"}, Beginning{"# vtk", "VTK"},
-        Beginning{"<?xml", "XML"}, Beginning{"\x1F\x8B", "gzip"}, Beginning{"\xFF\xFE", "UTF-16"},
-        Beginning{"\xFE\xFF", "UTF-16"}})
-    if (begins_with(bytes, begin)) return name;
-  for (std::size_t at = 0; at < bytes.size();) {  // OBJ: comments, then such words
-    const std::string_view line = bytes.substr(at, bytes.find('\n', at) - at);
-    at += line.size() + 1;
-    for (const std::string_view word : {"v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl "})
-      if (begins_with(line, word)) return "OBJ";
-    if (!line.empty() && line[0] != '#' && line[0] != '\r') break;
-  }
-  return "";
-}
-
 TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& file) {
   const std::string_view text = text_of(bytes), begin = without_blanks(text);
   const bool binary = is_binary(bytes, begin);
   if (const std::string other = other_format(begin);
       !other.empty() && !is_word(begin.substr(0, 5), "solid"))
     if (!binary || bytes.size() != header_bytes + facet_count(bytes) * facet_bytes)
-      throw InputError({{file, 0, "", fmt::format("is a {} file; export the mesh as STL", other)}});
+      throw InputError(
+          {{file, 0, "",
+            other == git_pointer ? "is a pointer of Git LFS to a file; git lfs pull brings the file"
+                                 : fmt::format("is a {} file; export the mesh as STL", other)}});
   const Facets facets = binary ? parse_binary(bytes, file) : parse_ascii(text, file);
   if (facets.corners.empty()) throw InputError({{file, 0, "", "holds no facets"}});
   Box box;
@@ -337,10 +325,12 @@ TriangleMesh read_stl(const std::filesystem::path& file) { return parse_stl(byte
 bool is_plain_stl(const std::filesystem::path& file) {
   const std::string bytes = bytes_of(file);
   const std::string_view text = without_blanks(text_of(bytes));
-  if (is_binary(bytes, text)) return true;
-  const bool begins = bytes.compare(0, 5, "solid") == 0;
-  return begins && bytes.find("facet normal") != std::string::npos &&
-         bytes.find('\r') == std::string::npos;
+  const bool named_solid = is_word(text.substr(0, 5), "solid");
+  if (is_binary(bytes, text)) return !named_solid;
+  const std::size_t name_ends = std::min(bytes.find('\n'), bytes.size());
+  return bytes.compare(0, 5, "solid") == 0 && bytes.find("facet") > name_ends &&
+         bytes.find("facet normal", name_ends) != std::string::npos &&
+         bytes.find_first_of("\r\x1A") == std::string::npos;
 }
 
 bool is_stl(const std::filesystem::path& file) {

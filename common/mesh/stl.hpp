@@ -11,17 +11,14 @@ namespace dipper::mesh {
 
 /// Vertices closer than weld_distance in every coordinate become one. Normals are not read: the
 /// order of a facet's vertices defines its outside. Keywords may be in capitals; a byte-order
-/// mark and blank lines may precede them. Throws InputError: no such file, another format, a
-/// broken record (with its line or byte), a coordinate that is not a finite number, no facets; a
-/// mesh far from its origin whose coordinates are rounded to more than a thousandth of its size.
+/// mark and blank lines may precede them, and a Ctrl-Z end them. Throws InputError: no such file,
+/// another format, a broken record (with its line or byte), a coordinate that is not a finite
+/// number, no facets; a mesh far from its origin whose coordinates are rounded to more than a
+/// thousandth of its size.
 TriangleMesh read_stl(const std::filesystem::path& file);
 
 /// The same from a file's bytes; errors name `file`.
 TriangleMesh parse_stl(const std::string& bytes, const std::filesystem::path& file = {});
-
-/// The format of a mesh or archive that a file's bytes begin as, "OBJ" or "PLY" for two; empty: it
-/// may be an STL, or no mesh.
-std::string other_format(std::string_view bytes);
 
 /// A micrometre, and less for a mesh of less than a metre: a millionth of its diagonal.
 double weld_distance(double diagonal_m);
@@ -29,8 +26,9 @@ double weld_distance(double diagonal_m);
 /// Whether a file's name ends in .stl, in capitals or not.
 bool is_stl(const std::filesystem::path& file);
 
-/// Whether LIGGGHTS reads the file as it is: binary, or ascii that begins with "solid" in small
-/// letters and has its other keywords in small letters. Throws InputError: no such file.
+/// Whether LIGGGHTS reads the file as it is: binary that does not begin with "solid", by which
+/// LIGGGHTS knows text, or ascii that begins with "solid" in small letters, has its other keywords
+/// in small letters and none of them in its name. Throws InputError: no such file.
 bool is_plain_stl(const std::filesystem::path& file);
 
 /// An ascii file, seven digits a coordinate.

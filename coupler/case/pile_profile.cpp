@@ -8,6 +8,7 @@
 #include <string>
 
 #include "common/input_error.hpp"
+#include "common/mesh/other_format.hpp"
 #include "common/mesh/stl.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/case/outline_file.hpp"
@@ -23,7 +24,7 @@ void refuse_other_meshes(const std::filesystem::path& file) {
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(in.gcount()));
   const std::string format = mesh::other_format(head);
-  for (const char* meshes : {"PLY", "OBJ", "OFF", "VTK", "STEP", "glTF"})
+  for (const char* meshes : {"PLY", "OBJ", "OFF", "VTK", "STEP", "glTF", "DXF", "IGES"})
     if (format == meshes)
       throw InputError({{file, 0, "",
                          fmt::format("begins as {}; an STL file, or a CSV x_m,z_m. dipper survey "

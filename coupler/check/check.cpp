@@ -27,9 +27,12 @@ std::vector<Finding> check_case(const cases::Case& c) {
     check_tooth_wear(c, dipper->second, findings);
   }
   if (cases::has_truck(c)) {
+    const std::size_t before = findings.size();
     if (const auto truck = load_sound_mesh(c, "truck.mesh", c.truck.mesh, findings);
-        truck && check_unit(c, "truck.mesh", *truck, findings))
+        truck && check_unit(c, "truck.mesh", *truck, findings)) {
       check_truck_in_domain(c, *truck, findings);
+      if (findings.size() == before) check_bed(c, *truck, findings);
+    }
   }
   check_mesh_facts(c, findings);
   check_pile_in_domain(c, findings);

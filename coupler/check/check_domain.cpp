@@ -30,6 +30,27 @@ struct Excursion {
   }
 };
 
+// A body's box, for the corners that are far from every side most of the time.
+using Corners = std::array<Eigen::Vector3d, 8>;
+
+Corners corners_of(const mesh::TriangleMesh& body) {
+  const Box box = mesh::bounding_box(body);
+  Corners corners;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    corners[k] = {(k & 1U ? box.max_m : box.min_m).x(), (k & 2U ? box.max_m : box.min_m).y(),
+                  (k & 4U ? box.max_m : box.min_m).z()};
+  return corners;
+}
+
+// Whether a body in a box can be farther outside than it has been.
+bool may_be_farther(const std::array<Excursion, 6>& sides, const Box& box_W, const Box& domain) {
+  for (int i = 0; i < 3; ++i)
+    if (domain.min_m[i] - box_W.min_m[i] > sides[i].beyond ||
+        box_W.max_m[i] - domain.max_m[i] > sides[i + 3].beyond)
+      return true;
+  return false;
+}
+
 }  // namespace
 
 void check_bodies_in_domain(const cases::Case& c, const PoseAt& pose_at, std::int64_t start_ns,
@@ -37,23 +58,19 @@ void check_bodies_in_domain(const cases::Case& c, const PoseAt& pose_at, std::in
                             const std::map<std::string, mesh::TriangleMesh>& bodies,
                             Findings& findings) {
   std::map<std::string, std::array<Excursion, 6>> excursions;  // xyz of min_m, then of max_m
-  std::map<std::string, double> reach;  // m from a body's origin to its farthest vertex
-  for (const auto& [name, body] : bodies) {
-    for (const Eigen::Vector3d& p_B : body.vertices) {
-      reach[name] = std::max(reach[name], p_B.norm());
-    }
-  }
+  std::map<std::string, Corners> corners;
+  for (const auto& [name, body] : bodies) corners[name] = corners_of(body);
+  const Box domain{c.domain.min_m, c.domain.max_m};
   for (std::int64_t t = start_ns;; t = std::min(t + kSample_ns, end_ns)) {
     for (const auto& [name, body] : bodies) {
       const std::optional<Pose> pose = pose_at(name, t);
       if (!pose) continue;
       const Pose& X = *pose;
-      // Most of the time the whole body is far from every side, whichever way it is turned.
-      const double room =
-          std::min((X.p - c.domain.min_m).minCoeff(), (c.domain.max_m - X.p).minCoeff());
-      if (room > reach[name]) continue;
       const Eigen::Matrix3d R = X.R.toRotationMatrix();
+      Box box_W;
+      for (const Eigen::Vector3d& p_B : corners[name]) box_W.add(X.p + R * p_B);
       auto& sides = excursions[name];
+      if (!may_be_farther(sides, box_W, domain)) continue;
       for (const Eigen::Vector3d& p_B : body.vertices) {
         const Eigen::Vector3d p_W = X.p + R * p_B;
         for (int i = 0; i < 3; ++i) {

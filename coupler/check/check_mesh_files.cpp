@@ -83,12 +83,14 @@ bool is_elsewhere(const cases::Case& c, Findings& findings) {
     findings.push_back({c.pile.profile, 0, "pile.profile", what});
     return true;
   };
-  if (longest > kPile_mm * domain)
+  const bool elsewhere = away > domain + longest || box.min_m.z() > c.domain.max_m.z();
+  const bool fits_in_mm = longest > domain && 1e-3 * away <= domain;
+  if (longest > kPile_mm * domain || (elsewhere && fits_in_mm))
     return say(
         fmt::format("is {:.4g} m long, and the whole domain {:.4g} m: in mm, perhaps? write "
                     "it in m",
                     longest, domain));
-  if (away > domain + longest || box.min_m.z() > c.domain.max_m.z())
+  if (elsewhere)
     return say(fmt::format(
         "lies at x = {:.8g} to {:.8g} m, z = {:.6g} to {:.6g} m: in the mine's coordinates, "
         "perhaps? It belongs into W, whose origin is the swing axis at ground level "
@@ -124,10 +126,60 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
   }
 }
 
+namespace {
+
+constexpr double kHighestHeap = 2;    // by the cavity's depth
+constexpr double kLeastCavity = 0.5;  // of the struck volume, which the cavity's box encloses
+constexpr double kOtherBed = 3;       // a bed's side by the truck's
+
+void check_cavity(const cases::Case& c, const std::string& name, Findings& findings) {
+  const std::size_t before = findings.size();
+  const cases::DipperFacts facts = cases::read_dipper_facts(c, findings, name);
+  if (findings.size() > before) return;
+  const auto say = [&](const std::string& key, const std::string& what) {
+    findings.push_back({fs::path(c.bodies.at(name)).replace_extension(".yaml"), 0, key, what});
+  };
+  const Eigen::Vector3d sides = facts.cavity.sides_m();
+  const double heap = facts.load.max_m.x() - facts.cavity.max_m.x();
+  if (heap > kHighestHeap * sides.x())
+    say("heap_height_m", fmt::format("{:g} m, over a cavity of {:g} m depth along x: in mm, "
+                                     "perhaps? write both in m",
+                                     heap, sides.x()));
+  if (sides.prod() < kLeastCavity * facts.struck_volume_m3)
+    say("cavity",
+        fmt::format("is a box of {:.3g} m3, but struck_volume_m3 is {:g}: the cavity must "
+                    "enclose what is struck",
+                    sides.prod(), facts.struck_volume_m3));
+}
+
+}  // namespace
+
+void check_bed(const cases::Case& c, const mesh::TriangleMesh& truck, Findings& findings) {
+  std::vector<Finding> unread;
+  const Box bed = cases::read_truck_bed(c, unread), box = mesh::bounding_box(truck);
+  if (!unread.empty()) return;  // check_mesh_facts reports it
+  const auto say = [&](const std::string& what) {
+    findings.push_back({fs::path(c.truck.mesh).replace_extension(".yaml"), 0, "bed", what});
+  };
+  for (int i = 0; i < 3; ++i) {
+    if (bed.max_m[i] < box.min_m[i] || bed.min_m[i] > box.max_m[i])
+      return say(
+          fmt::format("from {0} = {1:g} to {2:g} m, but the truck's mesh has {0} = {3:.4g} to "
+                      "{4:.4g} m: write the bed in the mesh's frame, in m",
+                      "xyz"[i], bed.min_m[i], bed.max_m[i], box.min_m[i], box.max_m[i]));
+    const double side = bed.sides_m()[i], whole = box.sides_m()[i];
+    if (i < 2 && (side > kOtherBed * whole || side < whole / (10 * kOtherBed)))
+      return say(
+          fmt::format("is {:.3g} m along {}, and the truck's mesh {:.3g} m: in another unit? "
+                      "write it in m",
+                      side, "xyz"[i], whole));
+  }
+}
+
 // A missing mesh is reported by itself: its name is wrong, not the other's.
 void check_mesh_facts(const cases::Case& c, Findings& findings) {
   for (const std::string& name : cases::weighed_bodies(c))
-    if (fs::is_regular_file(c.bodies.at(name))) cases::read_dipper_facts(c, findings, name);
+    if (fs::is_regular_file(c.bodies.at(name))) check_cavity(c, name, findings);
   if (fs::is_regular_file(c.truck.mesh)) cases::read_truck_bed(c, findings);
 }
 

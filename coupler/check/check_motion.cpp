@@ -41,6 +41,29 @@ void check_times_of_motion(const cases::Case& c, Findings& findings) {
   }
 }
 
+constexpr double kShortest_s = 1;  // in which no drive goes far
+constexpr double kFar_m = 1;       // of the hoist
+
+// False, and a finding, for a motion in hours or minutes.
+bool check_length_of_motion(const cases::Case& c, const machine::Motion& motion,
+                            Findings& findings) {
+  const double span_s = seconds(motion.end_ns() - motion.start_ns());
+  if (span_s >= kShortest_s) return true;
+  double low = INFINITY, high = -INFINITY;
+  for (std::int64_t t = motion.start_ns(); t < motion.end_ns();
+       t = std::min(motion.next_row_ns(t), motion.end_ns())) {
+    low = std::min(low, motion.value(t).hoist);
+    high = std::max(high, motion.value(t).hoist);
+  }
+  if (high - low < kFar_m) return true;
+  findings.push_back(
+      {c.machine.motion, 0, "machine.motion",
+       fmt::format("the whole motion takes {:.3g} s, in which the hoist moves {:.3g} m: is time_s "
+                   "in hours or minutes? write it in s",
+                   span_s, high - low)});
+  return false;
+}
+
 // The floor is cleaned only when a return without rock ends.
 void check_clean_floor(const cases::Case& c, Findings& findings) {
   if (c.pile.clean_floor_to_x_m == 0 || !c.machine.contact_on_return) return;
@@ -127,7 +150,7 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
       findings.push_back({c.machine.model, 0, "machine.model", fault});
     if (!faults.empty()) return motion;
   }
-  if (!machine || !motion) return motion;
+  if (!machine || !motion || !check_length_of_motion(c, *motion, findings)) return motion;
 
   const Pose X_W0{Quaterniond::Identity(), c.machine.base_position_m};
   const machine::ShovelKinematics shovel(*machine, X_W0, radians(c.machine.rake_angle_deg));

@@ -31,7 +31,11 @@ std::optional<mesh::TriangleMesh> load_sound_mesh(const cases::Case& c, const st
 bool check_unit(const cases::Case& c, const std::string& key, const mesh::TriangleMesh& mesh,
                 Findings& findings);
 
-/// The YAML files beside the dipper's and the truck's mesh.
+/// The bed in the YAML file beside the truck's mesh, against the mesh.
+void check_bed(const cases::Case& c, const mesh::TriangleMesh& truck, Findings& findings);
+
+/// The YAML files beside the dipper's and the truck's mesh: read, and a cavity that encloses the
+/// struck volume, under a heap that is not far higher than it is deep.
 void check_mesh_facts(const cases::Case& c, Findings& findings);
 
 /// Teeth long enough for machine.tooth_wear_m.

@@ -57,15 +57,7 @@ void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
                     box.min_m.x(), middle.y(), middle.z()));
 }
 
-void warn_of_angles(const CaseParts& parts, std::vector<Finding>& warnings) {
-  const double rake = std::abs(parts.c.machine.rake_angle_deg);
-  if (rake > 0 && rake < 2)
-    warnings.push_back(cases::finding_at(
-        parts.c, "machine.rake_angle_deg",
-        fmt::format(
-            "{:g} degrees put the dipper almost in line with its handle: is the value in rad? "
-            "write {:.1f}",
-            parts.c.machine.rake_angle_deg, degrees(parts.c.machine.rake_angle_deg))));
+void warn_of_drives_in_rad(const CaseParts& parts, std::vector<Finding>& warnings) {
   double swing = 0, door = 0;
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += 100'000'000) {
     const machine::Drives d = parts.motion.value(t);
@@ -155,7 +147,7 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
 
 void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_mesh(parts, warnings);
-  warn_of_angles(parts, warnings);
+  warn_of_drives_in_rad(parts, warnings);
   warn_of_masses(parts, warnings);
   warn_of_rock(parts, warnings);
   warn_of_times(parts, warnings);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/angles.hpp"
+#include "common/mesh/insides.hpp"
 #include "common/mesh/signed_distance.hpp"
 #include "common/seconds.hpp"
 #include "coupler/case/bench_surface.hpp"
@@ -73,15 +74,14 @@ void warn_of_the_start(const CaseParts& parts, std::vector<Finding>& warnings) {
 
 /// The corners of the dipper against the truck's solid parts, all along the motion.
 void warn_of_the_way(const CaseParts& parts, std::vector<Finding>& warnings) {
-  const Box near = mesh::bounding_box(parts.truck);
-  double deepest = 0, at_s = 0;
+  const mesh::Insides truck(parts.truck);
+  double deepest = kDeep_m, at_s = 0;
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += kPlaceSample_ns) {
     const Pose X = parts.shovel.pose(parts.motion.value(t)).X_WB;
     for (const Vector3d& v : parts.dipper.vertices) {
       const Vector3d p = X * v;
-      if (!near.holds(p)) continue;
-      const double depth = mesh::signed_distance(parts.truck, p);
-      if (depth > deepest) deepest = depth, at_s = seconds(t);
+      if (!truck.holds(p) || mesh::is_surface_near(parts.truck, p, deepest)) continue;
+      deepest = mesh::signed_distance(parts.truck, p), at_s = seconds(t);
     }
   }
   if (deepest > kDeep_m)

@@ -7,6 +7,7 @@ namespace dipper::check {
 namespace {
 
 constexpr double kWhole_percent = 95;
+constexpr double kCut_percent = 50;  // of the mass, outside the sizes of the case
 
 }  // namespace
 
@@ -22,6 +23,16 @@ void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings) {
         fmt::format("the curve ends at {:g} %, at {:g} m: the {:g} % of rock that are coarser are "
                     "taken to be of the largest class; are these shares of each sieve?",
                     passing, curve.largest_m(), 100 - passing)));
+  const cases::SieveCase& how = c.rock.sieve;
+  const double finer = how.min_size_m > 0 ? curve.passing_percent(how.min_size_m) : 0;
+  const double coarser = how.max_size_m > 0 ? passing - curve.passing_percent(how.max_size_m) : 0;
+  if (finer + coarser > kCut_percent)
+    warnings.push_back(cases::finding_at(
+        c, finer > coarser ? "rock.sieve.min_size_m" : "rock.sieve.max_size_m",
+        fmt::format("{:.0f} % of the rock's mass are outside min_size_m ... max_size_m ({:.0f} % "
+                    "finer, {:.0f} % coarser) and go to the smallest and the largest class: are "
+                    "the sizes right?",
+                    finer + coarser, finer, coarser)));
   if (const auto jump = cases::find_share_jump(curve.points()))
     warnings.push_back(
         {c.rock.sieve.file, jump->to.line, "",

@@ -23,12 +23,20 @@ struct CaseParts {
   mesh::TriangleMesh truck;         ///< in W
 };
 
-/// A sieve curve that says nothing of the coarsest rock, or may have a share of 1.
+/// A sieve curve that says nothing of the coarsest rock, is cut short by more than half of its
+/// mass, or may have a share of 1.
 void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings);
+
+/// A pile.profile whose face is steeper than rock rests, or begins with a step.
+void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings);
 
 /// A table of poses (machine.kind poses) that is legal and hardly meant: times in ms, or that do
 /// not begin at 0; speeds that no tool has; the scalar of its quaternions last.
 void warn_of_poses(const cases::Case& c, std::vector<Finding>& warnings);
+
+/// Bodies of such a table that never move, go under the ground, or whose cavity is beyond their
+/// mesh.
+void warn_of_pose_bodies(const cases::Case& c, std::vector<Finding>& warnings);
 
 /// Positions: machine and truck against the bench at the start, the dipper's path against the
 /// truck, the truck against the dump, the return against the next dig, the heel against the path of
@@ -40,5 +48,8 @@ void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings);
 
 /// Numbers that look as if in another unit, or that do not fit the machine, mesh or pile.
 void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings);
+
+/// The machine's file, its angles and its motion, where they look as if in another unit.
+void warn_of_machine(const CaseParts& parts, std::vector<Finding>& warnings);
 
 }  // namespace dipper::check

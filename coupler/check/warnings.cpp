@@ -23,12 +23,15 @@ CaseParts::CaseParts(const cases::Case& the_case)
 std::vector<Finding> warnings(const cases::Case& c) {
   std::vector<Finding> found;
   warn_of_sieve(c, found);
+  warn_of_bench(c, found);
   if (c.machine.kind == cases::MachineKind::poses) {
     warn_of_poses(c, found);
+    warn_of_pose_bodies(c, found);
     return found;  // the rest is of shovels
   }
   const CaseParts parts(c);
   warn_of_numbers(parts, found);
+  warn_of_machine(parts, found);
   const auto of_the_mesh = [](const Finding& warning) { return warning.key == "bodies.dipper"; };
   if (std::none_of(found.begin(), found.end(), of_the_mesh)) warn_of_volume(parts, found);
   warn_of_places(parts, found);

@@ -73,6 +73,26 @@ TEST(DumpFolder, FramesThatBeginWithUnitsOrTime) {
               HasSubstr("dump100.dump:2: units are 'lj'; expected 'si' (m, kg, s)"));
 }
 
+TEST(DumpFolder, ATimeStepThatTheTimesContradict) {
+  const Scratch s;
+  for (const long step : {1000, 2000})
+    s.write(
+        "post/dump" + std::to_string(step) + ".dump",
+        "ITEM: TIME\n" + std::to_string(5 + 2e-5 * static_cast<double>(step)) + "\n" + frame(step));
+  EXPECT_NEAR(open_dump_folder(s.folder() / "post", 2.01e-5).timestep_s, 2.01e-5, 1e-12);
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder() / "post", 1e-5); }),
+              HasSubstr("ITEM: TIME is 5.04 s at step 2000, which a time step of 1e-05 s does not "
+                        "give; 2e-05 s does"));
+}
+
+TEST(DumpFolder, ALastLineWithoutAnEnd) {
+  const Scratch s;
+  const std::string text = frame(0);
+  s.write("post/dump0.dump", text.substr(0, text.size() - 1));
+  EXPECT_THAT(test::message_of([&] { open_dump_folder(s.folder() / "post", 1e-5); }),
+              HasSubstr("dump0.dump:10: the last line has no end"));
+}
+
 TEST(DumpFolder, GzippedFrames) {
   const Scratch s;
   for (const long step : {0, 100, 200}) {

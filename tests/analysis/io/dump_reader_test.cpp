@@ -130,7 +130,7 @@ TEST(TextDump, WhatIsWrongIsReportedWithFileAndLine) {
   EXPECT_THAT(opening(s.write("cut.dump", text_frame(7, 3, "x", "1\n2\n"))),
               HasSubstr("cut.dump:12: the frame of step 7 ends after 2 of 3 particles"));
   EXPECT_THAT(opening(s.write("half.dump", text_frame(7, 2, "x", "1\n2."))),
-              HasSubstr("half.dump:11: the frame of step 7 ends after 1 of 2"));
+              HasSubstr("half.dump:11: the last line has no end"));
   EXPECT_THAT(
       opening(s.write("short.dump", text_frame(7, 2, "x", "1\n") + text_frame(8, 1, "x", "1\n"))),
       HasSubstr("short.dump:11: the frame of step 7 ends after 1 of 2"));

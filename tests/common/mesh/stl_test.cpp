@@ -70,16 +70,33 @@ TEST(Stl, DialectsOfText) {
   }
 }
 
-TEST(Stl, OtherFormatsAreNamed) {
-  const std::string padding(200, '\n');
-  EXPECT_EQ(fault_of("ply\nformat binary_little_endian 1.0\n" + padding).message,
-            "is a PLY file; export the mesh as STL");
-  EXPECT_EQ(fault_of("# made by hand\n\nv 0 0 0\nv 1 0 0\n" + padding).message,
-            "is a OBJ file; export the mesh as STL");
-  EXPECT_EQ(fault_of("\x1F\x8B\x08" + padding).message, "is a gzip file; export the mesh as STL");
-  EXPECT_EQ(fault_of("\xFF\xFEs" + padding).message, "is a UTF-16 file; export the mesh as STL");
-  EXPECT_EQ(fault_of("ISO-10303-21;\n" + padding).message,
-            "is a STEP file; export the mesh as STL");
+/// Writes a file and asks.
+bool is_plain(const std::string& bytes) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "plain.stl";
+  std::ofstream(file, std::ios::binary) << bytes;
+  return is_plain_stl(file);
+}
+
+TEST(Stl, WhatLiggghtsTakesForAnotherKindIsNotPlain) {
+  EXPECT_TRUE(is_plain(ascii_stl(cuboid)));
+  EXPECT_TRUE(is_plain(binary_stl(cuboid)));
+  for (const std::string word : {"solid", "SOLID"}) {
+    std::string bytes = binary_stl(cuboid);
+    EXPECT_FALSE(is_plain(bytes.replace(0, 5, word)));
+  }
+  const std::string text = ascii_stl(cuboid), name = text.substr(0, text.find('\n'));
+  for (const std::string keyword : {"solid facet normal", "solid my facet"}) {
+    const std::string named = replace(text, name, keyword);
+    EXPECT_EQ(parse_stl(named).triangles.size(), 12U);
+    EXPECT_FALSE(is_plain(named)) << keyword;
+  }
+}
+
+TEST(Stl, ATextThatEndsWithCtrlZ) {
+  for (const std::string end : {"\x1A", "\x1A\r\n"}) {
+    EXPECT_EQ(parse_stl(ascii_stl(cuboid) + end).triangles.size(), 12U);
+    EXPECT_FALSE(is_plain(ascii_stl(cuboid) + end));
+  }
 }
 
 TEST(Stl, AMeshWhoseDigitsDoNotReachItsSizeIsRefused) {
@@ -122,6 +139,8 @@ TEST(Stl, AsciiFaultsNameTheirLine) {
   const std::vector<Fault> faults = {
       {replace(good, "vertex 1 4 3", "vertex 1 4,0 3"), 5,
        "'4,0' is not a number; write decimal points"},
+      {replace(good, "vertex 1 4 3", "vertex 1 4.0D+00 3"), 5,
+       "'4.0D+00' is not a number; write E for D"},
       {replace(good, "vertex 1 4 3", "vertex nan 4 3"), 5, "'nan' is not a number"},
       {replace(good, "vertex 1 4 3", "vertex 1 inf 3"), 5, "'inf' is not a number"},
       {replace(good, "vertex 1 4 3", "vertex 1 4"), 6, "'vertex' is not a number"},

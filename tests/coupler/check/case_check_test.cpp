@@ -97,6 +97,50 @@ TEST(CheckCase, WhatGoesByTheMotionsTimesNeedsPrescribedDrives) {
   EXPECT_EQ(collapse[0].key, "collapse.at_s");
 }
 
+/// The findings with a part of a file of the checkout replaced.
+std::vector<Finding> check_with(const std::string& name, const std::string& from,
+                                const std::string& to) {
+  const Checkout checkout;
+  std::string text = read_text(checkout.root / name);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  write_text(checkout.root / name, text.replace(at, from.size(), to));
+  return check(checkout);
+}
+
+TEST(CheckCase, WhatIsSaidOfAMeshFitsIt) {
+  const auto said = [](const std::string& name, const std::string& from, const std::string& to) {
+    std::string all;
+    for (const Finding& f : check_with(name, from, to)) all += f.key + ": " + f.message + "\n";
+    return all;
+  };
+  const std::string dipper = "meshes/dipper.yaml", truck = "meshes/truck.yaml",
+                    bed = "{min_m: [-3.5, -3.25, 4.2], max_m: [3.5, 3.25, 9]}";
+  EXPECT_EQ(said(dipper, "heap_height_m: 1.2", "heap_height_m: 3"), "");
+  EXPECT_THAT(said(dipper, "heap_height_m: 1.2", "heap_height_m: 1200"),
+              HasSubstr("heap_height_m: 1200 m, over a cavity of 4 m depth along x: in mm,"));
+  EXPECT_THAT(said(dipper, "max_m: [4, 2, 1.5]", "max_m: [0.4, 2, 1.5]"),
+              HasSubstr("cavity: is a box of 4.8 m3, but struck_volume_m3 is 42"));
+  EXPECT_THAT(said(truck, bed, "{min_m: [100, 100, 2], max_m: [106, 106, 7]}"),
+              HasSubstr("bed: from x = 100 to 106 m, but the truck's mesh has x = -"));
+  for (const char* scaled : {"{min_m: [-3500, -3250, 2], max_m: [3500, 3250, 9]}",
+                             "{min_m: [-0.0035, -0.00325, 4.2], max_m: [0.0035, 0.00325, 4.3]}"})
+    EXPECT_THAT(said(truck, bed, scaled), HasSubstr("in another unit? write it in m"));
+}
+
+TEST(CheckCase, AMotionInHours) {
+  const Checkout checkout;
+  const auto with = [&](const char* rows) {
+    write_text(checkout.folder() / "motion.csv",
+               std::string("time_s,hoist_m,crowd_m,swing_deg,door_deg\n") + rows);
+    return check(checkout);
+  };
+  const auto hours = with("0,-3,0.5,0,0\n0.002,-5,0.5,0,0\n0.004,-4,0.5,0,0\n");
+  ASSERT_GE(hours.size(), 1U);
+  EXPECT_THAT(hours[0].message, HasSubstr("the whole motion takes 0.004 s, in which the hoist "
+                                          "moves 2 m: is time_s in hours or minutes?"));
+}
+
 TEST(CheckCase, AFloorIsCleanedOnAWayBackWithoutRock) {
   const Checkout checkout(true);
   const auto findings = check(checkout, {{"pile.clean_floor_to_x_m", "14.5"}});
@@ -522,6 +566,9 @@ TEST(CheckCase, ProfileInAnotherUnitOrPlace) {
   const fs::path scan = checkout.folder() / "scan.csv";
   expect_findings(check(checkout),
                   {{scan, 0, "pile.profile", "is 6700 m long, and the whole domain 56 m: in mm"}});
+  write_text(scan, "x_m,z_m\n13300,0\n14000,1500\n15000,1500\n");
+  expect_findings(check(checkout),
+                  {{scan, 0, "pile.profile", "is 1700 m long, and the whole domain 56 m: in mm"}});
   for (const char* rows :
        {"512345,182.4\n512350,187\n512355,188\n", "13,182.4\n18,187\n20,188\n"}) {
     write_text(scan, std::string("x_m,z_m\n") + rows);

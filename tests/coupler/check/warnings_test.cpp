@@ -98,11 +98,12 @@ std::vector<std::string> with_text(const std::string& file, const std::string& f
 }
 
 /// Warnings of `quick` with a sieve curve in place of its classes.
-std::vector<std::string> with_sieve(const std::string& rows) {
+std::vector<std::string> with_sieve(const std::string& rows, const std::string& sizes = "") {
   const Checkout checkout;
   const std::string text = test::read_text(checkout.file());
   test::write_text(checkout.file(), text.substr(0, text.find("  classes:")) +
-                                        "  sieve: {file: sieve.csv, classes: 3}\n" +
+                                        "  sieve: {file: sieve.csv, classes: 3" +
+                                        (sizes.empty() ? "" : ", " + sizes) + "}\n" +
                                         text.substr(text.find("contact:")));
   test::write_text(checkout.folder() / "sieve.csv", "size_m,passing_percent\n" + rows);
   std::vector<Finding> findings;
@@ -119,6 +120,13 @@ TEST(Warnings, ASieveCurveThatEndsBelowAll) {
               testing::Not(testing::Contains(HasSubstr("the curve ends"))));
 }
 
+TEST(Warnings, ASieveCurveOfWhichMostIsCutOff) {
+  EXPECT_THAT(with_sieve("0.15,0\n0.25,40\n0.6,100\n", "min_size_m: 0.4"),
+              testing::Contains(HasSubstr("rock.sieve.min_size_m: 72 % of the rock's mass are")));
+  EXPECT_THAT(with_sieve("0.15,0\n0.25,40\n0.6,100\n", "min_size_m: 0.25"),
+              testing::Not(testing::Contains(HasSubstr("of the rock's mass are"))));
+}
+
 TEST(Warnings, ASieveCurveWithOneShareThatMayBeOf1) {
   EXPECT_THAT(with_sieve("0.15,0\n0.25,0.4\n0.6,100\n"),
               testing::Contains(HasSubstr(
@@ -127,10 +135,71 @@ TEST(Warnings, ASieveCurveWithOneShareThatMayBeOf1) {
               testing::Not(testing::Contains(HasSubstr("a share of 1?"))));
 }
 
+TEST(Warnings, AProfileThatNoRockHas) {
+  const Checkout checkout;
+  const auto with = [&](const decltype(cases::PileCase::outline_m)& outline) {
+    std::vector<Finding> findings;
+    cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+    c.pile.profile = checkout.folder() / "profile.csv";
+    c.pile.outline_m = outline;
+    return messages(c);
+  };
+  EXPECT_THAT(with({{14, 0}, {16, 2}, {18, 5}, {20, 8}, {30, 8}}),
+              testing::Not(testing::Contains(HasSubstr("pile.profile"))));
+  EXPECT_THAT(with({{14, 0}, {14.5, 2}, {15, 5}, {16, 8}, {30, 8}}),
+              testing::Contains(HasSubstr("pile.profile: the face stands at 76 degrees")));
+  EXPECT_THAT(with({{14, 4}, {18, 8}, {30, 8}}),
+              testing::Contains(HasSubstr("pile.profile: begins with a step of 4 m at the toe")));
+}
+
+TEST(Warnings, BodiesOfAPoseTable) {
+  const std::filesystem::path folder = test::source() / "cases/loader";
+  const std::filesystem::path table =
+      std::filesystem::path(testing::TempDir()) / "bodies_of_poses.csv";
+  const auto with = [&](const std::string& rows) {
+    test::write_text(table, "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz\n" + rows);
+    std::vector<Finding> findings;
+    return messages(cases::load_case(folder, {{"machine.poses", table.string()}}, findings));
+  };
+  EXPECT_THAT(with("0,bucket,1.5,0,0.3,1,0,0,0\n1,bucket,1.5,0,0.12,1,0,0,0\n"), ElementsAre());
+  EXPECT_THAT(with("0,bucket,1.5,0,0.3,1,0,0,0\n1,bucket,1.5,0,0.3,1,0,0,0\n"),
+              ElementsAre(HasSubstr("bucket never moves")));
+  EXPECT_THAT(with("0,bucket,1.5,0,0.3,1,0,0,0\n1,bucket,1.5,0,-0.8,1,0,0,0\n"),
+              ElementsAre(HasSubstr("bucket goes 0.")));
+}
+
 TEST(Warnings, MassesThatNoBodyHas) {
   const std::string machine = "mbs/bucyrus495.yaml";
   EXPECT_THAT(with_text(machine, "mass: {value: 42000.0", "mass: {value: 42"),  // t
               ElementsAre(HasSubstr("dipper.mass: 42 kg and an inertia of")));
+}
+
+TEST(Warnings, DrivesAndLoadsInAnotherUnit) {
+  const std::string machine = "mbs/bucyrus495.yaml";
+  EXPECT_THAT(with_text(machine, "hoist_stall: {value: 4.8e6", "hoist_stall: {value: 4800"),
+              testing::Contains(HasSubstr("4.8e+03 N do not lift the empty dipper")));
+  EXPECT_THAT(with_text(machine, "hoist_power: {value: 3.0e6", "hoist_power: {value: 3000"),
+              ElementsAre(HasSubstr("drives.hoist_power: 3000 and a stall of 4.8e+06 give full")));
+  EXPECT_THAT(with_text(machine, "rated_load: {value: 1.09e5", "rated_load: {value: 109"),
+              ElementsAre(HasSubstr("dipper.rated_load: 109 kg, but the dipper full of")));
+}
+
+TEST(Warnings, AnglesOfTruckAndDipper) {
+  const Checkout checkout;
+  EXPECT_THAT(warnings_of(checkout, {{"truck.heading_deg", "2.967"}}),
+              ElementsAre(HasSubstr("is the value in rad? write 170")));
+  EXPECT_THAT(warnings_of(checkout, {{"truck.heading_deg", "3"}}), ElementsAre());
+}
+
+TEST(Warnings, MotionThatBeginsBeforeTheRunOrTurnsTooFar) {
+  const Checkout checkout;
+  test::write_text(checkout.folder() / "motion.csv",
+                   "time_s,hoist_m,crowd_m,swing_deg,door_deg\n-10,-4,0.5,0,0\n10,-4,0.5,150,0\n"
+                   "30,-4,0.5,370,0\n");
+  std::vector<Finding> loaded;
+  EXPECT_THAT(messages(cases::load_case(checkout.folder(), {}, loaded)),
+              testing::IsSupersetOf({HasSubstr("time_s: the first row is at -10 s"),
+                                     HasSubstr("swing_deg: reaches 370 degrees, more than")}));
 }
 
 TEST(Warnings, MotionWithAHole) {

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "common/angles.hpp"
+#include "common/gravity.hpp"
+#include "common/seconds.hpp"
+#include "coupler/check/warning_parts.hpp"
+
+namespace dipper::check {
+namespace {
+
+constexpr double kOtherPower = 100;  ///< a speed of power / stall so far from the limit's
+constexpr double kOtherLoad = 10;    ///< a rated load so far from the dipper full of rock
+constexpr double kLeastRake_deg = 2;
+
+void warn_of_angles(const cases::Case& c, std::vector<Finding>& warnings) {
+  if (c.machine.rake_angle_deg == 0)
+    warnings.push_back(
+        cases::finding_at(c, "machine.rake_angle_deg",
+                          "0 degrees put the dipper in line with its handle; some 60 are usual"));
+  else if (const double rake = std::abs(c.machine.rake_angle_deg); rake < kLeastRake_deg)
+    warnings.push_back(cases::finding_at(
+        c, "machine.rake_angle_deg",
+        fmt::format(
+            "{:g} degrees put the dipper almost in line with its handle: is the value in rad? "
+            "write {:.1f}",
+            c.machine.rake_angle_deg, degrees(c.machine.rake_angle_deg))));
+  const double heading = std::abs(c.truck.heading_deg);
+  if (heading > 0 && heading < 2 * M_PI && heading != std::floor(heading))
+    warnings.push_back(
+        cases::finding_at(c, "truck.heading_deg",
+                          fmt::format("{:g} degrees: is the value in rad? write {:.0f}",
+                                      c.truck.heading_deg, degrees(c.truck.heading_deg))));
+}
+
+void warn_of_drives(const CaseParts& parts, std::vector<Finding>& warnings) {
+  const machine::MachineData& m = parts.machine;
+  const auto say = [&](const std::string& key, const std::string& what) {
+    warnings.push_back({parts.c.machine.model, 0, key, what});
+  };
+  const double empty_N = (m.dipper.mass + m.door.mass) * kGravity_m_s2;
+  if (m.drives.hoist.stall < empty_N)
+    say("drives.hoist_stall",
+        fmt::format("{:.3g} N do not lift the empty dipper, {:.3g} N: in kN, perhaps?",
+                    m.drives.hoist.stall, empty_N));
+  struct Drive {
+    std::string name;
+    machine::MachineData::DriveLimit limit;
+    double speed;
+  };
+  for (const Drive& d : {Drive{"hoist", m.drives.hoist, m.limits.hoist_speed},
+                         Drive{"crowd", m.drives.crowd, m.limits.crowd_speed},
+                         Drive{"swing", m.drives.swing, m.limits.swing_speed}}) {
+    const double of_limit = d.limit.power / d.limit.stall / d.speed;
+    if (of_limit < 1 / kOtherPower || of_limit > kOtherPower)
+      say("drives." + d.name + "_power",
+          fmt::format(
+              "{:g} and a stall of {:g} give full force up to {:.2g} times the speed limit: "
+              "is one of the three in another unit?",
+              d.limit.power, d.limit.stall, of_limit));
+  }
+  const double full_kg = m.dipper.struck_volume * parts.c.rock.bulk_density_kg_m3;
+  const double rated = m.dipper.rated_load;
+  if (rated > 0 && (rated > kOtherLoad * full_kg || rated < full_kg / kOtherLoad))
+    say("dipper.rated_load",
+        fmt::format("{:g} kg, but the dipper full of this rock holds {:.2g} kg: in t, perhaps?",
+                    rated, full_kg));
+}
+
+void warn_of_motion(const CaseParts& parts, std::vector<Finding>& warnings) {
+  const auto say = [&](const std::string& key, const std::string& what) {
+    warnings.push_back({parts.c.machine.motion, 0, key, what});
+  };
+  if (parts.motion.start_ns() < 0)
+    say("time_s", fmt::format("the first row is at {:g} s; the run begins at 0 s, so what is "
+                              "before is left out",
+                              seconds(parts.motion.start_ns())));
+  double swing = 0;
+  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += 100'000'000)
+    swing = std::max(swing, std::abs(parts.motion.value(t).swing));
+  if (swing > 2 * M_PI)
+    say("swing_deg", fmt::format("reaches {:.0f} degrees, more than a full turn: is it in gon, or "
+                                 "counted on over many turns? 100 gon are 90 degrees",
+                                 degrees(swing)));
+}
+
+}  // namespace
+
+void warn_of_machine(const CaseParts& parts, std::vector<Finding>& warnings) {
+  warn_of_angles(parts.c, warnings);
+  warn_of_drives(parts, warnings);
+  warn_of_motion(parts, warnings);
+}
+
+}  // namespace dipper::check
