@@ -32,7 +32,7 @@ void FrameFaults::see(std::int64_t id, double radius_m, const Eigen::Vector3d& p
                                       "needs an id of its own, the same in every frame",
                                       id, frame_.step));
   ++particles_;
-  volume_m3_ += 4.0 / 3.0 * M_PI * std::pow(radius_m, 3);
+  volume_m3_ += 4.0 / 3.0 * M_PI * radius_m * radius_m * radius_m;
   largest_radius_m_ = std::max(largest_radius_m_, radius_m);
   if (frame_.box && !frame_.box->grown(radius_m).holds(p_W)) ++outside_;
 }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "common/angles.hpp"
 #include "common/gravity.hpp"
-#include "common/seconds.hpp"
 #include "coupler/check/warning_parts.hpp"
 
 namespace dipper::check {
@@ -71,29 +69,11 @@ void warn_of_drives(const CaseParts& parts, std::vector<Finding>& warnings) {
                     rated, full_kg));
 }
 
-void warn_of_motion(const CaseParts& parts, std::vector<Finding>& warnings) {
-  const auto say = [&](const std::string& key, const std::string& what) {
-    warnings.push_back({parts.c.machine.motion, 0, key, what});
-  };
-  if (parts.motion.start_ns() < 0)
-    say("time_s", fmt::format("the first row is at {:g} s; the run begins at 0 s, so what is "
-                              "before is left out",
-                              seconds(parts.motion.start_ns())));
-  double swing = 0;
-  for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += 100'000'000)
-    swing = std::max(swing, std::abs(parts.motion.value(t).swing));
-  if (swing > 2 * M_PI)
-    say("swing_deg", fmt::format("reaches {:.0f} degrees, more than a full turn: is it in gon, or "
-                                 "counted on over many turns? 100 gon are 90 degrees",
-                                 degrees(swing)));
-}
-
 }  // namespace
 
 void warn_of_machine(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_angles(parts.c, warnings);
   warn_of_drives(parts, warnings);
-  warn_of_motion(parts, warnings);
 }
 
 }  // namespace dipper::check

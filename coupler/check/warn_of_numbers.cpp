@@ -57,7 +57,7 @@ void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
                     box.min_m.x(), middle.y(), middle.z()));
 }
 
-void warn_of_drives_in_rad(const CaseParts& parts, std::vector<Finding>& warnings) {
+void warn_of_angles_of_motion(const CaseParts& parts, std::vector<Finding>& warnings) {
   double swing = 0, door = 0;
   for (std::int64_t t = parts.motion.start_ns(); t <= parts.motion.end_ns(); t += 100'000'000) {
     const machine::Drives d = parts.motion.value(t);
@@ -70,6 +70,12 @@ void warn_of_drives_in_rad(const CaseParts& parts, std::vector<Finding>& warning
       warnings.push_back(
           {parts.c.machine.motion, 0, name,
            fmt::format("never exceeds {:.2f} degrees: is it in rad?", degrees(most))});
+  if (swing > 2 * M_PI)
+    warnings.push_back(
+        {parts.c.machine.motion, 0, "swing_deg",
+         fmt::format("reaches {:.0f} degrees, more than a full turn: is it in gon, or counted on "
+                     "over many turns? 100 gon are 90 degrees",
+                     degrees(swing))});
 }
 
 /// Compares a body's radius of gyration with its size.
@@ -128,6 +134,11 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
             "a sync step of {:.3g} s is too long for the vibration of the dipper on its ropes; "
             "at most {} steps keep the coupling stable (docs/coupling.md)",
             window_s, std::max(1.0, std::floor(kWindow_s / parts.c.dem.timestep_s)))));
+  if (parts.motion.start_ns() < 0)
+    warnings.push_back({parts.c.machine.motion, 0, "time_s",
+                        fmt::format("the first row is at {:g} s; the run begins at 0 s, so what is "
+                                    "before is left out",
+                                    seconds(parts.motion.start_ns()))});
   for (std::int64_t t = parts.motion.start_ns(); t < parts.motion.end_ns();) {
     const std::int64_t next = std::min(parts.motion.next_row_ns(t), parts.motion.end_ns());
     const machine::Drives a = parts.motion.value(t), b = parts.motion.value(next);
@@ -147,7 +158,7 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
 
 void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_mesh(parts, warnings);
-  warn_of_drives_in_rad(parts, warnings);
+  warn_of_angles_of_motion(parts, warnings);
   warn_of_masses(parts, warnings);
   warn_of_rock(parts, warnings);
   warn_of_times(parts, warnings);

@@ -17,7 +17,6 @@ using Rows = std::vector<machine::PoseTable::Row>;
 
 constexpr double kUnderGround = 0.1;  // of a body's height
 constexpr double kStill_m = 1e-3;     // and as much of a quaternion
-constexpr double kCavityOut_m = 0.2;  // of a cavity beyond the mesh that holds it
 
 bool never_moves(const Rows& rows) {
   const Pose& first = rows.front().X_WB;
@@ -48,27 +47,19 @@ void warn_of_the_ground(const cases::Case& c, const std::string& body, const Row
 
 void warn_of_pose_bodies(const cases::Case& c, std::vector<Finding>& warnings) {
   const machine::PoseTable table = machine::PoseTable::load(c.machine.poses);
+  const std::vector<std::string> weighed = cases::weighed_bodies(c);
   for (const auto& [body, file] : c.bodies) {
     const Rows& rows = table.rows(body);
     if (rows.size() > 1 && never_moves(rows))
       warnings.push_back(
           {c.machine.poses, rows.front().line, "machine.poses",
            fmt::format("{} never moves: all its {} rows are alike", body, rows.size())});
-    warn_of_the_ground(c, body, rows, mesh::read_stl(file), warnings);
-  }
-  for (const std::string& name : cases::weighed_bodies(c)) {
+    const mesh::TriangleMesh mesh = mesh::read_stl(file);
+    warn_of_the_ground(c, body, rows, mesh, warnings);
+    if (std::find(weighed.begin(), weighed.end(), body) == weighed.end()) continue;
     std::vector<Finding> unread;
-    const Box cavity = cases::read_dipper_facts(c, unread, name).cavity;
-    const Box box = mesh::bounding_box(mesh::read_stl(c.bodies.at(name)));
-    if (!unread.empty()) continue;
-    const double out_m =
-        std::max((box.min_m - cavity.min_m).maxCoeff(), (cavity.max_m - box.max_m).maxCoeff());
-    if (out_m > kCavityOut_m)
-      warnings.push_back(cases::finding_at(
-          c, "bodies." + name,
-          fmt::format("the cavity in its YAML extends {:.1f} m beyond the mesh: rock beside {} "
-                      "would count as payload",
-                      out_m, name)));
+    const Box cavity = cases::read_dipper_facts(c, unread, body).cavity;
+    if (unread.empty()) warn_of_cavity(c, body, mesh::bounding_box(mesh), cavity, warnings);
   }
 }
 

@@ -29,6 +29,18 @@ mesh::TriangleMesh vessel_of(const CaseParts& parts) {
 
 }  // namespace
 
+void warn_of_cavity(const cases::Case& c, const std::string& body, const Box& mesh,
+                    const Box& cavity, std::vector<Finding>& warnings) {
+  const double out_m =
+      std::max((mesh.min_m - cavity.min_m).maxCoeff(), (cavity.max_m - mesh.max_m).maxCoeff());
+  if (out_m > kOutside_m)
+    warnings.push_back(cases::finding_at(
+        c, "bodies." + body,
+        fmt::format("the cavity in its YAML extends {:.1f} m beyond the mesh: rock beside the {} "
+                    "would count as payload",
+                    out_m, body)));
+}
+
 void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings) {
   std::vector<Finding> unread;
   const cases::DipperFacts facts = cases::read_dipper_facts(parts.c, unread);
@@ -56,13 +68,7 @@ void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings) {
     warnings.push_back({parts.c.machine.model, 0, "dipper.struck_volume",
                         fmt::format("is {:g} m3, but the YAML of the dipper's mesh says {:g}",
                                     of_machine_m3, given_m3)});
-  const double out_m = std::max((box.min_m - facts.cavity.min_m).maxCoeff(),
-                                (facts.cavity.max_m - box.max_m).maxCoeff());
-  if (out_m > kOutside_m)
-    say(fmt::format(
-        "the cavity in its YAML extends {:.1f} m beyond the mesh: rock beside the dipper would "
-        "count as payload",
-        out_m));
+  warn_of_cavity(parts.c, "dipper", box, facts.cavity, warnings);
 }
 
 }  // namespace dipper::check

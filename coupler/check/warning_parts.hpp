@@ -43,13 +43,17 @@ void warn_of_pose_bodies(const cases::Case& c, std::vector<Finding>& warnings);
 /// the teeth.
 void warn_of_places(const CaseParts& parts, std::vector<Finding>& warnings);
 
+/// A body's cavity that is beyond its mesh, each in the body's frame.
+void warn_of_cavity(const cases::Case& c, const std::string& body, const Box& mesh,
+                    const Box& cavity, std::vector<Finding>& warnings);
+
 /// The volume of the mesh against its YAML and the machine; only for a mesh without other faults.
 void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings);
 
 /// Numbers that look as if in another unit, or that do not fit the machine, mesh or pile.
 void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings);
 
-/// The machine's file, its angles and its motion, where they look as if in another unit.
+/// The machine's file, rake and the truck's heading, where they look as if in another unit.
 void warn_of_machine(const CaseParts& parts, std::vector<Finding>& warnings);
 
 }  // namespace dipper::check

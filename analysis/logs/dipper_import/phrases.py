@@ -14,3 +14,15 @@ def some_names(names, most=12):
     """Names in quotes, the first ones of many."""
     names = [n[:LONGEST_SHOWN] for n in names if n]
     return ", ".join(f"'{n}'" for n in names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+
+
+def longest_of(times):
+    """Behind what is said of the longest of several stretches."""
+    return f"; {times} times, this one the longest" if times > 1 else ""
+
+
+def leave_out(name, by_number=True):
+    """How a channel's readings that are none are left out; `by_number`: a number stands for them."""
+    listed = ", list the number under file.missing" if by_number else ""
+    return (f"Leave such cells empty{listed}, or name the column that says which readings are good "
+            f"(channels.{name}.quality)")

@@ -3,7 +3,7 @@ import numpy as np
 
 from dipper_gap.readings.suspect import DROP, SMALL, falls, pushes, stuck
 
-from .phrases import some_rows
+from .phrases import leave_out, longest_of, some_rows
 from .units import CHANNELS, FORCES, TRUCK_MASS
 
 # Far beyond any shovel's, where the map names no machine.
@@ -76,21 +76,18 @@ def _warn_of_size(name, rows, what, notes):
 def _warn_of_falls(name, rows, notes):
     for low, fallen, least in falls(rows.values[name]):
         unit = CHANNELS[name].unit
-        listed = "" if low == 0 else ", list the number under file.missing"
         notes.append(f"warning: {name}: {some_rows(rows.lines[fallen], 'reading')} of {low:.6g} {unit} between "
-                     f"others of {least:.4g} {unit} and more: no readings? Leave such cells empty{listed}, or "
-                     f"name the column that says which readings are good (channels.{name}.quality)")
+                     f"others of {least:.4g} {unit} and more: no readings? {leave_out(name, by_number=low != 0)}")
 
 
 def _warn_of_stuck(name, rows, notes):
     found = stuck(rows.values[name], rows.values["hoist"], rows.values["crowd"])
     if found:
         a, b, count, way, times = found
-        often = f"; {times} times, this one the longest" if times > 1 else ""
         notes.append(f"warning: {name}: {rows.values[name][a]:.6g} {CHANNELS[name].unit} in all {count} rows from line "
-                     f"{rows.lines[a]} to {rows.lines[b]}, while hoist and crowd move by {way:.3g} m{often}: is the "
-                     "instrument stuck, or at the end of its range? Leave such cells empty, or name the column that "
-                     f"says which readings are good (channels.{name}.quality)")
+                     f"{rows.lines[a]} to {rows.lines[b]}, while hoist and crowd move by {way:.3g} m"
+                     f"{longest_of(times)}: is the instrument stuck, or at the end of its range? "
+                     f"{leave_out(name, by_number=False)}")
 
 
 def _warn_of_sign(rows, notes):
@@ -114,6 +111,5 @@ def _warn_of_scale(rows, spans, channel, notes):
             lines, again = rows.lines[there], soon[0]
             notes.append(f"warning: truck_mass: {mass[k - 1]:.4g} t, then {mass[k]:.4g} t from line {lines[k]} and "
                          f"{mass[again]:.4g} t again at line {lines[again]}: no readings between them? "
-                         "Leave such cells empty, list the number under file.missing, or name the column that says "
-                         "which readings are good (channels.truck_mass.quality)")
+                         + leave_out(TRUCK_MASS))
             return

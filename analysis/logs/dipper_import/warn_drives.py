@@ -1,6 +1,9 @@
 """Drives that a map reads the wrong way, and readings no drive can make: a line each that begins with "warning: "."""
 import numpy as np
 
+from dipper_gap.readings.suspect import stretches
+
+from .phrases import leave_out, longest_of
 from .units import CHANNELS, PERCENT, SWITCH, UNITS
 
 DOOR_DEG = 5.0       # a door whose largest angle is less is never seen to open
@@ -44,19 +47,16 @@ def _warn_of_jumps(name, readings, what, notes):
         return
     steps = np.abs(np.diff(value))
     jumps = steps > JUMP * limit * np.diff(time) + NOISE * np.median(np.abs(np.diff(value, 2)))
-    first = np.flatnonzero(np.append(True, steps > 0))
-    last = np.append(first[1:], len(value)) - 1
+    first, last = stretches(value)
     before, after = np.append(False, jumps)[first], np.append(jumps, False)[last]
     odd = (last - first + 1 >= FEW) & (before | after)
     if not odd.any() or jumps.sum() > SELDOM * (steps > 0).sum():
         return
     a, b = max(zip(first[odd], last[odd]), key=lambda s: s[1] - s[0])
-    times = f"; {odd.sum()} times, this one the longest" if odd.sum() > 1 else ""
     unit = CHANNELS[name].unit
     notes.append(f"warning: {name}: {value[a]:.6g} {unit} in all {b - a + 1} rows from line {readings.lines[a]} to "
                  f"{readings.lines[b]}, beside readings that the drive cannot reach from there at {limit:.4g} {unit}/s"
-                 f"{times}: no readings, or stuck ones? Leave such cells empty, list the number under file.missing, or "
-                 f"name the column that says which readings are good (channels.{name}.quality)")
+                 f"{longest_of(odd.sum())}: no readings, or stuck ones? {leave_out(name)}")
 
 
 def _warn_of_little(name, value, what, notes):

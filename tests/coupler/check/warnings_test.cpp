@@ -168,6 +168,22 @@ TEST(Warnings, BodiesOfAPoseTable) {
               ElementsAre(HasSubstr("bucket goes 0.")));
 }
 
+TEST(Warnings, CavityOfAPosedBody) {
+  const std::filesystem::path bucket = std::filesystem::path(testing::TempDir()) / "bucket.stl";
+  std::filesystem::copy_file(test::source() / "meshes/bucket.stl", bucket,
+                             std::filesystem::copy_options::overwrite_existing);
+  const auto with_cavity = [&](const std::string& cavity) {
+    test::write_text(std::filesystem::path(bucket).replace_extension(".yaml"),
+                     "struck_volume_m3: 1\nheap_height_m: 0.1\ncavity: " + cavity + "\n");
+    std::vector<Finding> findings;
+    return messages(cases::load_case(test::source() / "cases/loader",
+                                     {{"bodies.bucket", bucket.string()}}, findings));
+  };
+  EXPECT_THAT(with_cavity("{min_m: [0.1, -0.5, 0.1], max_m: [0.6, 0.5, 0.6]}"), ElementsAre());
+  EXPECT_THAT(with_cavity("{min_m: [0.1, -9, 0.1], max_m: [0.6, 9, 0.6]}"),
+              ElementsAre(HasSubstr("m beyond the mesh: rock beside the bucket")));
+}
+
 TEST(Warnings, MassesThatNoBodyHas) {
   const std::string machine = "mbs/bucyrus495.yaml";
   EXPECT_THAT(with_text(machine, "mass: {value: 42000.0", "mass: {value: 42"),  // t

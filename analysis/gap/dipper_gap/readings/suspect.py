@@ -66,14 +66,19 @@ def stuck(force, hoist, crowd):
     if not len(there):
         return None
     value, moved = force[there], (_way(hoist) + _way(crowd))[there]
-    first = np.flatnonzero(np.diff(value, prepend=np.nan) != 0)
-    last = np.append(first[1:], len(value)) - 1
+    first, last = stretches(value)
     found = (last - first + 1 >= STUCK_ROWS) & (moved[last] - moved[first] >= STUCK_M)
     if not found.any():
         return None
     longest = np.flatnonzero(found)[np.argmax((last - first)[found])]
     a, b = first[longest], last[longest]
     return there[a], there[b], b - a + 1, moved[b] - moved[a], int(found.sum())
+
+
+def stretches(value):
+    """First and last rows of the stretches in which a value does not change by a digit."""
+    first = np.flatnonzero(np.diff(value, prepend=np.nan) != 0)
+    return first, np.append(first[1:], len(value)) - 1
 
 
 def _way(position):
