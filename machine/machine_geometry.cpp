@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "common/angles.hpp"
@@ -13,6 +14,8 @@ namespace dipper::machine {
 namespace {
 
 constexpr int kCrowds = 12, kAngles = 60;  // a grid over the range within the limits
+// Of rope, beyond the dead centre: limits may meet it in their corner (crowd in, handle up).
+constexpr double kDeadCentre_m = 0.05;
 
 struct Extent {
   const char* key;
@@ -52,7 +55,7 @@ std::string fault_at(const MachineData& m, const ShovelKinematics& shovel, doubl
     return fmt::format("with the handle at {:.0f} deg and the crowd at {:.2f} m", degrees(saddle),
                        crowd);
   };
-  double before = 0;
+  double shortest = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= kAngles; ++k) {
     const Vector3d p = shovel.pose({0, crowd, 0, 0}, angle(k)).X_WB * m.dipper.bail;
     const double off = std::hypot(p.x() - m.boom.point.x(), p.z() - m.boom.point.z());
@@ -61,10 +64,10 @@ std::string fault_at(const MachineData& m, const ShovelKinematics& shovel, doubl
           "{} the bail is {:.2f} m from the sheave's axis, within its radius of {:.2f} m",
           with(angle(k)), off, m.boom.sheave_radius);
     const double path = shovel.rope_path(angle(k), crowd);
-    if (k > 0 && path >= before)
+    if (path > shortest + kDeadCentre_m)
       return fmt::format("{} hoisting lowers the dipper: the bail is above the boom's point",
                          with(angle(k)));
-    before = path;
+    shortest = std::min(shortest, path);
   }
   const double at_zero = m.rope.length_at_zero_hoist;
   const double low = shovel.rope_path(l.saddle_max, crowd) - at_zero,

@@ -17,7 +17,8 @@ record::Columns read_drives(const fs::path& record) {
   record::Columns c(record);
   for (const char* channel :
        {"time_s", "machine/door", "machine/hoist", "machine/crowd", "machine/swing",
-        "machine/hoist_force", "machine/crowd_force", "machine/hoist_power", "machine/crowd_power",
+        "machine/hoist_force", "machine/crowd_force", "machine/rope_tension_left",
+        "machine/rope_tension_right", "machine/hoist_power", "machine/crowd_power",
         "machine/swing_power", "rock/mass_in_dipper", "rock/mass_in_truck"})
     c.read(channel);
   for (std::size_t k = 3; k < 6; ++k) c.read("bodies/dipper/wrench_mean", k);
@@ -61,6 +62,9 @@ RunSignals drives_of(const record::Columns& c) {
   p.door_rad = c.get("machine/door");
   p.hoist_force_N = c.get("machine/hoist_force");
   p.crowd_force_N = c.get("machine/crowd_force");
+  const Column left_N = c.get("machine/rope_tension_left"),
+               right_N = c.get("machine/rope_tension_right");
+  for (std::size_t i = 0; i < left_N.size(); ++i) p.rope_tension_N.push_back(left_N[i] + right_N[i]);
   p.dipper_mass_kg = c.get("rock/mass_in_dipper");
   p.truck_mass_kg = c.get("rock/mass_in_truck");
   const Column fx = c.get("bodies/dipper/wrench_mean", 3),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "analysis/signals/time_mean.hpp"
 
@@ -29,12 +30,14 @@ std::optional<TimeSpan> PassPhases::dig() const {
 
 double slack_fraction(const PassSignals& s, double t_start_s, double t_end_s) {
   return time_mean(s.time_s, t_start_s, t_end_s,
-                   [&](std::size_t i) { return s.hoist_force_N[i] < kSlack_N ? 1.0 : 0.0; })
+                   [&](std::size_t i) { return s.rope_tension_N[i] < kSlack_N ? 1.0 : 0.0; })
       .value_or(0);
 }
 
 std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignals& drive) {
   const std::vector<Pass> passes = find_passes(s);
+  if (s.rope_tension_N.size() != s.time_s.size())
+    throw std::invalid_argument("pass signals of different lengths");
   std::vector<PassPhases> out;
   for (std::size_t k = 0; k < passes.size(); ++k) {
     PassPhases p;

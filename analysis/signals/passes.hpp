@@ -10,8 +10,9 @@ struct PassSignals {
   std::vector<double> time_s;
   std::vector<double> door_rad;        ///< 0: closed
   std::vector<double> dipper_force_N;  ///< magnitude of the rock's force on the dipper
-  std::vector<double> hoist_force_N;
-  std::vector<double> crowd_force_N;
+  std::vector<double> hoist_force_N;   ///< of the drive
+  std::vector<double> crowd_force_N;   ///< of the drive
+  std::vector<double> rope_tension_N;  ///< of both hoist ropes
   std::vector<double> dipper_mass_kg;  ///< rock inside the dipper
   std::vector<double> truck_mass_kg;   ///< rock in the truck's bed
 };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "common/angles.hpp"
 #include "tests/places.hpp"
 
 namespace dipper::machine {
@@ -33,6 +34,13 @@ TEST(MachineGeometry, OfEveryMachineThatComesAlongCloses) {
     ++machines;
   }
   EXPECT_GE(machines, 2);
+}
+
+/// The paper's range of rakes, which studies/rake.yaml and studies/operator.yaml run.
+TEST(MachineGeometry, The495FitsTogetherAtEveryRakeOfThePaper) {
+  const MachineData m = load_machine(kSource / "mbs/bucyrus495.yaml");
+  for (double rake_deg = 57.8; rake_deg < 66; rake_deg += 1)
+    EXPECT_THAT(geometry_faults(m, radians(rake_deg)), IsEmpty()) << rake_deg;
 }
 
 TEST(MachineGeometry, RopesThatDoNotReachAreReportedWithTheLength) {

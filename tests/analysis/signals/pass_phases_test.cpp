@@ -26,6 +26,7 @@ struct Cycle {
       pass.door_rad.push_back(ramp(t, 26, 27) - ramp(t, 30, 31));
       pass.dipper_force_N.push_back(t > 3 ? 1e6 : 0);
       pass.hoist_force_N.push_back(slack ? 0 : 3e6);
+      pass.rope_tension_N.push_back(slack ? 0 : 3e6);
       pass.crowd_force_N.push_back(4e6);
       pass.dipper_mass_kg.push_back(8e4 * (ramp(t, 4, 12) - ramp(t, 26, 27)));
       pass.truck_mass_kg.push_back(8e4 * ramp(t, 26, 28));
@@ -57,7 +58,7 @@ TEST(PassPhases, ARunThatEndsAnywhereHasPhasesUpToItsEnd) {
     Cycle cycle;
     for (auto* v : {&cycle.pass.time_s, &cycle.pass.door_rad, &cycle.pass.dipper_force_N,
                     &cycle.pass.hoist_force_N, &cycle.pass.crowd_force_N,
-                    &cycle.pass.dipper_mass_kg, &cycle.pass.truck_mass_kg, &cycle.drive.time_s,
+                    &cycle.pass.rope_tension_N, &cycle.pass.dipper_mass_kg, &cycle.pass.truck_mass_kg, &cycle.drive.time_s,
                     &cycle.drive.crowd_m, &cycle.drive.swing_rad})
       v->resize(n);
     const auto passes = find_pass_phases(cycle.pass, cycle.drive);
@@ -75,9 +76,16 @@ TEST(PassPhases, ARunThatEndsAnywhereHasPhasesUpToItsEnd) {
   }
 }
 
+/// A motor with limits turns drum and sheaves against their friction while the ropes hang.
+TEST(PassPhases, RopesAreSlackWhateverTheHoistDrivePulls) {
+  Cycle cycle;
+  for (double& f : cycle.pass.hoist_force_N) f = std::max(f, 9e4);
+  EXPECT_NEAR(*find_pass_phases(cycle.pass, cycle.drive).at(0).dig_slack_fraction, 0.2, 1e-6);
+}
+
 TEST(PassPhases, ADipperOnItsRopesIsNotSlack) {
   Cycle cycle;
-  for (double& f : cycle.pass.hoist_force_N) f = std::max(f, 5e5);
+  for (double& f : cycle.pass.rope_tension_N) f = std::max(f, 5e5);
   EXPECT_EQ(find_pass_phases(cycle.pass, cycle.drive).at(0).dig_slack_fraction, 0.0);
 }
 
