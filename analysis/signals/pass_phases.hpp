@@ -27,7 +27,7 @@ struct PassPhases {
 };
 
 /// Ropes that pull less than this are slack; under the empty dipper they pull a hundred times as
-/// much. A drive's own force tells nothing of it: sheaves and drum turn while the ropes hang.
+/// much. The drive's own force does not show it: a motor accelerates its drum, too.
 inline constexpr double kSlack_N = 10e3;
 
 /// The fraction of a time in which the hoist ropes are slack; 0 without a reading in it.

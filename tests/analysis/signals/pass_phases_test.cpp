@@ -76,7 +76,7 @@ TEST(PassPhases, ARunThatEndsAnywhereHasPhasesUpToItsEnd) {
   }
 }
 
-/// A motor with limits turns drum and sheaves against their friction while the ropes hang.
+/// A motor with limits accelerates its drum, with or without a pull in the ropes.
 TEST(PassPhases, RopesAreSlackWhateverTheHoistDrivePulls) {
   Cycle cycle;
   for (double& f : cycle.pass.hoist_force_N) f = std::max(f, 9e4);
