@@ -18,6 +18,7 @@ constexpr double kGain_m_s = 2.5;      // m/s by overload
 constexpr double kSteeper = 0.8;       // of the speed at which the crowd retracts
 constexpr double kHoistSpare = 0.9;    // overload of the hoist
 constexpr double kLevel_m_s = 0.02;    // of the hoist: still level
+constexpr double kDrawsIn_m_s = 0.1;   // of the motion: the dig rises
 constexpr double kMeets = 0.05;        // of the crowd's stall force
 constexpr double kSteepest = -0.7071;  // sine of the handle's angle
 constexpr double kRoom_m = 0.1;        // to the crowd's stop
@@ -36,6 +37,11 @@ void go_in(const DigFeel& f, double spare_m_s, DigWish& wish) {
 
 }  // namespace
 
+bool is_landed(bool before, const DigFeel& f) {
+  if (!f.at_face || f.pays_out < -kDrawsIn_m_s) return false;
+  return before || (f.carried < kCarried && f.pays_out >= kLevel_m_s);
+}
+
 DigWish dig_wish(const DigFeel& f, const DigLimits& limits) {
   DigWish wish;
   if (!f.at_face) return wish;
@@ -46,7 +52,8 @@ DigWish dig_wish(const DigFeel& f, const DigLimits& limits) {
     if (raises) wish.rate = kWaits;
     return wish;
   }
-  if (!raises) return wish;
+  if (f.landed) wish.lift = std::max(0.0, f.pays_out);
+  if (!raises || f.landed) return wish;
   const bool meets = f.resistance_N > kMeets * limits.crowd_stall_N;
   const double back = std::min(kGain_m_s * (f.overload - kHeld), kEases_m_s);
   if (f.load_kg >= limits.full_kg) {

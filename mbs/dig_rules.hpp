@@ -9,6 +9,7 @@ namespace dipper::mbs {
 struct DigFeel {
   bool at_face = false;  ///< the house stands and the door is shut
   double pays_out = 0;   ///< rope by the motion, m/s: it lowers the dipper
+  bool landed = false;   ///< is_landed
   double carried = 1;    ///< moment that the ropes hold, over that of the empty dipper
   double load_kg = 0;    ///< machine/handle_statics.hpp
   double resistance_N = 0;
@@ -32,11 +33,17 @@ struct DigLimits {
   double crowd_stall_N = 0;  ///< of the crowd's motor
 };
 
+/// Whether the dipper has come down on rock, caught, and the motion does not draw in rope by 0.1
+/// m/s since. \param before  whether it had at the last look
+bool is_landed(bool before, const DigFeel& feel);
+
 /// The first rule that applies:
 ///   caught: the ropes hold less than half of the empty dipper's moment, so heel or lip rests on
 ///     rock. The crowd retracts by 0.3 m/s. While the motion raises the dipper, rope is drawn in by
 ///     0.3 m/s, at a quarter of the rate. While it lowers the dipper, which has come down on rock,
 ///     rope is drawn in by 0.3 m/s more than the motion pays out: the dig begins from there.
+///   landed: the rope that was drawn in stays in, so that the dipper hangs while the crowd moves it
+///     to the face.
 ///   full: the load is the dipper's capacity. The crowd retracts by 0.3 m/s while the teeth meet
 ///     rock, and stays there.
 ///   stalling: the crowd's overload is above 0.9 in rock. The crowd retracts by 2.5 m/s times the

@@ -29,6 +29,7 @@ void FeelingOperator::reset(double t_s, const std::vector<double>& state) {
   path_.reset(t_s, {state.begin(), own});
   updated_s_ = t_s;
   then_ = {state.at(kPathNumbers), state.at(kPathNumbers + 1), state.at(kPathNumbers + 2)};
+  landed_ = state.at(kPathNumbers + 3) != 0;
   lift_slope_ = load_slope_ = 0;
 }
 
@@ -63,6 +64,7 @@ DigFeel FeelingOperator::feel(const Felt& felt, const PathState& path) {
   } catch (const std::domain_error&) {
     f.carried = 0;  // more rope is out than a taut one would need
   }
+  f.landed = landed_ = is_landed(landed_, f);
   return f;
 }
 
@@ -89,7 +91,7 @@ void FeelingOperator::update(double t_s, const std::function<Felt()>& feels) {
 std::vector<double> FeelingOperator::state(double t_s) const {
   std::vector<double> all = path_.state(t_s);
   const Change now = at(t_s);
-  all.insert(all.end(), {now.lift, now.lift_rate, now.load_kg});
+  all.insert(all.end(), {now.lift, now.lift_rate, now.load_kg, landed_ ? 1.0 : 0.0});
   return all;
 }
 

@@ -44,6 +44,7 @@ class FeelingOperator final : public Operator {
   PathFollower path_;
   double updated_s_ = 0;
   Change then_;
+  bool landed_ = false;
   double lift_slope_ = 0, load_slope_ = 0;  ///< m/s^2, kg/s, since then
 };
 

@@ -64,7 +64,8 @@ RunSignals drives_of(const record::Columns& c) {
   p.crowd_force_N = c.get("machine/crowd_force");
   const Column left_N = c.get("machine/rope_tension_left"),
                right_N = c.get("machine/rope_tension_right");
-  for (std::size_t i = 0; i < left_N.size(); ++i) p.rope_tension_N.push_back(left_N[i] + right_N[i]);
+  for (std::size_t i = 0; i < left_N.size(); ++i)
+    p.rope_tension_N.push_back(left_N[i] + right_N[i]);
   p.dipper_mass_kg = c.get("rock/mass_in_dipper");
   p.truck_mass_kg = c.get("rock/mass_in_truck");
   const Column fx = c.get("bodies/dipper/wrench_mean", 3),

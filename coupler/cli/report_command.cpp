@@ -77,6 +77,9 @@ void report_passes(const nlohmann::ordered_json& metrics, Reporter& reporter) {
 
 int report_command(const ReportOptions& options, Reporter& reporter) {
   try {
+    if (!fs::is_directory(options.folder))
+      throw InputError(
+          {{options.folder, 0, "", "no such folder; give that of a run, or of LIGGGHTS's dumps"}});
     fs::path folder =
         options.out.empty() ? fs::path(options.folder) / "report" : fs::path(options.out);
     if (!folder.has_filename()) folder = folder.parent_path();  // was given as "there/"

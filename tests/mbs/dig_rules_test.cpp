@@ -62,6 +62,26 @@ TEST_F(DigRules, TheCrowdIsHeldAtNineTenthsOfItsForceInRockFullOrNot) {
   EXPECT_EQ(wish().crowd_back, 0.3);
 }
 
+/// On its way down to the face.
+TEST_F(DigRules, ADipperThatHasLandedKeepsItsRopesUntilTheMotionDrawsThemIn) {
+  feel.pays_out = 0.4;
+  feel.carried = 0.3;
+  EXPECT_TRUE(is_landed(false, feel));
+  feel.carried = 0.9;
+  EXPECT_FALSE(is_landed(false, feel)) << "it hangs";
+  EXPECT_TRUE(is_landed(true, feel)) << "for a moment";
+  feel.landed = true;
+  EXPECT_EQ(wish().lift, 0.4) << "the rope stands";
+  feel.pays_out = 0;
+  EXPECT_EQ(wish().lift, 0.0);
+  EXPECT_FALSE(wish().crowd_back);
+  feel.carried = 0.3;
+  EXPECT_EQ(wish().lift, 0.3) << "it lies";
+  EXPECT_FALSE(is_landed(false, feel)) << "caught in the dig";
+  feel.pays_out = -0.2;
+  EXPECT_FALSE(is_landed(true, feel)) << "the dig rises";
+}
+
 TEST_F(DigRules, AStallingCrowdLetsTheTeethRiseWhereTheHoistHasForceToSpare) {
   feel.overload = 1.0;
   EXPECT_NEAR(wish().lift.value(), 0.8 * 0.25, 1e-12);

@@ -39,7 +39,7 @@ class FeelingOperatorTest : public ShovelTest {
     for (double t = from_s; t < to_s - h / 2; t += h) who.update(t, [&] { return felt; });
   }
 
-  /// Path time, rate, relief, its rate, lift, its rate, load.
+  /// Path time, rate, relief, its rate, lift, its rate, load, whether it has landed.
   static double number(const FeelingOperator& who, double t_s, std::size_t i) {
     return who.state(t_s).at(i);
   }
@@ -85,6 +85,21 @@ TEST_F(FeelingOperatorTest, FreesWhatIsCaughtAndGivesBack) {
   EXPECT_NEAR(number(one, 19, 4), 3 * std::exp(-2), 0.05);
   EXPECT_NEAR(number(one, 19, 1), 0.25, 1e-3) << "until the crowd is out again";
   EXPECT_LT(number(one, 19, 2), number(one, 15, 2) - 0.5 * 3.5);
+}
+
+/// Comes down for 10 s, then stands.
+TEST_F(FeelingOperatorTest, KeepsTheRopeOfADipperThatHasLanded) {
+  FeelingOperator down{
+      std::make_shared<machine::Motion>(motion("0,-5.5,1,0,0\n10,-4.5,1,0,0\n30,-4.5,1,0,0\n")),
+      machine, rake, kFull_kg};
+  go(down, 4, 6, held(0, 0, 0.3));
+  const double lift = number(down, 6, 4);
+  EXPECT_GT(lift, 0.3);
+  go(down, 6, 18, held(0, 0));
+  EXPECT_GE(number(down, 18, 4), lift - 0.05) << "it hangs, and the lift does not decay";
+  FeelingOperator other{way, machine, rake, kFull_kg};
+  other.reset(18, down.state(18));
+  EXPECT_EQ(other.state(18), down.state(18));
 }
 
 TEST_F(FeelingOperatorTest, GoesOnFromItsStateToTheBit) {

@@ -56,10 +56,11 @@ TEST(PassPhases, TellTheDigsForceAndWhatPartOfItTheRopesAreSlack) {
 TEST(PassPhases, ARunThatEndsAnywhereHasPhasesUpToItsEnd) {
   for (std::size_t n = 2; n <= 4001; n += n < 20 ? 1 : 17) {
     Cycle cycle;
-    for (auto* v : {&cycle.pass.time_s, &cycle.pass.door_rad, &cycle.pass.dipper_force_N,
-                    &cycle.pass.hoist_force_N, &cycle.pass.crowd_force_N,
-                    &cycle.pass.rope_tension_N, &cycle.pass.dipper_mass_kg, &cycle.pass.truck_mass_kg, &cycle.drive.time_s,
-                    &cycle.drive.crowd_m, &cycle.drive.swing_rad})
+    for (auto* v :
+         {&cycle.pass.time_s, &cycle.pass.door_rad, &cycle.pass.dipper_force_N,
+          &cycle.pass.hoist_force_N, &cycle.pass.crowd_force_N, &cycle.pass.rope_tension_N,
+          &cycle.pass.dipper_mass_kg, &cycle.pass.truck_mass_kg, &cycle.drive.time_s,
+          &cycle.drive.crowd_m, &cycle.drive.swing_rad})
       v->resize(n);
     const auto passes = find_pass_phases(cycle.pass, cycle.drive);
     ASSERT_EQ(passes.size(), 1U) << n;

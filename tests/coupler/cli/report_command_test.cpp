@@ -145,6 +145,16 @@ TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
   EXPECT_THAT(refused(s, plain), HasSubstr("the time step is not known"));
 }
 
+TEST(ReportCommand, AFolderThatIsNotThereIsNamed) {
+  const analysis::Scratch s;
+  ReportOptions w;
+  w.folder = (s.folder() / "not_there").string();
+  test::MemoryReporter reporter;
+  EXPECT_EQ(report_command(w, reporter), 2);
+  EXPECT_THAT(reporter.errors, HasSubstr("not_there: no such folder"));
+  EXPECT_FALSE(std::filesystem::exists(w.folder));
+}
+
 TEST(ReportCommand, WritesWhereAsked) {
   const analysis::Scratch s;
   write_dumps(s);
