@@ -27,7 +27,7 @@ showPage((data) => {
     head(model),
     headline(model),
     frames && section('replay', 'The dig', null, replay(model.replay, frames, clock, model.phases, { sizes: model.rockSizes(), classes: model.classes }, readout(model))),
-    operator(data.operator),
+    operator(data.operator, model.caseText),
     filling(model, clock),
     signals(model, clock),
     work(model.passes),
