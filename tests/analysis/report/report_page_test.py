@@ -229,7 +229,7 @@ class Page(unittest.TestCase):
         read = "return document.querySelector('.readout').textContent"
         self.assertRegex(self.browser.run(read), r"^dig.*\d MN dig force")
         self.browser.run("dipper.clock.set(1)")
-        self.assertRegex(self.browser.run(read), r"^reach.*– MN dig force")
+        self.assertRegex(self.browser.run(read), r"^reach.* t in the dipper$")
 
     def test_charts_are_described_in_words(self):
         said = self.browser.run("return [...document.querySelectorAll('#signals .plot')].map((e) => e.getAttribute('aria-label'))")
@@ -268,7 +268,7 @@ class Page(unittest.TestCase):
         # make_page.cpp's phases are none of the seven
         said = self.browser.run("return document.querySelector('#signals .missing').textContent")
         self.assertIn("penetrate, fill", said)
-        self.assertIn("It ends before the dipper swings back", said)
+        self.assertIn("The motion ends before the dipper swings back", said)
 
     def test_slices_show_spheres_and_walls(self):
         circles, paths = self.browser.run("""

@@ -26,8 +26,10 @@ showPage((data) => {
   return [
     head(model),
     headline(model),
-    frames && section('replay', 'The dig', null, replay(model.replay, frames, clock, model.phases, { sizes: model.rockSizes(), classes: model.classes }, readout(model))),
-    operator(data.operator),
+    frames && section('replay', 'The dig',
+      model.caseText && 'At first rocks may still slide on the face: it is cut to its outline just before the start.',
+      replay(model.replay, frames, clock, model.phases, { sizes: model.rockSizes(), classes: model.classes }, readout(model))),
+    operator(data.operator, model.caseText),
     filling(model, clock),
     signals(model, clock),
     work(model.passes),

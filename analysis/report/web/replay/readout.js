@@ -9,9 +9,9 @@ export function readout(model) {
     ['in the truck', model.channel('rock/mass_in_truck'), tonnes, 't'],
     ['dig force', model.digForce(), meganewtons, 'MN'],
   ].filter(([, values]) => values);
-  const values = wanted.map(() => h('b'));
+  const lines = wanted.map(() => h('div')); // empty where there is no value
   const phase = h('div.now');
-  const element = h('div.readout', phase, wanted.map(([label, , , unit], k) => h('div', values[k], ` ${unit} ${label}`)));
+  const element = h('div.readout', phase, lines);
   return {
     element,
     show(t) {
@@ -23,7 +23,10 @@ export function readout(model) {
         else high = mid - 1;
       }
       phase.textContent = model.phases.find((p) => p.from <= t && t <= p.to)?.name ?? '';
-      wanted.forEach(([, channel, text], k) => { values[k].textContent = text(channel[low] ?? NaN); });
+      wanted.forEach(([label, channel, text, unit], k) => {
+        const value = channel[low];
+        lines[k].replaceChildren(...(Number.isFinite(value) ? [h('b', text(value)), ` ${unit} ${label}`] : []));
+      });
     },
   };
 }

@@ -8,7 +8,7 @@ const returns = (pass) => pass.phases?.some((row) => row.phase === 'return');
 export function durationColumn(passes) {
   const some = passes.some(returns);
   return {
-    name: !some ? 'Time, no return' : passes.every(returns) ? 'Cycle' : 'Time', unit: 's',
+    name: !some ? 'Time without return' : passes.every(returns) ? 'Cycle' : 'Time', unit: 's',
     cell: (pass) => [fixed(pass.t_end_s - pass.t_start_s, 1), some && pass.phases && !returns(pass) && h('small', ' no return')],
   };
 }

@@ -8,22 +8,24 @@ import { table } from '../../parts/table.js';
 const STEP = 5; // m, of the grid
 const SHOWN = 6; // candidates, the best
 
-/// operator: {decisions: [operator/pass_N.json], end: operator/end.json or null}
-export function operator(data) {
+/// operator: {decisions: [operator/pass_N.json], end: operator/end.json or null}; caseText: has the goal by which digs are ranked.
+export function operator(data, caseText) {
   const decisions = data?.decisions ?? [];
   if (!decisions.length) return null;
+  const score = caseText.includes('operator.goal="energy"') ? { name: 'payload per energy', unit: 'kg/kJ', cell: (c) => fixed(1e3 * c.score, 2) }
+    : { name: 'payload per time', unit: 'kg/s', cell: (c) => fixed(c.score, 0) };
   return section('operator', 'What the operator saw and chose',
     'Before each pass: the face as the operator saw it, in the plane of the boom, and the chosen path of the teeth. Map: the height of the rock '
     + 'from above, darker is higher; the line is the chosen heading. Expected figures are the operator\'s estimate, not the run\'s.',
-    eachPass(decisions, decision), data.end && h('p.note', `End: ${data.end.reason}.`));
+    eachPass(decisions, (d) => decision(d, score)), data.end && h('p.note', `End: ${data.end.reason}.`));
 }
 
 const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-function decision(d) {
+function decision(d, score) {
   const chosen = d.candidates[d.chosen];
   return h('div.decision', h('p', `${sentence(d.reason)}.`),
-    h('div.ways', chosen && profile(d), map(d, chosen)), candidates(d));
+    h('div.ways', chosen && profile(d), map(d, chosen)), candidates(d, score));
 }
 
 function profile(d) {
@@ -70,7 +72,8 @@ function map(d, chosen) {
     canvas);
 }
 
-function candidates(d) {
+/// score: the column that they are ranked by.
+function candidates(d, score) {
   const can = d.candidates.map((c, k) => ({ ...c, chosen: k === d.chosen }))
     .sort((a, b) => b.score - a.score).slice(0, SHOWN);
   const refused = d.candidates.filter((c) => c.refused);
@@ -82,6 +85,7 @@ function candidates(d) {
   });
   return [table(`The best of ${d.candidates.length}`, [
     { name: 'Heading', cell: (c) => `${fixed(c.heading_deg, 0)}°${c.chosen ? ' ← chosen' : ''}` },
+    score,
     { name: 'depth', unit: 'm', cell: (c) => fixed(c.depth_m, 2) },
     { name: 'floor rises', unit: 'm/m', cell: (c) => fixed(c.floor_rise, 2) },
     { name: 'out at', unit: 'm', cell: (c) => fixed(c.exit_z_m, 1) },

@@ -6,7 +6,7 @@ import { curve } from '../../parts/curve.js';
 export function rock(model) {
   const { sizes, pile } = model.metrics;
   if (!sizes?.length && !pile?.x_m?.length) return null;
-  return section('rock', 'The rock', null, h('div.two', sizes?.length > 1 && sizeCurves(sizes), pile?.x_m?.length > 1 && profile(pile)));
+  return section('rock', 'The rock', null, h('div.two', sizes?.length > 1 && sizeCurves(sizes), pile?.x_m?.length > 2 && profile(pile)));
 }
 
 /// Share of the mass in rocks smaller than a size. A class is one size: the curve climbs there.
@@ -28,10 +28,12 @@ function sizeCurves(sizes) {
 }
 
 function profile(pile) {
+  // The last bin has the rims of the last rocks alone, at a rear wall too: it would show a drop.
+  const shown = (values) => values.slice(0, -1);
   const angle = (degrees, sigma) => (Number.isFinite(degrees) ? ` ${fixed(degrees, 1)}${Number.isFinite(sigma) ? ` ± ${fixed(sigma, 1)}` : ''}°` : '');
-  return curve(pile.x_m, [
-    { label: `before${angle(pile.angle_before_deg, pile.angle_before_sigma_deg)}`, values: pile.before_m, colour: 'ink', width: 1.6, dash: [6, 4] },
-    pile.after_m && { label: `after${angle(pile.angle_after_deg, pile.angle_after_sigma_deg)}`, values: pile.after_m, colour: 'orange', fill: 0.2 },
+  return curve(shown(pile.x_m), [
+    { label: `before${angle(pile.angle_before_deg, pile.angle_before_sigma_deg)}`, values: shown(pile.before_m), colour: 'ink', width: 1.6, dash: [6, 4] },
+    pile.after_m && { label: `after${angle(pile.angle_after_deg, pile.angle_after_sigma_deg)}`, values: shown(pile.after_m), colour: 'orange', fill: 0.2 },
   ].filter(Boolean), { title: 'Face', unit: `m high${Number.isFinite(pile.removed_m3_per_m) ? `; ${number(pile.removed_m3_per_m, 3)} m³ a metre of width removed` : ''}`,
     height: 240, xLabel: 'x (m)', yRange: [0, 1.08 * Math.max(...pile.before_m.filter(Number.isFinite), ...(pile.after_m ?? []).filter(Number.isFinite))] });
 }

@@ -17,8 +17,9 @@ export function signals(model, clock) {
   const plots = [
     { title: 'Force', unit: 'MN', height: 250, lines: [...stalled(model, 'hoist', 'blue'), ...stalled(model, 'crowd', 'orange'), ...dig, ...lines(1e6,
       ['hoist', 'machine/hoist_force', 'blue', 1.2], ['crowd', 'machine/crowd_force', 'orange', 1.2], ...bodies)] },
-    { title: 'Behind the motion', unit: 's; m', height: 170, lines: [...lines(1, ['late (s)', 'late', 'ink', 1.4]),
-      ...lines(1, ['crowd let back (m)', 'machine/crowd_relief', 'orange', 1.4])] },
+    { title: 'Behind the motion', unit: 's', height: 150, lines: lines(1, ['late', 'late', 'ink', 1.4]) },
+    { title: 'Crowd let back', unit: model.channel('machine/crowd_relief')?.some((m) => m < -0.005) ? 'm; below 0: sent further out' : 'm',
+      height: 150, lines: lines(1, ['let back', 'machine/crowd_relief', 'orange', 1.4]) },
     { title: 'Rock', unit: 't', height: 190, lines: lines(1e3,
       ['in the dipper', 'rock/mass_in_dipper', 'purple'], ['in the truck', 'rock/mass_in_truck', 'green'], ...weighed) },
     { title: 'Power of the drives', unit: 'MW', height: 210, lines: [...stalled(model, 'swing', 'green', 'power'), ...lines(1e6,
@@ -47,5 +48,7 @@ function missing(phases) {
   if (!phases.length) return null;
   const none = PHASES.filter((name) => !phases.some((phase) => phase.name === name));
   if (!none.length) return null;
-  return h('p.note.missing', `Phases that the motion does not have: ${none.join(', ')}.${none.includes('return') ? ' It ends before the dipper swings back.' : ''}`);
+  const ends = none.includes('return') && 'The motion ends before the dipper swings back';
+  return h('p.note.missing', none.length === 1 && ends ? `${ends}; there is no return phase.`
+    : `Phases that the motion does not have: ${none.join(', ')}.${ends ? ` ${ends}.` : ''}`);
 }
