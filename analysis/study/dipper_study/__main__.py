@@ -8,7 +8,6 @@ import json
 import os
 import signal
 import sys
-from collections import Counter
 from pathlib import Path
 
 import dipper_run
@@ -22,7 +21,7 @@ from .executor import executor_of
 from .plan import Planner
 from .progress import Progress
 from .report import write_page
-from .results import row_of, warnings_of, write_csv, write_hdf5
+from .results import row_of, warned, warnings_of, write_csv, write_hdf5
 from .slurm import Detached
 from .statement import statement
 from .study_file import read_study
@@ -91,12 +90,11 @@ class Session:
     def warnings(self, rows):
         """What the runs warn of, each once with how many say so; first that some have ended within a pass."""
         made = [(run, row) for run, row in zip(self.runs.values(), rows) if "warnings" in row]
-        said = Counter(text for run, row in made if row["warnings"]
-                       for text in dict.fromkeys(warnings_of(dipper_run.read(run.folder))))
+        said = warned(warnings_of(dipper_run.read(run.folder)) for run, row in made if row["warnings"])
         unfinished = sum(row["status"] == "unfinished" for _, row in made)
         first = [f"{unfinished} of {len(made)} runs are unfinished: they end before the load is dumped, or have no "
                  "pass; they are left out of every figure (a later end_s lets them go on)"] if unfinished else []
-        return first + [f"in {n} of {len(made)} runs: {text}" for text, n in said.most_common()]
+        return first + [f"in {n} of {len(made)} runs: {text}" for text, n in said]
 
 
 def _link(link, to):

@@ -177,10 +177,10 @@ def test_two_settings_are_compared_seed_by_seed(world):
 
 def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_reported(world):
     world.say("short", "2")
-    world.say("warnings", "pass 1: the ropes are slack\n")
+    world.say("warnings", "pass 1: the ropes are slack in SEED % of the dig\n")
     said = world.study()
     assert "study: warning: 3 of 9 runs are unfinished: they end before the load is dumped" in said
-    assert "study: warning: in 9 of 9 runs: pass 1: the ropes are slack" in said
+    assert "study: warning: in 9 of 9 runs: pass 1: the ropes are slack in 1 to 3 % of the dig\n" in said
     rows = world.rows()
     assert [r["status"] for r in rows] == ["complete", "unfinished", "complete"] * 3
     assert {r["warnings"] for r in rows} == {"1"}

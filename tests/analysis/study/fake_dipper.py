@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Stands in for `dipper`: checks and runs a case in which payload, force and work are a known function of rake, toe
 and seed. Beside it: `calls` (a line a run that began), `fail` (seeds whose runs fail), `slow` (seconds a run takes),
-`short` (seeds whose runs end within the pass), `warnings` (of every run), `steep` (the rake above which a toe beyond
-0.5 m is no sound case), `real` (the program that writes pages)."""
+`short` (seeds whose runs end within the pass), `warnings` (of every run, SEED for its seed), `steep` (the rake above
+which a toe beyond 0.5 m is no sound case), `real` (the program that writes pages)."""
 import hashlib
 import json
 import os
@@ -80,7 +80,7 @@ def run(words):
            "dig_phases_force_mean_N": 3e6, "dig_force_peak_N": peak * 1e6,
            "dumped": str(seed) not in read("short", "").split()}
     (out / "summary.json").write_text(json.dumps({"passes": [one], "dem": {"cpu_s": 5}, "mbs": {"cpu_s": 1},
-                                                  "warnings": read("warnings", "").splitlines()}))
+                                                  "warnings": read("warnings", "").replace("SEED", str(seed)).splitlines()}))
     (out / "work").write_text(str(work))
     return 0
 

@@ -23,6 +23,7 @@ parameters:
 def page(tmp_path_factory):
     world = World(tmp_path_factory.mktemp("page"))
     world.say("fail", "4")
+    world.say("warnings", "pass 1: the ropes are slack in SEED % of the dig")
     world.study(STUDY, status=3)
     return world.out
 
@@ -34,6 +35,7 @@ def test_the_page_says_what_was_found(page, width, phone):
         browser.drawn()
         text = lambda selector: browser.run("return document.querySelector(arguments[0]).textContent", selector)
         assert "18 runs of" in text(".masthead") and "6 runs failed" in text("#failures h2")
+        assert "in 18 of 18 runs: pass 1: the ropes are slack in 1 to 3 % of the dig" in text("#warnings")
         assert browser.run("return document.querySelectorAll('#curves canvas').length") == 8
         assert "bucket: wide against plain" in text("#comparisons") and "more" in text("#comparisons")
         assert "rises" in text("#trends")
