@@ -107,6 +107,8 @@ def _link(link, to):
 def main(words=None):
     args = arguments(words)
     out = out_folder(args.out, f"study-{args.study.stem}")
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # also where the shell has them ignored
+        signal.signal(number, signal.default_int_handler)
     try:
         study = read_study(args.study)
         planner = Planner(study, program(), cache_folder("study"))
@@ -123,9 +125,14 @@ def main(words=None):
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)
         return 2
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # also where the shell has them ignored
-        signal.signal(number, signal.default_int_handler)
+    except KeyboardInterrupt:
+        return interrupted()
     return conduct(Session(study, planner, executor, out), points, args)
+
+
+def interrupted():
+    print("study: interrupted; the same command continues from the finished runs", file=sys.stderr)
+    return 4
 
 
 def corners(optimise):
@@ -148,9 +155,9 @@ def conduct(session, points, args):
         say(f"study: {e}; the same command without --detach watches and collects")
         return 0
     except KeyboardInterrupt:
-        session.write()
-        print("study: interrupted; the same command continues from the finished runs", file=sys.stderr)
-        return 4
+        if session.runs:
+            session.write()
+        return interrupted()
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)
         return 3

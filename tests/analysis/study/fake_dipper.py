@@ -2,7 +2,8 @@
 """Stands in for `dipper`: checks and runs a case in which payload, force and work are a known function of rake, toe
 and seed. Beside it: `calls` (a line a run that began), `fail` (seeds whose runs fail), `slow` (seconds a run takes),
 `short` (seeds whose runs end within the pass), `warnings` (of every run, SEED for its seed), `steep` (the rake above
-which a toe beyond 0.5 m is no sound case), `real` (the program that writes pages)."""
+which a toe beyond 0.5 m is no sound case), `hold` (a command, and the number of
+motions made from which it takes a minute; then `held` is there), `real` (the program that writes pages)."""
 import hashlib
 import json
 import os
@@ -111,6 +112,10 @@ def report(words):
 
 
 if __name__ == "__main__":
+    hold, *after = read("hold", "none").split()
+    if sys.argv[1] == hold and len(read("motions", "").splitlines()) >= int(*after):
+        (HERE / "held").touch()
+        time.sleep(60)
     if sys.argv[1] == "page":
         os.execv(read("real", ""), sys.argv)
     sys.exit({"check": check, "run": run, "motion": motion, "report": report}[sys.argv[1]](sys.argv[2:]))
