@@ -57,9 +57,10 @@ class Session:
         todo = [r for r in own if not self.executor.kept(r.job.folder, r.job.drop)]
         say(statement(self.study, self.planner, self.executor, runs, len(own), todo))
         if todo:
-            progress = Progress(len(own), len(own) - len(todo), self.planner.seconds(todo[0]), self.executor.at_once)
+            jobs = [r.job for r in todo]
+            progress = Progress(len(own), jobs, self.planner.seconds(todo[0]), self.executor.at_once)
             try:
-                failures = self.executor.make([r.job for r in todo], progress)
+                failures = self.executor.make(jobs, progress)
             finally:
                 progress.close()
             self.failed.update((job.folder, str(error)) for job, error in failures)

@@ -25,8 +25,8 @@ def row_of(planned, names, facts, failure=None):
            "status": "failed" if failure else "complete" if facts else "not made"}
     if facts and not failure:
         run = dipper_run.read(planned.folder)
-        row |= figures(run) | {"wall_s": facts.get("wall_s", float("nan"))}
-        row |= {"warnings": len(warnings_of(run)), "status": "complete" if is_whole(run) else "unfinished"}
+        row |= figures(run) | {"warnings": len(warnings_of(run))}
+        row |= {"status": "complete" if is_whole(run) else "unfinished"}
     return row
 
 
@@ -73,7 +73,8 @@ def figures(run):
             "truck_filled_fraction": truck.get("filled_fraction", np.nan),
             "truck_load_fraction": truck.get("load_fraction", np.nan),
             **operator_figures(run.summary.get("operator")),
-            "cpu_s": run.summary["dem"]["cpu_s"] + run.summary["mbs"]["cpu_s"]}
+            "cpu_s": run.summary["dem"]["cpu_s"] + run.summary["mbs"]["cpu_s"],
+            "wall_s": run.summary["dem"]["wall_s"]}  # as cpu_s of all starts of a run that was resumed
 
 
 def operator_figures(operator):

@@ -33,6 +33,7 @@ def test_a_study_leaves_a_table_a_page_and_its_runs(world):
     asked = [(r["machine.rake_angle_deg"], r["seed"]) for r in rows]
     assert asked == [(rake, seed) for rake in ("60", "62", "64") for seed in "123"]
     assert all(r["status"] == "complete" and float(r["payload_t"]) > 50 for r in rows)
+    assert {(r["cpu_s"], r["wall_s"]) for r in rows} == {("6", "7")}  # of the summary, which has all starts of a run
     with h5py.File(world.out / "study.h5") as f:
         assert f["payload_t"].attrs["unit"] == "t" and f.attrs["study"] == STUDY
         np.testing.assert_array_equal(f["parameters/machine.rake_angle_deg"], np.repeat([60, 62, 64], 3))
