@@ -81,7 +81,8 @@ class Session:
                 _link(self.out / "runs" / run.name, run.folder)
         if answer:
             (self.out / "optimum.json").write_text(json.dumps(plain(answer), indent=1) + "\n")
-        write_page(self.study, rows, self.failures(), answer, self.out / "report.html", self.warnings(rows))
+        title = next((self.planner.checked(r.point)["values"].get("title") for r in self.runs.values()), None)
+        write_page(self.study, rows, self.failures(), answer, self.out / "report.html", self.warnings(rows), title)
         return rows
 
     def failures(self):

@@ -44,7 +44,7 @@ def check(words):
     text = case.read_text() + json.dumps(keys, sort_keys=True)
     print(json.dumps({"findings": [{"file": "--set", "line": 0, "key": k, "message": m} for k, m in findings],
                       "case_hash": hashlib.sha256(text.encode()).hexdigest(), "source_hash": "s",
-                      "values": {"machine.rake_angle_deg": 60, "pile.toe_x_m": 0},
+                      "values": {"title": "A made-up shovel", "machine.rake_angle_deg": 60, "pile.toe_x_m": 0},
                       "cost": {"wall_s": 5, "disk_B": 9e6, "record_B": 4e6, "dumps_B": 3e6}}))
     return 2 if findings else 0
 
