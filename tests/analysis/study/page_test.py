@@ -63,8 +63,8 @@ def test_intervals_of_two_seeds_do_not_flatten_a_chart(tmp_path):
         browser.open(tmp_path / "report.html")
         browser.drawn()
         share = browser.run("""
-            const { width, height } = document.querySelector('#curves canvas');
-            const data = document.querySelector('#curves canvas').getContext('2d').getImageData(0, 0, width, height).data;
+            const canvas = document.querySelector('#curves canvas'), { width, height } = canvas;
+            const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
             const rows = [];
             for (let k = 0; k < data.length; k += 4)
                 if (data[k] === 0 && data[k + 1] === 114 && data[k + 2] === 178 && data[k + 3] === 255)
