@@ -43,6 +43,11 @@ class Job:
     def run(self):
         return self.folder / "run"
 
+    @property
+    def begun(self):
+        """Whether an earlier start has left a checkpoint to go on from."""
+        return (self.run / "record.h5").exists() and any((self.run / "checkpoints").glob("*"))
+
 
 class KeptRuns:
     """Makes jobs that are not there yet, `at_once` at a time; nothing is made twice, by whichever process.
@@ -108,8 +113,7 @@ class KeptRuns:
         (folder / run_cache.MANIFEST).unlink(missing_ok=True)  # of a run that kept less than is wanted
         words = [self.program, "run", *job.words, "--out", str(run)]
         began = time.monotonic()
-        resumed = (run / "record.h5").exists() and any((run / "checkpoints").glob("*"))
-        status = self._call(words + ["--resume"], folder, lock) if resumed else None
+        status = self._call(words + ["--resume"], folder, lock) if job.begun else None
         if status not in (0, INTERRUPTED) and not self._stopped:
             shutil.rmtree(run, ignore_errors=True)
             status = self._call(words, folder, lock)

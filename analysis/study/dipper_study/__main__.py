@@ -8,7 +8,6 @@ import json
 import os
 import signal
 import sys
-from collections import Counter
 from pathlib import Path
 
 import dipper_run
@@ -22,7 +21,7 @@ from .executor import executor_of
 from .plan import Planner
 from .progress import Progress
 from .report import write_page
-from .results import row_of, warnings_of, write_csv, write_hdf5
+from .results import row_of, warned, warnings_of, write_csv, write_hdf5
 from .slurm import Detached
 from .statement import statement
 from .study_file import read_study
@@ -58,9 +57,10 @@ class Session:
         todo = [r for r in own if not self.executor.kept(r.job.folder, r.job.drop)]
         say(statement(self.study, self.planner, self.executor, runs, len(own), todo))
         if todo:
-            progress = Progress(len(own), len(own) - len(todo), self.planner.seconds(todo[0]), self.executor.at_once)
+            jobs = [r.job for r in todo]
+            progress = Progress(len(own), jobs, self.planner.seconds(todo[0]), self.executor.at_once)
             try:
-                failures = self.executor.make([r.job for r in todo], progress)
+                failures = self.executor.make(jobs, progress)
             finally:
                 progress.close()
             self.failed.update((job.folder, str(error)) for job, error in failures)
@@ -81,7 +81,8 @@ class Session:
                 _link(self.out / "runs" / run.name, run.folder)
         if answer:
             (self.out / "optimum.json").write_text(json.dumps(plain(answer), indent=1) + "\n")
-        write_page(self.study, rows, self.failures(), answer, self.out / "report.html", self.warnings(rows))
+        title = next((self.planner.checked(r.point)["values"].get("title") for r in self.runs.values()), None)
+        write_page(self.study, rows, self.failures(), answer, self.out / "report.html", self.warnings(rows), title)
         return rows
 
     def failures(self):
@@ -91,12 +92,11 @@ class Session:
     def warnings(self, rows):
         """What the runs warn of, each once with how many say so; first that some have ended within a pass."""
         made = [(run, row) for run, row in zip(self.runs.values(), rows) if "warnings" in row]
-        said = Counter(text for run, row in made if row["warnings"]
-                       for text in dict.fromkeys(warnings_of(dipper_run.read(run.folder))))
+        said = warned(warnings_of(dipper_run.read(run.folder)) for run, row in made if row["warnings"])
         unfinished = sum(row["status"] == "unfinished" for _, row in made)
         first = [f"{unfinished} of {len(made)} runs are unfinished: they end before the load is dumped, or have no "
                  "pass; they are left out of every figure (a later end_s lets them go on)"] if unfinished else []
-        return first + [f"in {n} of {len(made)} runs: {text}" for text, n in said.most_common()]
+        return first + [f"in {n} of {len(made)} runs: {text}" for text, n in said]
 
 
 def _link(link, to):
@@ -109,6 +109,8 @@ def _link(link, to):
 def main(words=None):
     args = arguments(words)
     out = out_folder(args.out, f"study-{args.study.stem}")
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # also where the shell has them ignored
+        signal.signal(number, signal.default_int_handler)
     try:
         study = read_study(args.study)
         planner = Planner(study, program(), cache_folder("study"))
@@ -125,9 +127,14 @@ def main(words=None):
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)
         return 2
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # also where the shell has them ignored
-        signal.signal(number, signal.default_int_handler)
+    except KeyboardInterrupt:
+        return interrupted()
     return conduct(Session(study, planner, executor, out), points, args)
+
+
+def interrupted():
+    print("study: interrupted; the same command continues from the finished runs", file=sys.stderr)
+    return 4
 
 
 def corners(optimise):
@@ -150,9 +157,9 @@ def conduct(session, points, args):
         say(f"study: {e}; the same command without --detach watches and collects")
         return 0
     except KeyboardInterrupt:
-        session.write()
-        print("study: interrupted; the same command continues from the finished runs", file=sys.stderr)
-        return 4
+        if session.runs:
+            session.write()
+        return interrupted()
     except ProgramFailed as e:
         print(f"study: {e}", file=sys.stderr)
         return 3

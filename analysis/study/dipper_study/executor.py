@@ -22,7 +22,7 @@ class LocalExecutor:
         failures = []
 
         def on_end(job, error):
-            progress.ended(error)
+            progress.ended(job, error)
             if error:
                 failures.append((job, error))
 

@@ -8,17 +8,18 @@ from .goal import COLUMNS
 from .statistics import compare, summary
 
 
-def write_page(study, rows, failures, answer, file, warnings=()):
+def write_page(study, rows, failures, answer, file, warnings=(), case_title=None):
     """The page, written by `dipper page`; raises ProgramFailed with what it says when it cannot."""
-    output_of("page", file, given=page(study, rows, failures, answer, warnings))
+    output_of("page", file, given=page(study, rows, failures, answer, warnings, case_title))
 
 
-def page(study, rows, failures=(), answer=None, warnings=()):
+def page(study, rows, failures=(), answer=None, warnings=(), case_title=None):
     """The page's data. Only finite numbers: what is none is null."""
     done = [r for r in rows if r["status"] == "complete"]
     columns = [c for c in COLUMNS if any(np.isfinite(r[c]) for r in done)]
     return plain({
-        "kind": "study", "title": study.file.stem, "case": str(study.case), "seeds": study.seeds, "keep": study.keep,
+        "kind": "study", "title": f"{case_title}: {study.file.stem}" if case_title else study.file.stem,
+        "case": str(study.case), "seeds": study.seeds, "keep": study.keep,
         "counts": {s: sum(r["status"] == s for r in rows) for s in ("complete", "unfinished", "failed", "not made")},
         "columns": [{"name": c, "title": COLUMNS[c]} for c in columns],
         "parameters": study.names,

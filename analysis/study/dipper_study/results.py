@@ -1,6 +1,7 @@
 """A study's table: a row a run, as CSV and HDF5."""
 import csv
 import os
+import re
 
 import h5py
 import numpy as np
@@ -15,6 +16,7 @@ FIGURES = (*COLUMNS, "passes", "passes_to_fill", "truck_filled_fraction", "truck
 PURE = ("fill_factor", "fill_factor_load", "passes", "passes_to_fill", "truck_filled_fraction", "truck_load_fraction",
         "warnings")
 UNITS = {"tonnes_per_hour": "t/h", "energy_J_per_kg": "J/kg"}  # of others the last word of the name
+NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?!\w|\.\d)")
 
 
 def row_of(planned, names, facts, failure=None):
@@ -23,8 +25,8 @@ def row_of(planned, names, facts, failure=None):
            "status": "failed" if failure else "complete" if facts else "not made"}
     if facts and not failure:
         run = dipper_run.read(planned.folder)
-        row |= figures(run) | {"wall_s": facts.get("wall_s", float("nan"))}
-        row |= {"warnings": len(warnings_of(run)), "status": "complete" if is_whole(run) else "unfinished"}
+        row |= figures(run) | {"warnings": len(warnings_of(run))}
+        row |= {"status": "complete" if is_whole(run) else "unfinished"}
     return row
 
 
@@ -36,6 +38,24 @@ def is_whole(run):
 
 def warnings_of(run):
     return run.summary.get("warnings", [])
+
+
+def warned(texts_of_runs):
+    """[(text, runs that have it)], most first. Texts that differ in their numbers alone are one, with their ranges."""
+    found = {}  # {text without its numbers: (its texts, {index of a run})}
+    for k, of_run in enumerate(texts_of_runs):
+        for text in of_run:
+            texts, runs = found.setdefault(NUMBER.sub("0", text), ([], set()))
+            texts.append(text)
+            runs.add(k)
+    return sorted(((_with_ranges(texts), len(runs)) for texts, runs in found.values()), key=lambda one: -one[1])
+
+
+def _with_ranges(texts):
+    """The first text, with "38 to 49" for a number that differs among them."""
+    columns = zip(*(NUMBER.findall(text) for text in texts))
+    ranges = iter([dict.fromkeys((min(c, key=float), max(c, key=float))) for c in columns])
+    return NUMBER.sub(lambda _: " to ".join(next(ranges)), texts[0])
 
 
 def figures(run):
@@ -53,7 +73,8 @@ def figures(run):
             "truck_filled_fraction": truck.get("filled_fraction", np.nan),
             "truck_load_fraction": truck.get("load_fraction", np.nan),
             **operator_figures(run.summary.get("operator")),
-            "cpu_s": run.summary["dem"]["cpu_s"] + run.summary["mbs"]["cpu_s"]}
+            "cpu_s": run.summary["dem"]["cpu_s"] + run.summary["mbs"]["cpu_s"],
+            "wall_s": run.summary["dem"]["wall_s"]}  # as cpu_s of all starts of a run that was resumed
 
 
 def operator_figures(operator):

@@ -98,7 +98,7 @@ class SlurmQueue:
                     error = RunFailed(f"run lost {lost} times ({job.label}): killed, out of time, or its node gone; "
                                       f"logs in {self._folder}")
             del todo[folder]
-            progress.ended(error)
+            progress.ended(job, error)
             if error:
                 failures.append((job, error))
         return again

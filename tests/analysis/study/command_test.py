@@ -33,6 +33,7 @@ def test_a_study_leaves_a_table_a_page_and_its_runs(world):
     asked = [(r["machine.rake_angle_deg"], r["seed"]) for r in rows]
     assert asked == [(rake, seed) for rake in ("60", "62", "64") for seed in "123"]
     assert all(r["status"] == "complete" and float(r["payload_t"]) > 50 for r in rows)
+    assert {(r["cpu_s"], r["wall_s"]) for r in rows} == {("6", "7")}  # of the summary, which has all starts of a run
     with h5py.File(world.out / "study.h5") as f:
         assert f["payload_t"].attrs["unit"] == "t" and f.attrs["study"] == STUDY
         np.testing.assert_array_equal(f["parameters/machine.rake_angle_deg"], np.repeat([60, 62, 64], 3))
@@ -177,10 +178,10 @@ def test_two_settings_are_compared_seed_by_seed(world):
 
 def test_runs_that_end_before_the_door_opens_are_unfinished_and_warnings_are_reported(world):
     world.say("short", "2")
-    world.say("warnings", "pass 1: the ropes are slack\n")
+    world.say("warnings", "pass 1: the ropes are slack in SEED % of the dig\n")
     said = world.study()
     assert "study: warning: 3 of 9 runs are unfinished: they end before the load is dumped" in said
-    assert "study: warning: in 9 of 9 runs: pass 1: the ropes are slack" in said
+    assert "study: warning: in 9 of 9 runs: pass 1: the ropes are slack in 1 to 3 % of the dig\n" in said
     rows = world.rows()
     assert [r["status"] for r in rows] == ["complete", "unfinished", "complete"] * 3
     assert {r["warnings"] for r in rows} == {"1"}

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Stands in for `dipper`: checks and runs a case in which payload, force and work are a known function of rake, toe
 and seed. Beside it: `calls` (a line a run that began), `fail` (seeds whose runs fail), `slow` (seconds a run takes),
-`short` (seeds whose runs end within the pass), `warnings` (of every run), `steep` (the rake above which a toe beyond
-0.5 m is no sound case), `real` (the program that writes pages)."""
+`short` (seeds whose runs end within the pass), `warnings` (of every run, SEED for its seed), `steep` (the rake above
+which a toe beyond 0.5 m is no sound case), `hold` (a command, and the number of
+motions made from which it takes a minute; then `held` is there), `real` (the program that writes pages)."""
 import hashlib
 import json
 import os
@@ -43,7 +44,7 @@ def check(words):
     text = case.read_text() + json.dumps(keys, sort_keys=True)
     print(json.dumps({"findings": [{"file": "--set", "line": 0, "key": k, "message": m} for k, m in findings],
                       "case_hash": hashlib.sha256(text.encode()).hexdigest(), "source_hash": "s",
-                      "values": {"machine.rake_angle_deg": 60, "pile.toe_x_m": 0},
+                      "values": {"title": "A made-up shovel", "machine.rake_angle_deg": 60, "pile.toe_x_m": 0},
                       "cost": {"wall_s": 5, "disk_B": 9e6, "record_B": 4e6, "dumps_B": 3e6}}))
     return 2 if findings else 0
 
@@ -79,8 +80,9 @@ def run(words):
            "fill_factor_load": 0.7, "dig_force_mean_N": 2.5e6,
            "dig_phases_force_mean_N": 3e6, "dig_force_peak_N": peak * 1e6,
            "dumped": str(seed) not in read("short", "").split()}
-    (out / "summary.json").write_text(json.dumps({"passes": [one], "dem": {"cpu_s": 5}, "mbs": {"cpu_s": 1},
-                                                  "warnings": read("warnings", "").splitlines()}))
+    warnings = read("warnings", "").replace("SEED", str(seed)).splitlines()
+    (out / "summary.json").write_text(json.dumps({"passes": [one], "dem": {"cpu_s": 5, "wall_s": 7},
+                                                  "mbs": {"cpu_s": 1}, "warnings": warnings}))
     (out / "work").write_text(str(work))
     return 0
 
@@ -111,6 +113,10 @@ def report(words):
 
 
 if __name__ == "__main__":
+    hold, *after = read("hold", "none").split()
+    if sys.argv[1] == hold and len(read("motions", "").splitlines()) >= int(*after):
+        (HERE / "held").touch()
+        time.sleep(60)
     if sys.argv[1] == "page":
         os.execv(read("real", ""), sys.argv)
     sys.exit({"check": check, "run": run, "motion": motion, "report": report}[sys.argv[1]](sys.argv[2:]))

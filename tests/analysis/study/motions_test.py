@@ -1,5 +1,8 @@
 """plan.KEY: the case's motion, planned anew for a point of a study."""
 import json
+import os
+import signal
+import time
 
 import pytest
 
@@ -78,8 +81,7 @@ def test_a_case_without_a_plan(world):
     assert "has no plan.yaml" in world.study(STUDY, status=2)
 
 
-def test_the_search_begins_at_the_depth_of_the_plan(world):
-    world.study("""case: case
+SEARCH = """case: case
 seeds: [1, 2]
 optimise:
   maximise: payload_t
@@ -88,6 +90,25 @@ optimise:
   start: 3
   points: 4
   confirm_seeds: [11, 12]
-""")
+"""
+
+
+def test_the_search_begins_at_the_depth_of_the_plan(world):
+    world.study(SEARCH)
     answer = json.loads((world.out / "optimum.json").read_text())
     assert answer["base_at"] == [1.0] and answer["best"][0] > 2
+
+
+@pytest.mark.parametrize("study, hold", [(STUDY, "check 0"), (STUDY, "motion 0"), (SEARCH, "check 0"),
+                                         (SEARCH, "motion 0"), (SEARCH, "motion 3")])  # 3: those of the ranges
+def test_an_interrupt_before_the_first_run_is_one_too(world, study, hold):
+    world.say("hold", hold)
+    began = world.start(study)
+    until = time.monotonic() + 60
+    while not (world.folder / "held").exists():
+        assert began.poll() is None and time.monotonic() < until
+        time.sleep(0.02)
+    os.killpg(began.pid, signal.SIGINT)  # as a terminal's Ctrl-C
+    _, err = began.communicate(timeout=30)
+    assert began.returncode == 4 and "study: interrupted; the same command continues" in err, err
+    assert "dipper_study" not in err and world.calls() == [] and not world.out.exists()

@@ -4,6 +4,7 @@ import sys
 
 import pytest
 
+from dipper_study.goal import COLUMNS
 from dipper_study.report import write_page
 from dipper_study.study_file import read_study
 from world import World
@@ -23,6 +24,7 @@ parameters:
 def page(tmp_path_factory):
     world = World(tmp_path_factory.mktemp("page"))
     world.say("fail", "4")
+    world.say("warnings", "pass 1: the ropes are slack in SEED % of the dig")
     world.study(STUDY, status=3)
     return world.out
 
@@ -33,16 +35,42 @@ def test_the_page_says_what_was_found(page, width, phone):
         browser.open(page / "report.html")
         browser.drawn()
         text = lambda selector: browser.run("return document.querySelector(arguments[0]).textContent", selector)
+        assert text("h1") == "A made-up shovel: study"
         assert "18 runs of" in text(".masthead") and "6 runs failed" in text("#failures h2")
+        assert "in 18 of 18 runs: pass 1: the ropes are slack in 1 to 3 % of the dig" in text("#warnings")
         assert browser.run("return document.querySelectorAll('#curves canvas').length") == 8
         assert "bucket: wide against plain" in text("#comparisons") and "more" in text("#comparisons")
-        assert "rises" in text("#trends")
+        assert "rises" in text("#trends") and "Parameter" not in text("#trends thead")
         assert browser.run("return document.querySelectorAll('#points tbody tr').length") == 6
         link = browser.run("return document.querySelector('#runs a').getAttribute('href')")
         assert (page / link).exists()
-        assert browser.run("return document.documentElement.scrollWidth <= innerWidth")
-        assert browser.run("""return [...document.querySelectorAll('#trends .table, #comparisons .table')]
+        # A phone's innerWidth grows with a page that is too wide.
+        assert browser.run("return document.documentElement.scrollWidth") <= width
+        assert browser.run("""return [...document.querySelectorAll('.stack .table')]
             .filter((e) => e.scrollWidth > e.clientWidth).length""") == 0, "a column out of sight"
+        assert browser.errors() == []
+
+
+def test_intervals_of_two_seeds_do_not_flatten_a_chart(tmp_path):
+    (tmp_path / "case").mkdir()
+    (tmp_path / "case/case.yaml").write_text("")
+    (tmp_path / "study.yaml").write_text("case: case\nseeds: [1, 2]\nparameters: {machine.rake_angle_deg: [60, 62]}\n")
+    rows = [{"run": f"{rake}_s{seed}", "machine.rake_angle_deg": rake, "seed": seed, "status": "complete",
+             **dict.fromkeys(COLUMNS, float("nan")), "payload_t": 50.0 + 10 * seed}
+            for rake in ("60", "62") for seed in (1, 2)]  # 65 +- 32
+    write_page(read_study(tmp_path / "study.yaml"), rows, [], None, tmp_path / "report.html")
+    with Browser() as browser:
+        browser.open(tmp_path / "report.html")
+        browser.drawn()
+        share = browser.run("""
+            const canvas = document.querySelector('#curves canvas'), { width, height } = canvas;
+            const { data } = canvas.getContext('2d').getImageData(0, 0, width, height);
+            const rows = [];
+            for (let k = 0; k < data.length; k += 4)
+                if (data[k] === 0 && data[k + 1] === 114 && data[k + 2] === 178 && data[k + 3] === 255)
+                    rows.push(Math.floor(k / 4 / width));
+            return (rows[rows.length - 1] - rows[0]) / height;""")
+        assert 0.2 < share < 0.3, "of the chart between the points of both seeds"
         assert browser.errors() == []
 
 

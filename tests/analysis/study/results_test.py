@@ -3,7 +3,7 @@ import h5py
 import numpy as np
 import pytest
 
-from dipper_study.results import FIGURES, operator_figures, write_hdf5
+from dipper_study.results import FIGURES, operator_figures, warned, write_hdf5
 
 PLANNED = {"passes": 3, "stopped": "the truck is full", "cycles_s": [50.0, 54.0], "truck_kg": 2.1e5,
            "truck_s": 150.0, "tonnes_per_hour": 5040.0, "energy_J_per_kg": 310.0}
@@ -29,3 +29,11 @@ def test_units_are_those_of_the_names(tmp_path):
         assert f["cycle_s"][0] == 52
     assert units == {"payload_t": "t", "cycle_s": "s", "tonnes_per_hour": "t/h", "energy_J_per_kg": "J/kg",
                      "truck_load_fraction": "1"}
+
+
+def test_warnings_that_differ_in_their_numbers_alone_are_one_with_the_ranges():
+    crowd = "pass 1: the crowd takes more force than the machine has in {} % of the dig"
+    texts = [[crowd.format(44)], [crowd.format(9), "the door is 1.5 m3 of x-1.stl"], [crowd.format(49)], []]
+    assert warned(texts) == [(crowd.format("9 to 49"), 3), ("the door is 1.5 m3 of x-1.stl", 1)]
+    assert warned([["pass 1: slack", "pass 2: slack"], ["pass 1: -0.5 m"], ["pass 1: 2.5e-3 m"]]) == [
+        ("pass 1: -0.5 to 2.5e-3 m", 2), ("pass 1 to 2: slack", 1)]

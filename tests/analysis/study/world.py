@@ -46,7 +46,7 @@ class World:
 
     def start(self, study=STUDY, *more):
         return subprocess.Popen(self.words(study, *more), env=self.environment, stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE, text=True)
+                                stderr=subprocess.PIPE, text=True, start_new_session=True)
 
     def calls(self):
         file = self.folder / "calls"

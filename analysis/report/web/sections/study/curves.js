@@ -34,18 +34,32 @@ function picture(chart, column, title) {
   const [low, high] = [Math.min(...x), Math.max(...x)];
   const margin = 0.06 * (high - low || 1);
   return curve(sorted(x), lines, {
-    title, unit, xLabel: chart.name, xTicks: sorted(x), xRange: [low - margin, high + margin], together: 'study',
+    title, unit, xLabel: chart.name, xTicks: sorted(x), xRange: [low - margin, high + margin], yRange: yRange(chart.lines, column), together: 'study',
     xNames: chart.numbers ? undefined : chart.names,
   });
 }
 
+/// As far as the points and intervals reach, but at most the points' range beyond them, and to 0 where no point is below:
+/// intervals of two seeds would flatten the chart. Undefined where the points do not differ.
+function yRange(lines, column) {
+  const points = lines.flatMap((line) => line.seeds[column].flat()).filter(Number.isFinite);
+  const [low, high] = [Math.min(...points), Math.max(...points)];
+  const range = high - low;
+  if (!(range > 0)) return undefined;
+  const ends = lines.flatMap((line) => line.summaries[column].flatMap((s) => [s.low, s.high])).filter(Number.isFinite);
+  const [bottom, top] = [Math.max(Math.min(low, ...ends), low - range), Math.min(Math.max(high, ...ends), high + range)];
+  const margin = 0.05 * (top - bottom);
+  return [low < 0 ? bottom - margin : Math.max(bottom - margin, 0), top + margin];
+}
+
 export function trends(data) {
   if (!data.trends.length) return null;
+  const several = new Set(data.trends.map((t) => t.parameter)).size > 1;
   return section('trends', 'Trends',
-    'Slope of a straight line through the points of one seed, for one unit of the parameter; mean and 90 % interval over the seeds.',
+    `Slope of a straight line through the points of one seed, for one unit of ${several ? 'the parameter' : data.trends[0].parameter}; mean and 90 % interval over the seeds.`,
     h('div.stack', table(null, [
     { name: 'Figure', cell: (t) => columnName(t.column)[0] },
-    { name: 'Parameter', kind: 'text', cell: (t) => t.parameter },
+    ...(several ? [{ name: 'Parameter', kind: 'text', cell: (t) => t.parameter }] : []),
     { name: 'Slope', cell: (t) => `${meanText(t)} ${columnName(t.column)[1]}` },
     { name: 'Shown', cell: (t) => (t.low > 0 ? 'rises' : t.high < 0 ? 'falls' : '–') },
     { name: 'Lines', cell: (t) => String(t.n) },

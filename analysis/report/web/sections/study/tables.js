@@ -18,10 +18,10 @@ export function points(data) {
 const figure = (f) => [number(f.mean), f.low !== null && h('small', `${number(f.low)} to ${number(f.high)}`), f.sd !== null && h('small', `± ${number(f.sd, 2)}`)];
 
 export function runs(data) {
-  return section('runs', 'Runs', 'Each with its own page, as long as the cache keeps it. The same table: study.csv and study.h5.', table(null, [
+  return section('runs', 'Runs', 'Each with its own page, as long as the cache keeps it. The same table: study.csv and study.h5.', h('div.stack', table(null, [
     { name: 'Run', cell: (r) => (r.status === 'complete' ? h('a', { href: r.report }, r.run) : r.run) },
     { name: 'Seed', cell: (r) => String(r.seed) },
     { name: 'Status', kind: 'text', cell: (r) => r.status },
     ...data.columns.map(({ name }) => ({ name: columnName(name)[0], unit: columnName(name)[1], cell: (r) => number(r[name]) })),
-  ], data.runs, { compact: true }));
+  ], data.runs, { compact: true })));
 }
