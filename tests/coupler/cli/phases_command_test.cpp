@@ -98,7 +98,8 @@ void write_record(const std::filesystem::path& file) {
              turn = add("machine/swing"), inside = add("rock/mass_in_dipper"),
              truck = add("rock/mass_in_truck"), hoist_force = add("machine/hoist_force"),
              crowd_force = add("machine/crowd_force");
-  for (const char* name : {"machine/hoist_power", "machine/crowd_power", "machine/swing_power",
+  for (const char* name : {"machine/rope_tension_left", "machine/rope_tension_right",
+                           "machine/hoist_power", "machine/crowd_power", "machine/swing_power",
                            "machine/hoist", "rock/rock_mass", "coupling/rock_work"})
     add(name);
   std::size_t dipper_wrench = 0;
