@@ -52,8 +52,11 @@ DigWish dig_wish(const DigFeel& f, const DigLimits& limits) {
     if (raises) wish.rate = kWaits;
     return wish;
   }
-  if (f.landed) wish.lift = std::max(0.0, f.pays_out);
-  if (!raises || f.landed) return wish;
+  if (f.landed) {
+    wish.lift = std::max(0.0, f.pays_out);
+    return wish;
+  }
+  if (!raises) return wish;
   const bool meets = f.resistance_N > kMeets * limits.crowd_stall_N;
   const double back = std::min(kGain_m_s * (f.overload - kHeld), kEases_m_s);
   if (f.load_kg >= limits.full_kg) {

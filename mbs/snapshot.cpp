@@ -20,8 +20,8 @@ constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
 // Drives that follow set points, by more numbers.
 constexpr char kTold[] = "DIPMBST1", kToldSegmented[] = "DIPMBSC1";
 // Drives that an operator leads who feels the dig.
-constexpr char kFeeling[] = "DIPMBSF1", kFeelingSegmented[] = "DIPMBSG1";
-constexpr std::size_t kFollower = 4, kFeels = 7;
+constexpr char kFeeling[] = "DIPMBSF2", kFeelingSegmented[] = "DIPMBSG2";
+constexpr std::size_t kFollower = 4, kFeels = 8;
 
 const char* magic_of(const Snapshot& s) {
   if (s.sender.size() == kFeels) return s.numbers.rope.size() > 0 ? kFeelingSegmented : kFeeling;

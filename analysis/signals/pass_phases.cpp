@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "analysis/signals/time_mean.hpp"
 
@@ -36,8 +35,6 @@ double slack_fraction(const PassSignals& s, double t_start_s, double t_end_s) {
 
 std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignals& drive) {
   const std::vector<Pass> passes = find_passes(s);
-  if (s.rope_tension_N.size() != s.time_s.size())
-    throw std::invalid_argument("pass signals of different lengths");
   std::vector<PassPhases> out;
   for (std::size_t k = 0; k < passes.size(); ++k) {
     PassPhases p;

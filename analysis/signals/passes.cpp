@@ -61,7 +61,7 @@ bool ends_in_dump(const PassSignals& s, const Pass& p) {
 std::vector<Pass> find_passes(const PassSignals& s) {
   const std::size_t n = s.time_s.size();
   for (const auto* v : {&s.door_rad, &s.dipper_force_N, &s.hoist_force_N, &s.crowd_force_N,
-                        &s.dipper_mass_kg, &s.truck_mass_kg}) {
+                        &s.rope_tension_N, &s.dipper_mass_kg, &s.truck_mass_kg}) {
     if (v->size() != n) throw std::invalid_argument("pass signals of different lengths");
   }
   std::vector<Pass> passes;

@@ -208,6 +208,9 @@ TEST_F(ShovelTest, AnOperatorWhoFeelsGoesOnFromACheckpointToTheBit) {
   for (int i = 1; i <= 400; ++i) one.step({2 * i * kMillisecond, under});
   EXPECT_GT(named(one, one.state(0)).at("hoist_lift"), 0.05) << "the dipper stands on rock";
   one.save(file);
+  std::string kind(8, ' ');
+  std::ifstream(file, std::ios::binary).read(kind.data(), 8);
+  EXPECT_EQ(kind, "DIPMBSF2") << "not that of drives that a program leads";
   Shovel other = another();
   other.load(file);
   for (int i = 401; i <= 700; ++i)

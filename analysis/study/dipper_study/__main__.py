@@ -114,7 +114,7 @@ def main(words=None):
     try:
         study = read_study(args.study)
         planner = Planner(study, program(), cache_folder("study"))
-        points = study.points() if not study.optimise else [study.point_at(c) for c in corners(study.optimise)]
+        points = first_points(study)
         planner.check(points)
         executor = executor_of(study, program(), out)
         if (args.detach or args.cancel) and study.executor != "slurm":
@@ -137,8 +137,13 @@ def interrupted():
     return 4
 
 
+def first_points(study):
+    """What `check` is asked before a study starts: its points, or the ends of an optimisation's ranges."""
+    return [study.point_at(c) for c in corners(study.optimise)] if study.optimise else study.points()
+
+
 def corners(optimise):
-    """The ends of every range, the others in the middle: what `check` is asked before an optimisation starts."""
+    """The ends of every range, the others in the middle."""
     middle = [(r.low + r.high) / 2 for r in optimise.ranges]
     found = [middle]
     for k, r in enumerate(optimise.ranges):

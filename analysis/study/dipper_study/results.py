@@ -25,8 +25,8 @@ def row_of(planned, names, facts, failure=None):
            "status": "failed" if failure else "complete" if facts else "not made"}
     if facts and not failure:
         run = dipper_run.read(planned.folder)
-        row |= figures(run) | {"warnings": len(warnings_of(run))}
-        row |= {"status": "complete" if is_whole(run) else "unfinished"}
+        row |= figures(run)
+        row |= {"warnings": len(warnings_of(run)), "status": "complete" if is_whole(run) else "unfinished"}
     return row
 
 

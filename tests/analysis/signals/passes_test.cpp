@@ -22,6 +22,7 @@ PassSignals two_passes() {
     s.dipper_force_N.push_back(dig ? 1e6 : 0);
     s.hoist_force_N.push_back(dig ? (peak ? 6e6 : 3e6) : 0.5e6);
     s.crowd_force_N.push_back(dig ? (peak ? -8e6 : -4e6) : 0.1e6);
+    s.rope_tension_N.push_back(0.5e6);
     s.dipper_mass_kg.push_back(dig && in_pass > 12 ? payload : 0);
     s.truck_mass_kg.push_back((i >= 200 ? 80e3 : 0) + (dumped ? payload : 0));
   }
@@ -52,7 +53,7 @@ TEST(Passes, PayloadIsTheMeanOfTheLastSecondBeforeTheDoorOpens) {
 TEST(Passes, ARunThatEndsBeforeTheDumpHasAnOpenPass) {
   PassSignals s = two_passes();
   for (auto* v : {&s.time_s, &s.door_rad, &s.dipper_force_N, &s.hoist_force_N, &s.crowd_force_N,
-                  &s.dipper_mass_kg, &s.truck_mass_kg}) {
+                  &s.rope_tension_N, &s.dipper_mass_kg, &s.truck_mass_kg}) {
     v->resize(130);
   }
   const auto passes = find_passes(s);
@@ -66,7 +67,7 @@ TEST(Passes, ARunThatEndsBeforeTheDumpHasAnOpenPass) {
 std::vector<Pass> ended_in_the_second_dump(double end_s, double left_kg, double rate_kg_s) {
   PassSignals s = two_passes();
   for (auto* v : {&s.time_s, &s.door_rad, &s.dipper_force_N, &s.hoist_force_N, &s.crowd_force_N,
-                  &s.dipper_mass_kg, &s.truck_mass_kg}) {
+                  &s.rope_tension_N, &s.dipper_mass_kg, &s.truck_mass_kg}) {
     v->resize(static_cast<std::size_t>(10 * end_s + 1.5));
   }
   for (std::size_t i = 350; i < s.time_s.size(); ++i) {
@@ -95,6 +96,7 @@ PassSignals with_way_home(double contact_N, double inside_kg) {
     s.dipper_force_N.push_back(i > 30 ? contact_N : 0);
     s.hoist_force_N.push_back(0.5e6);
     s.crowd_force_N.push_back(0.1e6);
+    s.rope_tension_N.push_back(0.5e6);
     s.dipper_mass_kg.push_back(i > 30 ? inside_kg : 0);
     s.truck_mass_kg.push_back(150e3);
   }
