@@ -3,8 +3,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <system_error>
 #include <thread>
@@ -13,6 +11,7 @@
 #include "common/file_lock.hpp"
 #include "common/manifest.hpp"
 #include "common/sha256.hpp"
+#include "common/text_file.hpp"
 #include "common/warn.hpp"
 
 namespace dipper {
@@ -40,8 +39,9 @@ void sweep(const fs::path& folder, const fs::path& locked_entry) {
 
 std::string deck_hash(std::string what, const std::vector<fs::path>& files, const fs::path& deck) {
   const auto add = [&](const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    what.append(std::istreambuf_iterator<char>(in), {});
+    const std::optional<std::string> bytes = read_bytes(file);
+    if (!bytes) throw std::runtime_error(file.string() + ": cannot be read");
+    what += *bytes;
   };
   for (const fs::path& file : files) add(file);
   std::set<fs::path> sorted;

@@ -1,11 +1,11 @@
 #include "common/case_lines.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 #include "common/input_error.hpp"
 #include "common/numbers.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper {
 
@@ -24,9 +24,9 @@ CaseLines::CaseLines(std::string_view text) {
 }
 
 CaseLines CaseLines::read(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError({{file, 0, "", "cannot be read; name a run's folder"}});
-  return CaseLines(std::string{std::istreambuf_iterator<char>(in), {}});
+  const std::optional<std::string> text = read_bytes(file);
+  if (!text) throw InputError({{file, 0, "", "cannot be read; name a run's folder"}});
+  return CaseLines(*text);
 }
 
 const CaseLine* CaseLines::find(std::string_view key) const {

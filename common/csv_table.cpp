@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "common/begins_with.hpp"
 #include "common/numbers.hpp"
 #include "common/row_faults.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper {
 namespace {
@@ -348,13 +348,12 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::filesystem::path
 std::vector<CsvRow> read_csv(const std::filesystem::path& file,
                              const std::vector<std::string>& columns,
                              std::vector<Finding>& findings, const std::string& name_column) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) {
+  const std::optional<std::string> text = read_bytes(file);
+  if (!text) {
     findings.push_back({file, 0, "", "cannot be opened"});
     return {};
   }
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return parse_csv(text, file, columns, findings, name_column);
+  return parse_csv(*text, file, columns, findings, name_column);
 }
 
 }  // namespace dipper

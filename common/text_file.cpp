@@ -1,5 +1,6 @@
 #include "common/text_file.hpp"
 
+#include <array>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -7,6 +8,18 @@
 #include "common/draft_file.hpp"
 
 namespace dipper {
+
+std::optional<std::string> read_bytes(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  std::string bytes;
+  std::array<char, 1 << 16> part;
+  // istream::read turns a failed system call into badbit; iterators over the buffer would throw.
+  while (in.read(part.data(), part.size()), in.gcount() > 0)
+    bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  if (in.bad()) return std::nullopt;
+  return bytes;
+}
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
   const DraftFile draft(file);

@@ -6,9 +6,10 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <sstream>
+
+#include "common/text_file.hpp"
 
 namespace dipper {
 namespace {
@@ -215,15 +216,14 @@ YamlTree parse_yaml(const std::string& text, const std::filesystem::path& file,
 }
 
 YamlTree read_yaml(const std::filesystem::path& file, std::vector<Finding>& findings) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) {
+  const std::optional<std::string> text = read_bytes(file);
+  if (!text) {
     findings.push_back({file, 0, "", "cannot be read"});
     YamlTree none;
     none.origin = {file, 0};
     return none;
   }
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return parse_yaml(text, file, "", findings);
+  return parse_yaml(*text, file, "", findings);
 }
 
 std::string shown(const YamlTree& node) {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -18,6 +17,7 @@
 #include "common/input_error.hpp"
 #include "common/mesh/other_format.hpp"
 #include "common/numbers.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::mesh {
 namespace {
@@ -286,10 +286,9 @@ void check_rounding(const Box& box, double rounded_to_m, const std::filesystem::
 }
 
 std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || !std::filesystem::is_regular_file(file))
-    throw InputError({{file, 0, "", "no such file, or it cannot be read"}});
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::optional<std::string> bytes = read_bytes(file);
+  if (!bytes) throw InputError({{file, 0, "", "no such file, or it cannot be read"}});
+  return *std::move(bytes);
 }
 
 }  // namespace

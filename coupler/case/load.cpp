@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <set>
 
 #include "common/nearest_word.hpp"
 #include "common/resolved_path.hpp"
+#include "common/text_file.hpp"
 #include "common/yaml_tree.hpp"
 #include "coupler/case/case.hpp"
 #include "coupler/case/case_text.hpp"
@@ -344,8 +344,8 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
   c.name = c.folder.filename().string();
 
   const fs::path file = folder / "case.yaml";
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
+  const std::optional<std::string> text = read_bytes(file);
+  if (!text) {
     const bool is_file = fs::is_regular_file(folder);
     findings.push_back(
         {is_file ? folder : file, 0, "",
@@ -354,12 +354,10 @@ Case load_case(const fs::path& folder, const std::vector<Override>& overrides,
                  : "cannot be read; a case is a folder with a case.yaml"});
     return c;
   }
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-
   const std::size_t before = findings.size();
   if (first_not_utf8(c.folder.string()))
     findings.push_back({file, 0, "", "the folder's name is not UTF-8; rename it"});
-  YamlTree root = parse_yaml(text, file, "", findings);
+  YamlTree root = parse_yaml(*text, file, "", findings);
   const bool syntax_error = findings.size() > before && root.kind == YamlTree::Kind::empty;
   complete_tree(root, c.folder, overrides, findings);
   if (syntax_error) return c;  // every key would seem to be missing

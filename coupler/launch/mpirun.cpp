@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <thread>
 
 #include "common/installation.hpp"
+#include "common/text_file.hpp"
 #include "coupler/launch/mpi_scratch.hpp"
 #include "coupler/launch/process.hpp"
 
@@ -99,8 +99,7 @@ std::string mpirun_fault() {
   Process process({place, "--version"}, answer);
   process.wait(std::chrono::seconds(5));
   process.end();
-  std::ifstream in(answer);
-  const std::string said{std::istreambuf_iterator<char>(in), {}};
+  const std::string said = read_bytes(answer).value_or("");
   if (said.find("Open MPI") != std::string::npos || said.find("OpenRTE") != std::string::npos)
     return "";
   return place +

@@ -4,11 +4,11 @@
 
 #include <charconv>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
+
+#include "common/text_file.hpp"
 
 namespace dipper::launch {
 namespace fs = std::filesystem;
@@ -21,8 +21,7 @@ struct ProcessTimes {
 
 /// /proc/PID/stat after the name, which is in brackets and may hold anything; see proc(5).
 bool read(const fs::path& stat, ProcessTimes& p) {
-  std::ifstream in(stat);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = read_bytes(stat).value_or("");  // the process may have ended
   const auto bracket = text.rfind(')');
   if (bracket == std::string::npos) return false;
   std::istringstream fields(text.substr(bracket + 1));

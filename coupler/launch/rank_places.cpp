@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <sstream>
 
 #include "common/host_identity.hpp"
 #include "common/input_error.hpp"
 #include "common/installation.hpp"
+#include "common/text_file.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/launch/mpi_scratch.hpp"
 #include "coupler/launch/process.hpp"
@@ -49,11 +49,6 @@ bool hosts_are_allocated() {
     return value != nullptr && std::atoi(value) > 1;
   };
   return more_than_one("SLURM_JOB_NUM_NODES") || more_than_one("NHOSTS");  // Slurm, Grid Engine
-}
-
-std::string read_all(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// mpirun's error: the first paragraph between its rules, or a line.
@@ -105,7 +100,7 @@ std::vector<RankPlace> ask_ranks(int ranks, const MpiPlaces& places, const std::
       refuse(
           fmt::format("mpirun did not bring {} ranks together in {} s", ranks, kPatience.count()));
   }
-  const std::string said = read_all(log);
+  const std::string said = read_bytes(log).value_or("");
   const std::vector<RankPlace> found = read_places(said, ranks);
   if (process.succeeded() && !found.empty()) return found;
   const std::string fault = mpirun_fault();

@@ -5,9 +5,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
-#include <fstream>
 #include <functional>
-#include <iterator>
 
 #include "common/temporary_folder.hpp"
 
@@ -15,11 +13,6 @@ namespace dipper {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 class TextFile : public testing::Test {
  protected:
@@ -34,8 +27,20 @@ class TextFile : public testing::Test {
 TEST_F(TextFile, HoldsTheBytes) {
   write_text(file_, "before, and longer");
   write_text(file_, std::string("a\0\r\n", 4));
-  EXPECT_EQ(read(file_), std::string("a\0\r\n", 4));
+  EXPECT_EQ(read_bytes(file_), std::string("a\0\r\n", 4));
   EXPECT_EQ(files(), 1);
+}
+
+TEST_F(TextFile, IsReadToItsEndOrNotAtAll) {
+  const std::string longer(200'000, 'x');
+  write_text(file_, longer);
+  EXPECT_EQ(read_bytes(file_), longer);
+  write_text(file_, "");
+  EXPECT_EQ(read_bytes(file_), "");
+  EXPECT_EQ(read_bytes(folder_.path() / "missing"), std::nullopt);
+  EXPECT_EQ(read_bytes(folder_.path()), std::nullopt) << "a folder";
+  // Opens, and then fails at its first byte (EIO), as /proc/PID/stat does when PID has just ended.
+  EXPECT_EQ(read_bytes("/proc/self/mem"), std::nullopt);
 }
 
 /// As on a full disk: a write fails, and the process goes on.
@@ -57,7 +62,7 @@ TEST_F(TextFile, HoldsWhatItHeldWhenTheDiskIsFull) {
                 testing::ThrowsMessage<std::runtime_error>(
                     testing::StartsWith(file_.string() + ": cannot be written")));
   });
-  EXPECT_EQ(read(file_), "seed=7\n");
+  EXPECT_EQ(read_bytes(file_), "seed=7\n");
   EXPECT_EQ(files(), 1);
 }
 
@@ -69,7 +74,7 @@ TEST_F(TextFile, HoldsWhatItHeldWhenItsWriterIsKilled) {
     write_text(file_, std::string(1000, 'x'));
   };
   EXPECT_EXIT(killed(), testing::KilledBySignal(SIGXFSZ), "");
-  EXPECT_EQ(read(file_), "seed=7\n");
+  EXPECT_EQ(read_bytes(file_), "seed=7\n");
 }
 
 TEST_F(TextFile, NeverTakesTheNameOfAFolder) {
@@ -85,7 +90,7 @@ TEST_F(TextFile, GoesThroughALinkAndIntoADevice) {
   fs::create_symlink(file_, link);
   write_text(link, "new");
   EXPECT_TRUE(fs::is_symlink(link));
-  EXPECT_EQ(read(file_), "new");
+  EXPECT_EQ(read_bytes(file_), "new");
   EXPECT_EQ(files(), 2);
   EXPECT_THROW(write_text("/dev/full", "text"), std::runtime_error);
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
