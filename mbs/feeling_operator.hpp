@@ -22,6 +22,7 @@ class FeelingOperator final : public Operator {
   /// \param state  of the path follower, then lift, its rate, and the load
   void reset(double t_s, const std::vector<double>& state) override;
   void update(double t_s, const std::function<Felt()>& feel) override;
+  std::string kind() const override { return "limited, with rules of the dig"; }
   std::vector<double> state(double t_s) const override;
   machine::DriveState setpoint(double t_s) const override;
   std::optional<double> motion_s(double t_s) const override { return path_.motion_s(t_s); }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "coupler/core/server.hpp"
@@ -38,6 +39,9 @@ class Operator {
   virtual void take(double, const core::Order&) {
     throw std::invalid_argument("an order for drives that follow their motion");
   }
+
+  /// The kind of its drives in checkpoints, a few words: another kind cannot continue its state.
+  virtual std::string kind() const = 0;
 
   /// All that later decisions depend on, except measurements; always the same count of numbers.
   virtual std::vector<double> state(double t_s) const = 0;

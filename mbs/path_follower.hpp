@@ -51,6 +51,7 @@ class PathFollower final : public Operator {
   void update(double t_s, const std::function<Felt()>& feel) override {
     ease(t_s, [&] { return feel().motors.overload(); });
   }
+  std::string kind() const override { return "limited, following the motion"; }
   std::vector<double> state(double t_s) const override;
   machine::DriveState setpoint(double t_s) const override;
   std::optional<double> motion_s(double t_s) const override { return at(t_s).time; }

@@ -22,6 +22,7 @@ class ProgramOperator final : public Operator {
   void take(double t_s, const core::Order& order) override;
   void reset(double t_s, const std::vector<double>& state) override;
   void update(double, const std::function<Felt()>&) override {}
+  std::string kind() const override { return "limited, led by a program"; }
   std::vector<double> state(double t_s) const override;
   machine::DriveState setpoint(double t_s) const override;
   std::optional<double> motion_s(double) const override { return std::nullopt; }

@@ -50,7 +50,10 @@ struct Shovel::Impl {
     // equilibrium.
     committed.numbers =
         system.find_equilibrium(start, rigid.saddle_angle(start.hoist, start.crowd));
-    if (sender) committed.sender = sender->state(0);
+    if (sender) {
+      committed.drives = sender->kind();
+      committed.sender = sender->state(0);
+    }
     restore();
     const ShovelInstant i = system.instant();
     energy_at_start = i.kinetic + i.potential;
@@ -246,6 +249,7 @@ core::MachineState Shovel::step(const core::MachineStep& step) {
     }
   }
   Snapshot to;
+  to.drives = impl_->committed.drives;
   to.rows = impl_->committed.rows;
   to.t_ns = step.t_end_ns;
   to.F_Bo_W = {step.F_Bo_W[0], step.F_Bo_W[1]};

@@ -1,6 +1,7 @@
 #include "mbs/snapshot.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <cstring>
@@ -10,25 +11,13 @@
 namespace dipper::mbs {
 namespace {
 
-// The file: 8 bytes, the sizes of q, u and works, then time, q, u, works, operator, rope and
-// wrenches as they are in memory: a checkpoint can be read only on the kind of
-// machine that wrote it.
+// The file: 8 bytes; the kind of drives, behind its length; the sizes of q, u, works, operator and
+// rope; then time, q, u, works, operator, rope and wrenches as they are in memory: a checkpoint can
+// be read only on the kind of machine that wrote it.
 // Rows that the motion has gone on with follow, behind their length, where there are any.
+constexpr char kMagic[] = "DIPMBS02";
+constexpr std::uint64_t kMostKind = 64;       // bytes
 constexpr std::uint64_t kMostRows = 1 << 26;  // bytes: a day's motion is shorter
-constexpr char kPrescribed[] = "DIPMBS01", kLimited[] = "DIPMBSL1";
-constexpr char kSegmented[] = "DIPMBSS1", kLimitedSegmented[] = "DIPMBSB1";
-// Drives that follow set points, by more numbers.
-constexpr char kTold[] = "DIPMBST1", kToldSegmented[] = "DIPMBSC1";
-// Drives that an operator leads who feels the dig.
-constexpr char kFeeling[] = "DIPMBSF2", kFeelingSegmented[] = "DIPMBSG2";
-constexpr std::size_t kFollower = 4, kFeels = 8;
-
-const char* magic_of(const Snapshot& s) {
-  if (s.sender.size() == kFeels) return s.numbers.rope.size() > 0 ? kFeelingSegmented : kFeeling;
-  if (s.sender.size() > kFollower) return s.numbers.rope.size() > 0 ? kToldSegmented : kTold;
-  if (s.numbers.rope.size() > 0) return s.sender.empty() ? kSegmented : kLimitedSegmented;
-  return s.sender.empty() ? kPrescribed : kLimited;
-}
 
 template <typename T>
 void put(std::ostream& out, const T& value) {
@@ -37,6 +26,21 @@ void put(std::ostream& out, const T& value) {
 template <typename T>
 void get(std::istream& in, T& value) {
   in.read(reinterpret_cast<char*>(&value), sizeof value);
+}
+
+void put_text(std::ostream& out, const std::string& text) {
+  put(out, static_cast<std::uint64_t>(text.size()));
+  out << text;
+}
+
+/// Of at least a byte and at most `most`; otherwise the stream fails.
+std::string get_text(std::istream& in, std::uint64_t most) {
+  std::uint64_t size = 0;
+  get(in, size);
+  if (size == 0 || size > most) in.setstate(std::ios::failbit);
+  std::string text(in ? size : 0, ' ');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  return text;
 }
 
 /// Calls f with every number of the snapshot, in the file's order.
@@ -54,22 +58,21 @@ void each_number(S& s, F f) {
   }
 }
 
-std::array<std::int64_t, 3> sizes(const Snapshot& s) {
-  return {s.numbers.q.size(), s.numbers.u.size(), s.numbers.works.size()};
+std::array<std::int64_t, 5> sizes(const Snapshot& s) {
+  return {s.numbers.q.size(), s.numbers.u.size(), s.numbers.works.size(),
+          static_cast<std::int64_t>(s.sender.size()), s.numbers.rope.size()};
 }
 
 }  // namespace
 
 void save(const Snapshot& s, const std::filesystem::path& file) {
   std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out.write(magic_of(s), 8);
+  out.write(kMagic, 8);
+  put_text(out, s.drives);
   put(out, sizes(s));
   put(out, s.t_ns);
   each_number(s, [&](const double& x) { put(out, x); });
-  if (!s.rows.empty()) {
-    put(out, static_cast<std::uint64_t>(s.rows.size()));
-    out << s.rows;
-  }
+  if (!s.rows.empty()) put_text(out, s.rows);
   out.flush();
   if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
@@ -82,15 +85,20 @@ Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like) 
   if (!in) fail("cannot be opened");
   char magic[8] = {};
   in.read(magic, sizeof magic);
-  if (!in || std::memcmp(magic, magic_of(like), sizeof magic) != 0) {
-    fail(fmt::format("is not a saved shovel with these drives and ropes: it does not begin with {}",
-                     magic_of(like)));
-  }
-  std::array<std::int64_t, 3> n{};
+  if (!in || std::memcmp(magic, kMagic, sizeof magic) != 0)
+    fail(fmt::format("is not a saved shovel of this version: it does not begin with {}", kMagic));
+  const std::string drives = get_text(in, kMostKind);
+  if (!in) fail("ends too early");
+  if (drives != like.drives)
+    fail(fmt::format("was saved with drives of another kind: {}; this run's are {}", drives,
+                     like.drives));
+  std::array<std::int64_t, 5> n{};
   get(in, n);
   if (!in || n != sizes(like)) {
-    fail(fmt::format("holds {} coordinates, {} speeds and {} works; this shovel has {}, {} and {}",
-                     n[0], n[1], n[2], sizes(like)[0], sizes(like)[1], sizes(like)[2]));
+    fail(
+        fmt::format("holds {} coordinates, speeds, works, numbers of the operator and of the "
+                    "ropes; this shovel has {}",
+                    fmt::join(n, ", "), fmt::join(sizes(like), ", ")));
   }
   Snapshot s = like;
   bool finite = true;
@@ -102,12 +110,9 @@ Snapshot load_snapshot(const std::filesystem::path& file, const Snapshot& like) 
   if (!in) fail("ends too early");
   s.rows.clear();
   if (in.peek() != std::ifstream::traits_type::eof()) {
-    std::uint64_t size = 0;
-    get(in, size);
-    if (!in || size == 0 || size > kMostRows) fail("is longer than a saved shovel");
-    s.rows.resize(size);
-    in.read(s.rows.data(), static_cast<std::streamsize>(size));
-    if (!in) fail("ends too early");
+    s.rows = get_text(in, kMostRows);
+    if (in.eof()) fail("ends too early");
+    if (!in) fail("is longer than a saved shovel");
   }
   if (in.peek() != std::ifstream::traits_type::eof()) fail("is longer than a saved shovel");
   if (s.t_ns < 0 || !finite) fail("holds a negative time or numbers that are not finite");

@@ -9,6 +9,7 @@
 
 #include "common/input_error.hpp"
 #include "mbs/feeling_operator.hpp"
+#include "mbs/program_operator.hpp"
 #include "tests/mbs/shovel_fixture.hpp"
 
 namespace dipper::mbs {
@@ -208,19 +209,24 @@ TEST_F(ShovelTest, AnOperatorWhoFeelsGoesOnFromACheckpointToTheBit) {
   for (int i = 1; i <= 400; ++i) one.step({2 * i * kMillisecond, under});
   EXPECT_GT(named(one, one.state(0)).at("hoist_lift"), 0.05) << "the dipper stands on rock";
   one.save(file);
-  std::string kind(8, ' ');
-  std::ifstream(file, std::ios::binary).read(kind.data(), 8);
-  EXPECT_EQ(kind, "DIPMBSF2") << "not that of drives that a program leads";
   Shovel other = another();
   other.load(file);
   for (int i = 401; i <= 700; ++i)
     ASSERT_TRUE(same(one.step({2 * i * kMillisecond, no_rock}),
                      other.step({2 * i * kMillisecond, no_rock})));
-  EXPECT_THROW(
-      Shovel(machine, quick(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited)
-          .load(file),
-      std::runtime_error)
-      << "another kind of operator's";
+  const auto led = [&](std::unique_ptr<Operator> by) {
+    return Shovel(machine, std::make_shared<machine::Motion>(quick()), Pose{}, rake, std::move(by));
+  };
+  EXPECT_THAT([&] { led(std::make_unique<ProgramOperator>(quick().value(0))).load(file); },
+              ThrowsMessage<std::runtime_error>(
+                  HasSubstr("drives of another kind: limited, with rules of the dig; this run's "
+                            "are limited, led by a program")));
+  EXPECT_THAT(
+      [&] {
+        Shovel(machine, quick(), Pose{}, rake, kLongestSubstep_ns, machine::DriveMode::limited)
+            .load(file);
+      },
+      ThrowsMessage<std::runtime_error>(HasSubstr("this run's are limited, following the motion")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Drives, ShovelState,
