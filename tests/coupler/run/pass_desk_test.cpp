@@ -151,6 +151,7 @@ TEST_F(PassDeskTest, LooksAtTheStartAndWhenAPassIsDone) {
     const json file = read("pass_" + std::to_string(pass) + ".json");
     EXPECT_EQ(file.at("rows"), machine.sent[static_cast<std::size_t>(pass) - 1]);
     EXPECT_EQ(file.at("candidates").size(), 2U);
+    EXPECT_EQ(file.at("goal"), "time") << "what their scores are";
     EXPECT_GT(file.at("dig_at_s"), file.at("begins_at_s"));
   }
   EXPECT_NEAR(seconds(motion.end_ns()), one.state().at("end_s").get<double>(), 1e-6);

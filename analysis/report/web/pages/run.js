@@ -29,7 +29,7 @@ showPage((data) => {
     frames && section('replay', 'The dig',
       model.caseText && 'At first rocks may still slide on the face: it is cut to its outline just before the start.',
       replay(model.replay, frames, clock, model.phases, { sizes: model.rockSizes(), classes: model.classes }, readout(model))),
-    operator(data.operator, model.caseText),
+    operator(data.operator),
     filling(model, clock),
     signals(model, clock),
     work(model.passes),

@@ -8,24 +8,22 @@ import { table } from '../../parts/table.js';
 const STEP = 5; // m, of the grid
 const SHOWN = 6; // candidates, the best
 
-/// operator: {decisions: [operator/pass_N.json], end: operator/end.json or null}; caseText: has the goal by which digs are ranked.
-export function operator(data, caseText) {
+/// data: {decisions: [operator/pass_N.json], end: operator/end.json or null}.
+export function operator(data) {
   const decisions = data?.decisions ?? [];
   if (!decisions.length) return null;
-  const score = caseText.includes('operator.goal="energy"') ? { name: 'payload per energy', unit: 'kg/kJ', cell: (c) => fixed(1e3 * c.score, 2) }
-    : { name: 'payload per time', unit: 'kg/s', cell: (c) => fixed(c.score, 0) };
   return section('operator', 'What the operator saw and chose',
     'Before each pass: the face as the operator saw it, in the plane of the boom, and the chosen path of the teeth. Map: the height of the rock '
     + 'from above, darker is higher; the line is the chosen heading. Expected figures are the operator\'s estimate, not the run\'s.',
-    eachPass(decisions, (d) => decision(d, score)), data.end && h('p.note', `End: ${data.end.reason}.`));
+    eachPass(decisions, decision), data.end && h('p.note', `End: ${data.end.reason}.`));
 }
 
 const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-function decision(d, score) {
+function decision(d) {
   const chosen = d.candidates[d.chosen];
   return h('div.decision', h('p', `${sentence(d.reason)}.`),
-    h('div.ways', chosen && profile(d), map(d, chosen)), candidates(d, score));
+    h('div.ways', chosen && profile(d), map(d, chosen)), candidates(d));
 }
 
 function profile(d) {
@@ -72,8 +70,9 @@ function map(d, chosen) {
     canvas);
 }
 
-/// score: the column that they are ranked by.
-function candidates(d, score) {
+function candidates(d) {
+  const score = d.goal === 'energy' ? { name: 'payload per energy', unit: 'kg/kJ', cell: (c) => fixed(1e3 * c.score, 2) }
+    : { name: 'payload per time', unit: 'kg/s', cell: (c) => fixed(c.score, 0) };
   const can = d.candidates.map((c, k) => ({ ...c, chosen: k === d.chosen }))
     .sort((a, b) => b.score - a.score).slice(0, SHOWN);
   const refused = d.candidates.filter((c) => c.refused);
