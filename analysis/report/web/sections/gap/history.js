@@ -15,7 +15,7 @@ export function history(data) {
   const name = h.effect ? title(data, h.effect) : 'The gap';
   const lines = [
     { label: 'truck, ± 2 sd', values: strength, colour: 'ink', dots: true, around: [-2, 2].map((k) => h.trucks.map((t) => t.strength + k * t.sd)) },
-    began && { label: began.shape === 'ramp' ? 'a ramp' : 'a step', values: shape(h), colour: 'blue', width: 2, stepped: began.shape !== 'ramp' },
+    began && { label: began.shape === 'ramp' ? 'a ramp' : 'a step', values: shape(h), colour: 'blue', width: 2 },
   ].filter(Boolean);
   return section('history', 'Since when',
     'How strong it is in each truck, in the order in which they were loaded' + (reference ? `: ${reference.trucks} of the reference, then the measured ones.` : '.')
