@@ -65,10 +65,9 @@ void report_passes(const nlohmann::ordered_json& metrics, Reporter& reporter) {
                     p["payload_kg"].get<double>() / 1e3, p["truck_kg"].get<double>() / 1e3);
     if (p.contains("spillage_kg"))
       line += fmt::format(", {:.2f} t spilt", p["spillage_kg"].get<double>() / 1e3);
-    line += fmt::format(", dig force {:.2f} MN", in_MN(p["dig_force_mean_N"]));
+    line += fmt::format(", mean dig force {:.2f} MN to the dump", in_MN(p["dig_force_mean_N"]));
     if (p.contains("dig_phases_force_mean_N"))
-      line += fmt::format(" ({:.2f} MN from penetrate to breakout)",
-                          in_MN(p["dig_phases_force_mean_N"]));
+      line += fmt::format(", {:.2f} MN over the dig", in_MN(p["dig_phases_force_mean_N"]));
     reporter.line(line);
   }
 }

@@ -69,16 +69,16 @@ json pass_rows(const cases::Case& c, const RunFolder& folder) {
 
 void report_passes(const json& passes, Reporter& reporter) {
   for (const auto& p : passes) {
-    const auto dig = p.find("dig_phases_force_mean_N");
+    const auto in = [&p](const char* key, double unit) { return p.at(key).get<double>() / unit; };
     reporter.line(fmt::format(
-        "pass {}: {}payload {:.1f} t, truck {:.1f} t, dig force mean {:.0f} kN, peak {:.0f} kN{}",
+        "pass {}: {}payload {:.1f} t, truck {:.1f} t, dig force: mean {:.0f} kN to the dump{}, "
+        "peak {:.0f} kN",
         p.at("pass").get<int>(), p.at("dumped").get<bool>() ? "" : "unfinished; ",
-        p.at("payload_kg").get<double>() * 1e-3, p.at("truck_kg").get<double>() * 1e-3,
-        p.at("dig_force_mean_N").get<double>() * 1e-3,
-        p.at("dig_force_peak_N").get<double>() * 1e-3,
-        dig == p.end()
-            ? ""
-            : fmt::format("; {:.0f} kN from penetrate to breakout", dig->get<double>() * 1e-3)));
+        in("payload_kg", 1e3), in("truck_kg", 1e3), in("dig_force_mean_N", 1e3),
+        p.contains("dig_phases_force_mean_N")
+            ? fmt::format(", {:.0f} kN over the dig", in("dig_phases_force_mean_N", 1e3))
+            : "",
+        in("dig_force_peak_N", 1e3)));
   }
 }
 

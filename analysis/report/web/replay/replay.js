@@ -104,7 +104,8 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
   });
   show();
   canvas.stage = stage; // for measurements of the drawing speed
-  const picture = film(stage, clock, () => [clockFace.textContent, ...[...(readout?.element.children ?? [])].map((line) => line.textContent)]);
+  const picture = film(stage, clock, () => [clockFace.textContent, ...[...(readout?.element.children ?? [])].map((line) => line.textContent)],
+    head.spheres > 0 && { what: 'speed of the rock', stops: SPEED, low: '0', high: `≥ ${SPEED_TOP} m/s` });
   canvas.film = (...of) => { views.All(); return picture(...of); };
   return h('div.replay', face, screen,
     h('div.transport', play, track, rate),

@@ -28,7 +28,7 @@ export function headline(model) {
     { name: 'In the truck', unit: 't', cell: (p) => tonnes(p.truck_kg) },
     { name: 'Fill factor, by the pile’s density', cell: (p) => fixed(p.fill_factor, 2) },
     { name: 'by the load’s own', alone: 'Fill factor, by the load’s own density', cell: (p) => fixed(p.fill_factor_load, 2) },
-    { name: 'Dig force, mean', unit: 'MN', cell: (p) => meganewtons(p.dig_phases_force_mean_N) },
+    { name: 'Dig force, mean over the dig', unit: 'MN', cell: (p) => meganewtons(p.dig_phases_force_mean_N) },
     { name: 'mean to the dump', alone: 'Dig force, mean to the dump', unit: 'MN', cell: (p) => meganewtons(p.dig_force_mean_N) },
     { name: 'peak', alone: 'Dig force, peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
     { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
