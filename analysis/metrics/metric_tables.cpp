@@ -45,11 +45,13 @@ json payload_notes(const PassFacts& f) {
       if (f.suspended->accelerating_kg) out["accelerating_kg"] = *f.suspended->accelerating_kg;
     }
     notes.push_back(weight_note(f));
+  } else if (!f.found.pass.dumped) {
+    notes.push_back("The run ends before the load is dumped.");
   } else {
     notes.push_back("The dipper rose or sank in the last second before the door opened.");
   }
   out["truck_kg"] = f.found.pass.truck_kg;
-  if (f.fate) {
+  if (f.fate && f.found.pass.dumped) {
     notes.push_back(fmt::format(
         "Of {:.2f} t in the dipper before the swing, {:.2f} t came into the truck, {:.2f} t stayed "
         "in the dipper, {:.2f} t fell back on the pile and {:.2f} t fell elsewhere.",

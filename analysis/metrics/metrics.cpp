@@ -90,10 +90,10 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
   for (std::size_t k = 0; k < passes.size(); ++k) {
     const LoadToFollow& load = passes[k].followed;
     const bool lifted = dumps.time_s[load.lift_frame] >= passes[k].found.pass.t_dig_s;
-    if (lifted && (!passes[k].found.pass.dumped ||
-                   dumps.time_s[load.end_frame] > passes[k].found.pass.t_dump_s))
+    const signals::Pass& pass = passes[k].found.pass;
+    if (lifted && (!pass.dumped || dumps.time_s[load.end_frame] > pass.t_dump_s))
       passes[k].fate = survey.fates[k];
-    passes[k].still = static_weight(run.signals, passes[k].found.pass);
+    if (pass.dumped) passes[k].still = static_weight(run.signals, pass);
     if (!run.regions.dipper) continue;
     if (passes[k].still)
       passes[k].suspended = suspended_load(dumps, run.clumps, run.regions, run.dipper,

@@ -61,7 +61,7 @@ PhaseFigures PassFigureMaker::of_phase(const signals::Phase& phase) const {
 
 std::optional<signals::Demand> PassFigureMaker::demand(const signals::TimeSpan& time) const {
   if (!demand_) return std::nullopt;
-  return demand_->over(signals_.drive, time.t_start_s, time.t_end_s);
+  return demand_->over(signals_.drive, signals_.pass.rope_tension_N, time.t_start_s, time.t_end_s);
 }
 
 }  // namespace dipper::analysis::metrics

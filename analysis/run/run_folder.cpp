@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <sstream>
+#include <cmath>
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
@@ -16,6 +15,7 @@
 #include "common/mesh/mesh_check.hpp"
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
+#include "common/text_file.hpp"
 #include "common/yaml_section.hpp"
 
 namespace dipper::analysis::run {
@@ -24,12 +24,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+constexpr double kRounding_s = 1e-6;
+
 std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw io::input_error(file, 0, "cannot be read; it belongs to a run's folder");
-  std::ostringstream out;
-  out << in.rdbuf();
-  return out.str();
+  std::optional<std::string> bytes = read_bytes(file);
+  if (!bytes) throw io::input_error(file, 0, "cannot be read; it belongs to a run's folder");
+  return *std::move(bytes);
 }
 
 json json_of(const fs::path& file) {
@@ -193,6 +193,10 @@ RunData read_run_folder(const fs::path& folder) {
   run.is_shovel = run.text("machine.kind") != "poses";
   run.signals =
       run.is_shovel ? read_signals(record) : read_body_signals(record, body_names(run.case_lines));
+  // A resumed run keeps the summary of its earlier end until it ends again.
+  const double end_s = run.signals.pass.time_s.back();
+  if (run.summary.is_object() && std::abs(run.summary.value("sim_s", end_s) - end_s) > kRounding_s)
+    run.summary = nullptr;
   run.case_hash = record::read_attribute(record, "case_hash");
   run.version = record::read_attribute(record, "version");
   run.rock_version = record::read_attribute(record, "rock_version");

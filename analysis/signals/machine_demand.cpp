@@ -32,10 +32,11 @@ double MachineDemand::teeth_off_m(const DriveSignals& s, std::size_t i) const {
   }
 }
 
-Demand MachineDemand::over(const DriveSignals& s, double t_start_s, double t_end_s) const {
+Demand MachineDemand::over(const DriveSignals& s, const std::vector<double>& rope_tension_N,
+                           double t_start_s, double t_end_s) const {
   Demand d;
   d.hoist_beyond_fraction =
-      share_beyond(s.time_s, s.hoist_force_N, drives_.hoist.stall, t_start_s, t_end_s);
+      share_beyond(s.time_s, rope_tension_N, drives_.hoist.stall, t_start_s, t_end_s);
   d.crowd_beyond_fraction =
       share_beyond(s.time_s, s.crowd_force_N, drives_.crowd.stall, t_start_s, t_end_s);
   // While a run writes its record, one dataset may have more rows than another.

@@ -15,8 +15,9 @@ struct Demand {
   /// have them: some centimetres under load, more where the dipper rides on rock.
   double teeth_deviation_m = 0;
   double hoist_beyond_fraction = 0;  ///< the ropes pull with more than the machine's hoist_stall
-  double crowd_beyond_fraction =
-      0;  ///< the handle is held with more than the machine's crowd_stall
+  /// The crowd's motor holds the handle with more than the machine's crowd_stall: never where the
+  /// drive is limited.
+  double crowd_beyond_fraction = 0;
 };
 
 class MachineDemand {
@@ -26,7 +27,9 @@ class MachineDemand {
   MachineDemand(const machine::MachineData& machine, double rake, std::vector<double> saddle_rad);
 
   /// \param s with forces, of the same sync steps
-  Demand over(const DriveSignals& s, double t_start_s, double t_end_s) const;
+  /// \param rope_tension_N  of both hoist ropes together, an entry for each
+  Demand over(const DriveSignals& s, const std::vector<double>& rope_tension_N, double t_start_s,
+              double t_end_s) const;
 
  private:
   double teeth_off_m(const DriveSignals& s, std::size_t i) const;

@@ -12,6 +12,14 @@ bool is_dig(const Phase& p) {
   return p.name >= PhaseName::penetrate && p.name <= PhaseName::breakout;
 }
 
+/// Of a pass whose door has not opened: its "dump" is where the house was as far round as it came.
+void end_before_dump(std::vector<Phase>& phases) {
+  while (phases.size() > 1 && phases.back().name >= PhaseName::dump) {
+    phases[phases.size() - 2].t_end_s = phases.back().t_end_s;
+    phases.pop_back();
+  }
+}
+
 }  // namespace
 
 const Phase* PassPhases::phase(PhaseName name) const {
@@ -41,6 +49,7 @@ std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignal
     p.pass = passes[k];
     p.t_end_s = k + 1 < passes.size() ? passes[k].t_end_s : s.time_s.back();
     p.phases = find_phases(drive, p.pass.t_start_s, p.t_end_s);
+    if (p.pass.t_dump_s == p.pass.t_end_s) end_before_dump(p.phases);
     if (const auto dig = p.dig()) {
       p.dig_phases_force_mean_N = time_mean(
           s.time_s, dig->t_start_s, dig->t_end_s,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/gravity.hpp"
 #include "machine/door.hpp"
 
 namespace dipper::analysis::signals {
@@ -15,10 +16,15 @@ constexpr double kDump_s = 1.0;                   // a load needs longer to leav
 constexpr double kLook_s = 0.5, kLeaving = 0.05;  // of the load: still under way at the end
 constexpr double kStray_kg = 2000;                // of that rock: less is not a load
 
+/// First contact has more force on the dipper than this; what has stuck in the dipper has none.
+double contact_N(const PassSignals& s, std::size_t begin) {
+  return kFirstContact_N + kGravity_m_s2 * s.dipper_mass_kg[begin];
+}
+
 Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::size_t end) {
   Pass p;
   std::size_t dig = begin;
-  while (dig < dump && s.dipper_force_N[dig] < kFirstContact_N) ++dig;
+  while (dig < dump && s.dipper_force_N[dig] < contact_N(s, begin)) ++dig;
   p.t_start_s = s.time_s[begin];
   p.t_dig_s = s.time_s[dig];
   p.t_dump_s = s.time_s[dump];
@@ -80,8 +86,9 @@ std::vector<Pass> find_passes(const PassSignals& s) {
     const Pass& last = passes.back();
     const double* force_N = s.dipper_force_N.data();
     const bool dug = std::any_of(force_N + begin, force_N + dump + 1,
-                                 [](double f) { return f >= kFirstContact_N; });
-    const bool empty = last.payload_kg < kStray_kg && std::abs(last.truck_kg) < kStray_kg;
+                                 [least = contact_N(s, begin)](double f) { return f >= least; });
+    const bool empty = last.payload_kg - s.dipper_mass_kg[begin] < kStray_kg &&
+                       std::abs(last.truck_kg) < kStray_kg;
     if (passes.size() > 1 && end + 1 >= n && !open(dump) && (!dug || empty)) {
       passes[passes.size() - 2].truck_kg += last.truck_kg;
       passes.pop_back();

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
+#include <numeric>
 #include <vector>
 
 #include "common/record/record.hpp"
@@ -11,6 +13,8 @@ namespace dipper::result {
 namespace {
 
 using json = nlohmann::ordered_json;
+
+constexpr double kRounding_s = 1e-6;
 
 json read_json(const std::filesystem::path& file) {
   std::ifstream in(file);
@@ -21,33 +25,43 @@ json read_json(const std::filesystem::path& file) {
 
 json operator_summary(const cases::Case& c, const RunFolder& folder) {
   if (c.machine.operated_by != cases::OperatorKind::plan) return nullptr;
-  std::vector<double> begun_s;
-  double back_s = 0;  // sum over the returns
+  std::vector<double> begun_s, to_dig_s;  // of each pass; from where its motion begins to the dig
   for (int pass = 1;; ++pass) {
     const json one = read_json(folder.decisions() / fmt::format("pass_{}.json", pass));
     if (!one.is_object() || one.at("chosen").is_null()) break;
     begun_s.push_back(one.at("t_s"));
-    if (pass > 1) back_s += one.at("dig_at_s").get<double>() - one.at("begins_at_s").get<double>();
+    to_dig_s.push_back(one.at("dig_at_s").get<double>() - one.at("begins_at_s").get<double>());
   }
   const auto time_s = record::read_channel(folder.record(), "time_s");
   const auto truck = record::read_channel(folder.record(), "rock/mass_in_truck");
   const auto work = record::read_channel(folder.record(), "machine/drive_work");
   if (begun_s.empty() || time_s.empty()) return nullptr;
   const json end = read_json(folder.decisions() / "end.json");
-  const double done_s = end.is_object() ? end.at("t_s").get<double>() : time_s.back();
-  const auto passes = static_cast<double>(begun_s.size());
-  json out = {{"passes", begun_s.size()},
-              {"stopped", end.is_object() ? end.at("reason") : json()},
+  const bool stopped = end.is_object();
+  // A pass that the end of the run interrupts has no cycle, and its work no load.
+  const std::size_t passes = begun_s.size() - (stopped ? 0 : 1);
+  const double done_s = stopped ? end.at("t_s").get<double>() : begun_s.back();
+  const auto after = std::upper_bound(time_s.begin(), time_s.end(), done_s + kRounding_s);
+  const auto last =
+      static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - time_s.begin(), 1)) - 1;
+
+  json out = {{"passes", passes},
+              {"stopped", stopped ? end.at("reason") : json()},
               {"cycles_s", json::array()}};
-  for (std::size_t k = 1; k < begun_s.size(); ++k)
+  for (std::size_t k = 1; k < passes; ++k)
     out["cycles_s"].push_back((k + 1 < begun_s.size() ? begun_s[k + 1] : done_s) - begun_s[k]);
-  // The first pass gets a return as well: the mean of the others'.
-  const double truck_s = done_s - begun_s.front() + (passes > 1 ? back_s / (passes - 1) : 0);
-  const double kg = truck.back();
+  json truck_s;
+  if (passes > 1) {
+    const double others_s = std::accumulate(to_dig_s.begin() + 1, to_dig_s.begin() + passes, 0.0);
+    truck_s =
+        done_s - begun_s.front() - to_dig_s.front() + others_s / static_cast<double>(passes - 1);
+  }
+  const double kg = truck.at(last);
   out["truck_kg"] = kg;
   out["truck_s"] = truck_s;
-  out["tonnes_per_hour"] = truck_s > 0 ? json(kg * 1e-3 / truck_s * 3600) : json();
-  out["energy_J_per_kg"] = kg > 0 ? json(work.back() / kg) : json();
+  out["tonnes_per_hour"] =
+      truck_s.is_null() ? json() : json(kg * 1e-3 / truck_s.get<double>() * 3600);
+  out["energy_J_per_kg"] = passes > 0 && kg > 0 ? json(work.at(last) / kg) : json();
   return out;
 }
 

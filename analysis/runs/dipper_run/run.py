@@ -45,8 +45,15 @@ class Run:
 
     @functools.cached_property
     def summary(self):
-        """summary.json as a dict; a run writes it at its end."""
-        return self._json("summary.json", "a run writes it when it ends")
+        """summary.json as a dict; a run writes it at its end. NotARun while a resumed run has not ended again."""
+        found = self._json("summary.json", "a run writes it when it ends")
+        if (self.folder / "record.h5").is_file() and "sim_s" in found:
+            with self._record() as record:
+                end_s = float(record["time_s"][-1])
+            if abs(found["sim_s"] - end_s) > 1e-6:
+                raise NotARun(f"{self.folder / 'summary.json'}: is of an earlier end, at {found['sim_s']:g} s; the run "
+                              f"was resumed, has come to {end_s:g} s, and writes it anew when it ends")
+        return found
 
     @functools.cached_property
     def metrics(self):

@@ -37,7 +37,7 @@ def folder(tmp_path):
         for name, unit, values in (("time_s", "s", [0.1, 0.2, 0.3]), ("machine/hoist_force", "N", [1.0, 2.0])):
             f[name] = np.array(values)
             f[name].attrs.update(unit=unit, frame="")
-    (tmp_path / "summary.json").write_text(json.dumps({"passes": [{"payload_kg": 5e4}]}))
+    (tmp_path / "summary.json").write_text(json.dumps({"sim_s": 0.3, "passes": [{"payload_kg": 5e4}]}))
     (tmp_path / "report").mkdir()
     (tmp_path / "report/metrics.json").write_text('{"format": 1}')
     (tmp_path / "report/phases.csv").write_text("pass,phase,t_start_s\n1,fill,2.5\n1,dump,\n")
@@ -109,6 +109,14 @@ def test_a_file_that_is_not_what_the_run_wrote_is_not_read(folder):
     assert dipper_run.read(folder).summary
     (folder / "summary.json").write_text('{"passes": []}')
     with pytest.raises(dipper_run.NotARun, match="not what the run wrote"):
+        dipper_run.read(folder).summary
+
+
+def test_the_summary_of_an_earlier_end_is_not_that_of_a_run_that_goes_on(folder):
+    with h5py.File(folder / "record.h5", "a") as f:
+        del f["time_s"]
+        f["time_s"] = np.array([0.1, 0.2, 0.3, 0.4])
+    with pytest.raises(dipper_run.NotARun, match="earlier end, at 0.3 s.*come to 0.4 s"):
         dipper_run.read(folder).summary
 
 

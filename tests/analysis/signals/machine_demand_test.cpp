@@ -16,7 +16,7 @@ struct Stand {
   double rake = machine.dipper.base_rake;
   machine::ShovelKinematics shovel{machine, Pose{}, rake};
   DriveSignals s;
-  std::vector<double> saddle_rad;
+  std::vector<double> saddle_rad, rope_tension_N;
 
   explicit Stand(double turned) {
     const double hoist = -6, crowd = 1;
@@ -27,7 +27,8 @@ struct Stand {
       s.hoist_m.push_back(hoist);
       s.crowd_m.push_back(crowd);
       saddle_rad.push_back(shovel.saddle_angle(hoist, crowd) + (rides ? turned : 0));
-      s.hoist_force_N.push_back(t < 2.45 ? 1.01 * machine.drives.hoist.stall : 1e6);
+      s.hoist_force_N.push_back(machine.drives.hoist.stall);  // a limited motor gives no more
+      rope_tension_N.push_back(t < 2.45 ? 1.01 * machine.drives.hoist.stall : 1e6);
       s.crowd_force_N.push_back(t < 4.95 ? -1.01 * machine.drives.crowd.stall : 1e6);
     }
   }
@@ -36,11 +37,11 @@ struct Stand {
 TEST(MachineDemand, MeasuresHowFarTheTeethAreOffAndForHowLongDrivesGiveMoreThanTheyHave) {
   const Stand stand(0.05);
   const MachineDemand demand(stand.machine, stand.rake, stand.saddle_rad);
-  const Demand all = demand.over(stand.s, 0, 10);
+  const Demand all = demand.over(stand.s, stand.rope_tension_N, 0, 10);
   EXPECT_NEAR(all.teeth_deviation_m, 0.05 * stand.shovel.teeth_reach(1), 1e-6);
   EXPECT_NEAR(all.hoist_beyond_fraction, 0.25, 1e-6);
   EXPECT_NEAR(all.crowd_beyond_fraction, 0.5, 1e-6) << "pulled back or pushed out";
-  const Demand after = demand.over(stand.s, 7, 10);
+  const Demand after = demand.over(stand.s, stand.rope_tension_N, 7, 10);
   EXPECT_NEAR(after.teeth_deviation_m, 0, 1e-6);
   EXPECT_EQ(after.hoist_beyond_fraction, 0);
   EXPECT_EQ(after.crowd_beyond_fraction, 0);
@@ -50,7 +51,7 @@ TEST(MachineDemand, ARopeLongerThanAnyTautOneSaysNothingOfTheTeeth) {
   Stand stand(0.05);
   for (double& hoist : stand.s.hoist_m) hoist = -100;
   EXPECT_EQ(MachineDemand(stand.machine, stand.rake, stand.saddle_rad)
-                .over(stand.s, 0, 10)
+                .over(stand.s, stand.rope_tension_N, 0, 10)
                 .teeth_deviation_m,
             0);
 }

@@ -77,6 +77,15 @@ TEST(PassPhases, ARunThatEndsAnywhereHasPhasesUpToItsEnd) {
   }
 }
 
+TEST(PassPhases, APassWhoseDoorHasNotOpenedHasNoDump) {
+  Cycle cycle;
+  for (double& door : cycle.pass.door_rad) door = 0;
+  const auto passes = find_pass_phases(cycle.pass, cycle.drive);
+  ASSERT_EQ(passes.size(), 1U);
+  EXPECT_EQ(passes[0].phases.back().name, PhaseName::swing);
+  EXPECT_NEAR(passes[0].phases.back().t_end_s, 40, 1e-9);
+}
+
 /// A motor with limits accelerates its drum, with or without a pull in the ropes.
 TEST(PassPhases, RopesAreSlackWhateverTheHoistDrivePulls) {
   Cycle cycle;

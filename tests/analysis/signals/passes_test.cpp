@@ -116,6 +116,25 @@ TEST(Passes, AThirdPassThatTheRunEndsInIsOne) {
   EXPECT_NEAR(passes[2].t_dig_s, 43.1, 1e-9);
 }
 
+TEST(Passes, RockThatSticksInTheDipperIsNeitherContactNorALoad) {
+  PassSignals s = two_passes();
+  for (double t = 40.1; t < 50; t += 0.1) {  // and the way home
+    s.time_s.push_back(t);
+    for (auto* v : {&s.door_rad, &s.dipper_force_N, &s.rope_tension_N, &s.hoist_force_N,
+                    &s.crowd_force_N, &s.dipper_mass_kg})
+      v->push_back(0);
+    s.truck_mass_kg.push_back(150e3);
+  }
+  for (std::size_t i = 180; i < s.time_s.size(); ++i) {
+    s.dipper_mass_kg[i] = std::max(s.dipper_mass_kg[i], 2.5e3);
+    s.dipper_force_N[i] = std::max(s.dipper_force_N[i], 24.5e3);
+  }
+  const auto passes = find_passes(s);
+  ASSERT_EQ(passes.size(), 2u) << "the way home is no pass";
+  EXPECT_NEAR(passes[1].t_dig_s, 22, 1e-9);
+  EXPECT_NEAR(passes[1].dig_force_mean_N, (12 * 5e6 + 1 * 10e6) / 13, 1e-3);
+}
+
 TEST(Passes, ADigThatBroughtNothingIsAPassWhenTheDoorOpened) {
   for (const double contact_N : {50e3, 0.0}) {
     PassSignals s = with_way_home(contact_N, 0);

@@ -1,14 +1,14 @@
 // Load and duration of each pass.
 import { h } from '../../dom.js';
 import { fixed, megajoules, meganewtons, tonnes } from '../../format.js';
-import { durationColumn } from '../durations.js';
+import { timeColumn } from '../time_column.js';
 import { table } from '../../parts/table.js';
 
 export function passes({ passes: rows, rock_model: rock }) {
   if (!rows.length) return null;
   return h('section', { id: 'headline', 'aria-label': 'Passes', class: rows.length === 1 ? 'single' : undefined }, table(null, [
     { name: 'Pass', cell: (p) => p.pass },
-    durationColumn(rows),
+    timeColumn,
     ...(rock === 'none' ? [] : [
       { name: 'Load', unit: 't', cell: (p) => tonnes(p.payload_kg) },
       { name: 'Fill factor, by the pile’s density', cell: (p) => fixed(p.fill_factor, 2) },

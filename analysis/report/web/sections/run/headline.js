@@ -3,7 +3,7 @@ import { h } from '../../dom.js';
 import { masthead } from '../../page.js';
 import { duration, fixed, meganewtons, megajoules, number, percent, seconds, tonnes } from '../../format.js';
 import { table } from '../../parts/table.js';
-import { durationColumn } from '../durations.js';
+import { timeColumn } from '../time_column.js';
 
 export function head(model) {
   const { run } = model;
@@ -34,7 +34,7 @@ export function headline(model) {
     { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
     { name: 'per payload', alone: 'Dig work per payload', unit: 'J/kg', cell: (p) => fixed(p.specific_dig_energy_J_kg, 0) },
     { name: 'Spilt', unit: 't', cell: (p) => tonnes(p.spillage_kg, 2) },
-    durationColumn(passes),
+    timeColumn,
     { name: 'Cost', unit: 'CPU s', cell: (p) => number((p.t_end_s - p.t_start_s) * run.cpu_s_per_sim_s, 3) },
   ].filter((column) => passes.some((p) => column.cell(p) !== '–'));
   const sum = (key) => passes.reduce((total, p) => total + (p[key] ?? NaN), 0);
