@@ -44,8 +44,8 @@ struct DigCandidate {
   std::string refused;      ///< why it is not feasible; empty: it is
   TeethPath dig;            ///< control polygon of the path of the teeth
   double swept_m3 = 0;      ///< removed from the face
-  double payload_kg = 0;    ///< expected in the dipper: loaded of that, divided by `overload` where
-                            ///< that is > 1, at most the capacity
+  double loose_kg = 0;      ///< loaded of that, divided by `overload` where that is > 1
+  double payload_kg = 0;    ///< expected in the dipper, which holds a heaped load at most
   double crowd_peak_N = 0;  ///< largest mean over a metre of the path
   double hoist_peak_N = 0;
   double overload = 0;      ///< the larger ratio of the two to the stall force of its drive

@@ -158,9 +158,24 @@ TEST_F(PassChoice, MoreThanTheDipperHoldsMakesAFullDipperSurer) {
     facts.capacity_kg = loaded_kg / by;
     data.drives.crowd.stall = data.drives.hoist.stall = 1e8;
     const double payload_kg = decide(bench()).candidates[0].payload_kg;
-    EXPECT_NEAR(payload_kg, summed(loaded_kg, facts.capacity_kg), 1e-4 * loaded_kg) << by;
-    EXPECT_LT(payload_kg, facts.capacity_kg);
+    EXPECT_NEAR(payload_kg, summed(loaded_kg, 1.05 * facts.capacity_kg), 1e-4 * loaded_kg) << by;
+    EXPECT_LT(payload_kg, 1.05 * facts.capacity_kg);
   }
+}
+
+TEST_F(PassChoice, ALoadThatScattersFillsTheLastOfATruckMoreSurelyIfItIsExpectedToBeMore) {
+  choice.depth_m = {0.8, 1.2};
+  data.drives.crowd.stall = data.drives.hoist.stall = 1e8;
+  const DigDecision all = decide(bench());
+  const double room_kg = all.candidates[0].loose_kg;
+  ASSERT_LT(room_kg, 0.8 * all.candidates[1].loose_kg);
+  const DigDecision d = decide(bench(), 0, room_kg);
+  for (const DigCandidate& c : d.candidates) EXPECT_LT(c.score * c.cycle_s, room_kg);
+  const auto counts_kg = [&](int k) {
+    const DigCandidate& c = d.candidates[static_cast<std::size_t>(k)];
+    return c.score * c.cycle_s;
+  };
+  EXPECT_GT(counts_kg(1), 1.05 * counts_kg(0));
 }
 
 TEST_F(PassChoice, TurnsToWhereTheRockIs) {
