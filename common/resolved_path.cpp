@@ -1,10 +1,13 @@
 #include "common/resolved_path.hpp"
 
+#include "common/input_error.hpp"
+
 namespace dipper {
 
 namespace fs = std::filesystem;
 
 fs::path resolved(const fs::path& path) {
+  if (path.empty()) throw InputError({{{}, 0, "", "no case is given: its name is empty"}});
   fs::path whole = fs::absolute(path);
   if (!whole.has_filename()) whole = whole.parent_path();  // a slash at the end
   const fs::path name = whole.filename();

@@ -6,12 +6,20 @@
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
 #include "analysis/run/run_folder.hpp"
+#include "common/box.hpp"
+#include "common/input_error.hpp"
 
 namespace dipper::analysis::run {
 namespace {
 
 constexpr double kMassShare = 2e-3;  // six digits a radius, thousands of spheres
 constexpr double kWall_m = 0.01;     // six digits a coordinate, tens of metres
+
+// Of what is no run's, where only a wrong unit or origin explains it.
+constexpr double kOtherUnit = 3;    // a mesh so many times as long as the dumps' box
+constexpr double kFarOff = 5;       // a dipper so many times the box's length from the rock
+constexpr double kOtherTime = 100;  // poses so many times as long as the dumps: in ms
+constexpr double kHeld = 0.1;       // of the time between two frames, by which poses may end early
 
 [[noreturn]] void another(const std::filesystem::path& file, long line, const std::string& what) {
   throw io::input_error(file, line, what + ": a dump of another run?");
@@ -77,7 +85,89 @@ void check_wall(const RunData& run, const std::string& name, const std::filesyst
             fmt::format("{} is {:.3g} m from where the record has it at {:.4g} s", name, off, t));
 }
 
+/// Times of a dipper that moves: before its first pose and after its last one it would stand still.
+void check_times(const rock::PoseTrack& dipper, const std::vector<double>& time_s,
+                 const std::filesystem::path& poses) {
+  const double covered_s = dipper.end_s() - dipper.start_s();
+  const double dumped_s = time_s.back() - time_s.front();
+  if (covered_s == 0) return;  // one row: a dipper at rest
+  const double intervals = std::max(1.0, static_cast<double>(time_s.size()) - 1);
+  const double early_s = kHeld * dumped_s / intervals;
+  const bool in_ms = dumped_s > 0 && covered_s > kOtherTime * dumped_s;
+  if (!in_ms && dipper.start_s() <= time_s.front() + early_s &&
+      dipper.end_s() >= time_s.back() - early_s)
+    return;
+  throw io::input_error(
+      poses, 0,
+      fmt::format("time_s: the poses cover {:.6g} to {:.6g} s, the frames {:.6g} to {:.6g} s; {}",
+                  dipper.start_s(), dipper.end_s(), time_s.front(), time_s.back(),
+                  in_ms ? "in ms, perhaps? write them in s"
+                        : "write poses from the first frame to the last, in the dumps' own time"));
+}
+
+/// All rock of the first frame and the last one.
+Box box_of_rock(const RunData& run, const io::DumpFolder& dumps) {
+  Box rock;
+  for (const std::size_t k : {std::size_t{0}, dumps.frames.size() - 1})
+    rock::for_each_fragment(dumps.frames[k], run.clumps,
+                            [&](const rock::Fragment& r) { rock.add(r.p_W); });
+  return rock;
+}
+
+double longest_m(const Box& box) { return box.sides_m().maxCoeff(); }
+
+double distance_m(const Box& a, const Box& b) {
+  return (a.min_m - b.max_m).cwiseMax(b.min_m - a.max_m).cwiseMax(0).norm();
+}
+
+Box placed(const Box& box, const Pose& X_WB) {
+  Box out;
+  for (int k = 0; k < 8; ++k)
+    out.add(X_WB * Vector3d((k & 1) != 0 ? box.max_m.x() : box.min_m.x(),
+                            (k & 2) != 0 ? box.max_m.y() : box.min_m.y(),
+                            (k & 4) != 0 ? box.max_m.z() : box.min_m.z()));
+  return out;
+}
+
 }  // namespace
+
+std::vector<Finding> check_dipper_is_among(const RunData& run, const io::DumpFolder& dumps,
+                                           const ForeignDipper& given) {
+  check_times(run.dipper, dumps.time_s, given.poses);
+  const Box rock = box_of_rock(run, dumps);
+  if (rock.is_empty()) return {};
+  Box room = rock;
+  for (const io::DumpFrame& f : dumps.frames) {
+    if (!f.box) continue;
+    room.add(f.box->min_m);
+    room.add(f.box->max_m);
+  }
+  const Box mesh = mesh::bounding_box(run.vessel);
+  const double mesh_m = longest_m(mesh), rock_m = longest_m(rock), room_m = longest_m(room);
+  if (mesh_m > kOtherUnit * room_m)
+    throw io::input_error(
+        given.mesh, 0,
+        fmt::format("is {:.4g} m long, and the box of the dumps {:.4g} m: in mm or cm, perhaps? "
+                    "scale it to m",
+                    mesh_m, room_m));
+  double nearest_m = INFINITY, farthest_m = 0;
+  for (const double t : dumps.time_s) {
+    const double d = distance_m(placed(mesh, run.dipper.at(t).X_WB), rock);
+    nearest_m = std::min(nearest_m, d);
+    farthest_m = std::max(farthest_m, d);
+  }
+  // A dipper on its way to the rock or from it may not touch it, but it is about as near as long.
+  if (nearest_m > std::max(mesh_m, rock_m) || farthest_m > kFarOff * room_m)
+    throw io::input_error(
+        given.poses, 0,
+        fmt::format("x_m,y_m,z_m: they put the dipper {:.3g} to {:.3g} m from the rock, which is "
+                    "{:.3g} m long: write them in m, from the dumps' own origin",
+                    nearest_m, farthest_m, rock_m));
+  if (mesh_m <= rock_m) return {};
+  return {{given.mesh, 0, "",
+           fmt::format("is {:.3g} m long, and all the rock {:.3g} m: in ft, perhaps?", mesh_m,
+                       rock_m)}};
+}
 
 void check_dumps_are_of(const RunData& run, const io::DumpFolder& dumps) {
   Eigen::Vector3d low, high;

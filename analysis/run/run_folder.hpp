@@ -9,6 +9,7 @@
 #include "analysis/signals/drive_signals.hpp"
 #include "analysis/signals/passes.hpp"
 #include "common/case_lines.hpp"
+#include "common/finding.hpp"
 #include "common/mesh/triangle_mesh.hpp"
 
 namespace dipper::analysis::run {
@@ -70,6 +71,12 @@ rock::PoseTrack read_poses(const std::filesystem::path& file);
 /// all rock weighs what the record says, walls are where the record has them. Throws InputError
 /// naming file and line.
 void check_dumps_are_of(const RunData& run, const io::DumpFolder& dumps);
+
+/// Whether a dipper that a user gives is among the rock of the dumps: its poses cover the frames,
+/// its mesh is not far larger than their box, nor is it far from the rock. Throws InputError naming
+/// the file; warns of a mesh longer than all the rock.
+std::vector<Finding> check_dipper_is_among(const RunData& run, const io::DumpFolder& dumps,
+                                           const ForeignDipper& given);
 
 /// What a record has of its bodies and its rock, whatever the machine: rock_work_J, rock_kg, walls,
 /// and time_s in `pass`. Throws InputError.

@@ -2,15 +2,64 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "common/angles.hpp"
+#include "coupler/case/bench_surface.hpp"
 #include "coupler/check/warning_parts.hpp"
 
 namespace dipper::check {
 namespace {
 
 constexpr double kSteep_deg = 60;  // as dipper survey: blasted rock rests at 30 to 45
-constexpr double kStep = 0.25;     // of the height, at once at the toe
+constexpr double kStep = 0.25;     // of the height, at once at the toe or at one point
+constexpr double kSlope = 1;       // steeper than 45 degrees on both sides no rock rests
+
+/// The points beside one.
+struct Beside {
+  double low_m = INFINITY, high_m = -INFINITY, far_m = 0;
+
+  void add(double z_m, double distance_m) {
+    low_m = std::min(low_m, z_m);
+    high_m = std::max(high_m, z_m);
+    far_m = std::max(far_m, distance_m);
+  }
+};
+
+/// The point farthest over or under all points beside it.
+void warn_of_lone_point(const cases::Case& c, double top, std::vector<Finding>& warnings) {
+  double most_m = kStep * top;
+  std::string what;
+  const auto weigh = [&](const Eigen::Vector3d& p, const Beside& beside) {
+    const double off_m = std::max(p.z() - beside.high_m, beside.low_m - p.z());
+    if (beside.far_m == 0 || off_m <= most_m || off_m < kSlope * beside.far_m) return;
+    most_m = off_m;
+    what = fmt::format(
+        "the point at x = {:g}{} m is at {:g} m, those beside it at {:g} to {:g} m: is it a wrong "
+        "reading{}? leave it out",
+        p.x(), c.pile.surface ? fmt::format(", y = {:g}", p.y()) : "", p.z(), beside.low_m,
+        beside.high_m, p.z() < beside.low_m ? ", or no data" : "");
+  };
+  if (c.pile.surface) {
+    const mesh::TriangleMesh& mesh = c.pile.surface->mesh();
+    std::vector<Beside> beside(mesh.vertices.size());
+    for (const auto& t : mesh.triangles)
+      for (const std::size_t i : t)
+        for (const std::size_t j : t)
+          if (const Eigen::Vector3d& a = mesh.vertices[i], &b = mesh.vertices[j]; i != j)
+            beside[i].add(b.z(), (b - a).head<2>().norm());
+    for (std::size_t i = 0; i < beside.size(); ++i) weigh(mesh.vertices[i], beside[i]);
+  } else {
+    const auto& outline = c.pile.outline_m;
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+      Beside beside;
+      for (const std::size_t j : {i - 1, i + 1})
+        beside.add(outline[j].y(), std::abs(outline[j].x() - outline[i].x()));
+      weigh({outline[i].x(), 0, outline[i].y()}, beside);
+    }
+  }
+  if (!what.empty()) warnings.push_back({c.pile.profile, 0, "pile.profile", what});
+}
 
 }  // namespace
 
@@ -22,6 +71,7 @@ void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings) {
   const auto say = [&](const std::string& what) {
     warnings.push_back({c.pile.profile, 0, "pile.profile", what});
   };
+  warn_of_lone_point(c, top, warnings);
   if (!c.pile.surface && outline.front().y() > kStep * top)
     return say(
         fmt::format("begins with a step of {:.2g} m at the toe, x = {:g} m: is the foot of "

@@ -14,6 +14,7 @@ namespace {
 constexpr double kOtherPower = 100;  ///< a speed of power / stall so far from the limit's
 constexpr double kOtherLoad = 10;    ///< a rated load so far from the dipper full of rock
 constexpr double kLeastRake_deg = 2;
+constexpr double kMostStretch_m = 0.5;  ///< of ropes that hold the empty dipper: some mm are usual
 
 void warn_of_angles(const cases::Case& c, std::vector<Finding>& warnings) {
   if (c.machine.rake_angle_deg == 0)
@@ -69,11 +70,40 @@ void warn_of_drives(const CaseParts& parts, std::vector<Finding>& warnings) {
                     rated, full_kg));
 }
 
+void warn_of_handle(const CaseParts& parts, std::vector<Finding>& warnings) {
+  const machine::MachineData& m = parts.machine;
+  const double center_m = m.handle.mass_center;
+  // All out, the handle still reaches back to the saddle.
+  const double length_m = m.handle.reach_at_zero_crowd + m.limits.crowd_max;
+  if (center_m > 0 || center_m < -length_m)
+    warnings.push_back(
+        {parts.c.machine.model, 0, "handle.mass_center",
+         fmt::format("{:g} m is {} the handle, some {:.3g} m long: it is negative, from the dipper "
+                     "end towards the saddle",
+                     center_m, center_m > 0 ? "in front of" : "behind", length_m)});
+}
+
+void warn_of_ropes(const CaseParts& parts, std::vector<Finding>& warnings) {
+  const machine::MachineData& m = parts.machine;
+  const double pull_N = 0.5 * (m.dipper.mass + m.door.mass) * kGravity_m_s2;  // on one rope
+  const double free_m =
+      std::max(0.0, m.rope.length_at_zero_hoist - (m.boom.point - m.rope.drum).norm());
+  const double stretch_m = pull_N * m.rope.elastic_fraction * free_m / m.rope.axial_stiffness;
+  if (stretch_m > kMostStretch_m)
+    warnings.push_back(
+        {parts.c.machine.model, 0, "rope.axial_stiffness",
+         fmt::format("{:.3g} N let the ropes stretch by {:.2g} m under the empty dipper: in kN, "
+                     "perhaps? it is EA of one rope",
+                     m.rope.axial_stiffness, stretch_m)});
+}
+
 }  // namespace
 
 void warn_of_machine(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_angles(parts.c, warnings);
   warn_of_drives(parts, warnings);
+  warn_of_handle(parts, warnings);
+  warn_of_ropes(parts, warnings);
 }
 
 }  // namespace dipper::check

@@ -81,19 +81,21 @@ void warn_of_angles_of_motion(const CaseParts& parts, std::vector<Finding>& warn
 /// Compares a body's radius of gyration with its size.
 void warn_of_masses(const CaseParts& parts, std::vector<Finding>& warnings) {
   struct Part {
-    std::string name;
+    std::string key;
     double mass_kg, inertia_kg_m2, size_m;
   };
   const machine::MachineData& m = parts.machine;
   const double dipper_m = m.dipper.inside.maxCoeff();
-  for (const Part& p :
-       {Part{"handle", m.handle.mass, m.handle.inertia.maxCoeff(), m.handle.reach_at_zero_crowd},
-        Part{"dipper", m.dipper.mass, m.dipper.inertia.maxCoeff(), dipper_m},
-        Part{"door", m.door.mass, m.door.inertia.maxCoeff(), dipper_m}}) {
+  for (const Part& p : {Part{"house.swing_inertia", m.house.mass, m.house.swing_inertia,
+                             std::abs(m.boom.point.x())},
+                        Part{"handle.mass", m.handle.mass, m.handle.inertia.maxCoeff(),
+                             m.handle.reach_at_zero_crowd},
+                        Part{"dipper.mass", m.dipper.mass, m.dipper.inertia.maxCoeff(), dipper_m},
+                        Part{"door.mass", m.door.mass, m.door.inertia.maxCoeff(), dipper_m}}) {
     const double gyration_m = std::sqrt(p.inertia_kg_m2 / p.mass_kg);
     if (gyration_m > p.size_m || gyration_m < kSlightest * p.size_m)
       warnings.push_back(
-          {parts.c.machine.model, 0, p.name + ".mass",
+          {parts.c.machine.model, 0, p.key,
            fmt::format("{:g} kg and an inertia of {:g} kg m2 give a radius of gyration of {:.2g} m "
                        "for a body of about {:g} m: is one of them in another unit?",
                        p.mass_kg, p.inertia_kg_m2, gyration_m, p.size_m)});

@@ -19,6 +19,7 @@ constexpr double kFastest_m_s = 20;     // no tool that digs is so fast
 constexpr double kUsualRow_s = 60;      // rows further apart, as a rule: times in ms
 constexpr double kFarthestTurn = 0.9;   // of half a turn; beyond that the shorter way is another
 constexpr double kHalfTurned = 0.7072;  // a little over qz of a body turned by 90 degrees about z
+constexpr double kMostRows = 0.75;      // a body that digs is tilted beyond 90 degrees in few
 
 // The first rows between which a body is too fast, or turns so far that either way may be meant.
 void warn_of_steps(const cases::Case& c, const std::string& body, const Rows& rows,
@@ -46,10 +47,11 @@ void warn_of_steps(const cases::Case& c, const std::string& body, const Rows& ro
   }
 }
 
-// A body is rarely turned back all the time; with the scalar last one that is hardly turned is.
-bool all_turned_back(const Rows& rows) {
-  return std::all_of(rows.begin(), rows.end(),
-                     [](const auto& row) { return std::abs(row.X_WB.R.z()) > kHalfTurned; });
+// A body is rarely turned back most of the time; with the scalar last one that is hardly turned is.
+std::size_t count_turned_back(const Rows& rows) {
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const auto& row) {
+    return std::abs(row.X_WB.R.z()) > kHalfTurned;
+  }));
 }
 
 }  // namespace
@@ -58,11 +60,12 @@ void warn_of_poses(const cases::Case& c, std::vector<Finding>& warnings) {
   const machine::PoseTable table = machine::PoseTable::load(c.machine.poses);
   std::vector<double> steps_s;
   double first_s = INFINITY;
-  bool turned_back = true;
+  std::size_t turned_back = 0, all = 0;
   for (const std::string& body : table.bodies()) {
     const Rows& rows = table.rows(body);
     first_s = std::min(first_s, seconds(rows.front().t_ns));
-    turned_back = turned_back && all_turned_back(rows);
+    turned_back += count_turned_back(rows);
+    all += rows.size();
     for (std::size_t i = 1; i < rows.size(); ++i)
       steps_s.push_back(seconds(rows[i].t_ns - rows[i - 1].t_ns));
     warn_of_steps(c, body, rows, warnings);
@@ -70,9 +73,11 @@ void warn_of_poses(const cases::Case& c, std::vector<Finding>& warnings) {
   const auto say = [&](const std::string& what) {
     warnings.push_back({c.machine.poses, 0, "machine.poses", what});
   };
-  if (turned_back)
-    say("qz is the largest of qw,qx,qy,qz in every row, so that x points back: is the scalar last? "
-        "name the columns in the order in which they stand, as in qx,qy,qz,qw");
+  if (static_cast<double>(turned_back) > kMostRows * static_cast<double>(all))
+    say(fmt::format(
+        "qz is the largest of qw,qx,qy,qz in {} of {} rows, so that x points back: is the scalar "
+        "last? name the columns in the order in which they stand, as in qx,qy,qz,qw",
+        turned_back, all));
   if (!steps_s.empty()) {
     const auto middle = steps_s.begin() + static_cast<long>(steps_s.size() / 2);
     std::nth_element(steps_s.begin(), middle, steps_s.end());

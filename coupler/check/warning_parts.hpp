@@ -27,7 +27,8 @@ struct CaseParts {
 /// mass, or may have a share of 1.
 void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings);
 
-/// A pile.profile whose face is steeper than rock rests, or begins with a step.
+/// A pile.profile whose face is steeper than rock rests, that begins with a step, or has one point
+/// far over or under its neighbours.
 void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings);
 
 /// A table of poses (machine.kind poses) that is legal and hardly meant: times in ms, or that do
@@ -53,7 +54,8 @@ void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings);
 /// Numbers that look as if in another unit, or that do not fit the machine, mesh or pile.
 void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings);
 
-/// The machine's file, rake and the truck's heading, where they look as if in another unit.
+/// The machine's file, rake and the truck's heading, where they look as if in another unit, a
+/// handle with its mass outside it, and ropes that do not hold the dipper.
 void warn_of_machine(const CaseParts& parts, std::vector<Finding>& warnings);
 
 }  // namespace dipper::check

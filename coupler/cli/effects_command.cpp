@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "common/resolved_path.hpp"
 #include "coupler/case/effects.hpp"
 #include "coupler/case/schema.hpp"
 
@@ -48,6 +49,8 @@ json to_json(const cases::Effect& e) {
 
 int effects_command(const std::filesystem::path& case_folder, Reporter& reporter) {
   std::vector<Finding> findings;
+  if (!std::filesystem::exists(resolved(case_folder) / "case.yaml"))
+    findings.push_back({case_folder, 0, "", "is not a case: it has no case.yaml"});
   json effects = json::array();
   for (const std::string& name : cases::effect_names(case_folder))
     effects.push_back(to_json(cases::read_effect(cases::effect_file(case_folder, name), findings)));

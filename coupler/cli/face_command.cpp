@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "analysis/io/dump_folder.hpp"
@@ -26,7 +27,8 @@ namespace fs = std::filesystem;
 
 struct FaceOptions {
   std::string run, out;
-  double at_s = 1e300, heading_deg = 0;
+  std::optional<double> at_s;
+  double heading_deg = 0;
 };
 
 constexpr double kHalfWidth_m = 2;  // of the rock along the boom: as wide as a dipper
@@ -45,9 +47,23 @@ std::vector<Eigen::Vector2d> face_along(const io::DumpFrame& frame, const Pose& 
   return map.profile(Pose{}, kHalfWidth_m);
 }
 
+/// The nearest frame, if the time is at most one interval of the dumps before or after them all.
+std::size_t frame_at(const io::DumpFolder& dumps, double at_s) {
+  constexpr double kShown_s = 0.01;  // a frame's time is shown so
+  const auto& time_s = dumps.time_s;
+  const double first_s = time_s.front(), last_s = time_s.back();
+  const double interval_s =
+      (last_s - first_s) / std::max(1.0, static_cast<double>(time_s.size()) - 1);
+  if (std::max(first_s - at_s, at_s - last_s) > std::max(interval_s, kShown_s))
+    throw InputError({{dumps.folder, 0, "--at",
+                       fmt::format("there is no frame near {:g} s; {} are from {:.2f} to {:.2f} s",
+                                   at_s, time_s.size(), first_s, last_s)}});
+  return dumps.nearest(at_s);
+}
+
 int face_command(const FaceOptions& o, Reporter& reporter) {
   const io::DumpFolder dumps = io::open_dump_folder(o.run);
-  const std::size_t frame = dumps.nearest(std::min(o.at_s, dumps.time_s.back()));
+  const std::size_t frame = frame_at(dumps, o.at_s.value_or(dumps.time_s.back()));
   const CaseLines text = CaseLines::read(fs::path(o.run) / "case.txt");
   Pose X_WBoom;
   X_WBoom.R = from_rotation_vector({0, 0, radians(o.heading_deg)});

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -16,6 +17,7 @@
 #include "coupler/case/case.hpp"
 #include "coupler/case/outline_file.hpp"
 #include "coupler/check/checked_case.hpp"
+#include "coupler/cli/output_file.hpp"
 #include "coupler/cli/preview_command.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/deck/bench_map.hpp"
@@ -47,12 +49,25 @@ std::string chosen_rows(const cases::Case& c, const fs::path& file, Reporter& re
   return decision.rows;
 }
 
+fs::path plan_of(const MotionOptions& o, const cases::Case& c) {
+  if (!o.plan.empty()) return o.plan;
+  return c.machine.plan.empty() ? c.folder / "plan.yaml" : c.machine.plan;
+}
+
+/// The motion may replace the case's own, and no other file that is read.
+void require_outputs(const MotionOptions& o, const cases::Case& c, const fs::path& out,
+                     const fs::path& page) {
+  std::vector<fs::path> inputs = inputs_of(c);
+  require_output(page, "--page", inputs);
+  inputs.erase(std::remove(inputs.begin(), inputs.end(), c.machine.motion), inputs.end());
+  inputs.push_back(o.path.empty() ? plan_of(o, c) : fs::path(o.path));
+  require_output(out, "--out", inputs);
+}
+
 std::string planned_rows(const MotionOptions& o, const cases::Case& c,
                          const machine::MachineData& data, const machine::ShovelKinematics& shovel,
                          Reporter& reporter) {
-  const fs::path file = !o.plan.empty()          ? fs::path(o.plan)
-                        : c.machine.plan.empty() ? c.folder / "plan.yaml"
-                                                 : c.machine.plan;
+  const fs::path file = plan_of(o, c);
   const machine::PlanFile plan =
       machine::read_plan(file, data, shovel, [&](const std::string& name, double heading_rad) {
         return name == "pile" ? deck::bench_along_boom(c, heading_rad)
@@ -96,6 +111,10 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   X_W0.p = c.machine.base_position_m;
   const machine::ShovelKinematics shovel(data, X_W0, radians(c.machine.rake_angle_deg));
 
+  const fs::path out = o.out.empty() ? c.machine.motion : fs::path(o.out);
+  const fs::path page = o.page.empty() ? fs::path(c.name + "-motion.html") : fs::path(o.page);
+  require_outputs(o, c, out, page);
+
   std::string text;
   if (o.path.empty()) {
     text = planned_rows(o, c, data, shovel, reporter);
@@ -104,7 +123,6 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
     report_times(path, reporter);
     text = rows_along(path, o.path, shovel);
   }
-  const fs::path out = o.out.empty() ? c.machine.motion : fs::path(o.out);
   const machine::Motion motion = machine::Motion::parse(text, out.string());
   if (beyond_limits(motion, shovel, o.path.empty() ? "the plan" : o.path, reporter)) return 2;
 
@@ -115,7 +133,6 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
   set.push_back({"machine.operator", "motion"});  // the page shows this very motion
   auto sound = check::checked_case(o.folder, set, reporter);
   if (!sound) return 2;
-  const fs::path page = o.page.empty() ? fs::path(sound->name + "-motion.html") : fs::path(o.page);
   const int status = write_dry_page(*sound, dry::RockModel::estimate, page, reporter);
   if (status != 0) return status;
   draft.keep();

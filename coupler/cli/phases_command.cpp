@@ -30,9 +30,13 @@ json of_run(const std::string& folder) {
   const auto run = analysis::run::read_signals(std::filesystem::path(folder) / "record.h5");
   json passes = json::array();
   for (const signals::PassPhases& p : signals::find_pass_phases(run.pass, run.drive)) {
-    json row = {{"pass", p.pass.pass},        {"t_start_s", p.pass.t_start_s},
-                {"t_dig_s", p.pass.t_dig_s},  {"t_dump_s", p.pass.t_dump_s},
-                {"t_end_s", p.pass.t_end_s},  {"payload_kg", p.pass.payload_kg},
+    json row = {{"pass", p.pass.pass},
+                {"t_start_s", p.pass.t_start_s},
+                {"t_dig_s", p.pass.t_dig_s},
+                {"t_dump_s", p.pass.t_dump_s},
+                {"t_end_s", p.pass.t_end_s},
+                {"dumped", p.pass.dumped},
+                {"payload_kg", p.pass.payload_kg},
                 {"truck_kg", p.pass.truck_kg}};
     row["phases"] = list(p.phases);
     passes.push_back(row);

@@ -8,6 +8,7 @@
 #include "analysis/report/dry_page.hpp"
 #include "common/temporary_folder.hpp"
 #include "coupler/check/checked_case.hpp"
+#include "coupler/cli/output_file.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/launch/interrupt.hpp"
@@ -30,9 +31,9 @@ int preview(const PreviewOptions& o, Reporter& reporter) {
   const auto c = check::checked_case(
       o.folder, overrides_of(o.set, "machine.base_position_m=[0,0,0]"), reporter);
   if (!c) return 2;
-  return write_dry_page(*c, dry::RockModel::none,
-                        o.out.empty() ? fs::path(c->name + "-preview.html") : fs::path(o.out),
-                        reporter);
+  const fs::path page = o.out.empty() ? fs::path(c->name + "-preview.html") : fs::path(o.out);
+  require_output(page, "--out", inputs_of(*c));
+  return write_dry_page(*c, dry::RockModel::none, page, reporter);
 }
 
 }  // namespace

@@ -11,13 +11,23 @@
 #include "analysis/report/run_page.hpp"
 #include "analysis/run/figure.hpp"
 #include "analysis/run/run_folder.hpp"
+#include "common/file_lock.hpp"
 #include "common/input_error.hpp"
 #include "coupler/cli/number_option.hpp"
+#include "coupler/cli/output_file.hpp"
 
 namespace dipper::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A run without rock has no dumps, and a page when it has ended only.
+void refuse_unfinished(const fs::path& folder) {
+  const fs::path dumps = folder / "dumps", lock = folder / "run.lock";
+  if (!fs::exists(lock) || (fs::is_directory(dumps) && !fs::is_empty(dumps))) return;
+  if (FileLock writer(lock); access(folder.c_str(), W_OK) == 0 && !writer.try_lock())
+    throw InputError({{folder, 0, "", "a run is writing it; wait for its end"}});
+}
 
 analysis::run::RunData open_folder(const ReportOptions& options) {
   const fs::path folder = options.folder;
@@ -33,14 +43,6 @@ analysis::run::RunData open_folder(const ReportOptions& options) {
   std::optional<analysis::run::ForeignDipper> dipper;
   if (!options.mesh.empty()) dipper = analysis::run::ForeignDipper{options.mesh, options.poses};
   return analysis::run::read_foreign_folder(options.folder, dipper);
-}
-
-/// Checked before the work is done: the run may belong to another user.
-void refuse_unwritable(const fs::path& folder) {
-  const fs::path parent = fs::absolute(folder).parent_path();
-  if (fs::is_directory(parent) && access(parent.c_str(), W_OK | X_OK) == 0) return;
-  throw InputError(
-      {{parent, 0, "", "cannot be written into; name the report's folder with --out"}});
 }
 
 /// A report replaces its folder, which may only be that of an earlier report.
@@ -81,8 +83,8 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
           {{options.folder, 0, "", "no such folder; give that of a run, or of LIGGGHTS's dumps"}});
     fs::path folder =
         options.out.empty() ? fs::path(options.folder) / "report" : fs::path(options.out);
-    if (!folder.has_filename()) folder = folder.parent_path();  // was given as "there/"
-    refuse_unwritable(folder);
+    if (!folder.has_filename()) folder = folder.parent_path();     // was given as "there/"
+    require_place(folder, "name the report's folder with --out");  // the run may be another user's
     if (const std::string obstacle = analysis::report::film_obstacle(options.film);
         !obstacle.empty())
       throw InputError({{{}, 0, "", obstacle}});
@@ -95,10 +97,15 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
       return 0;
     }
     refuse_what_would_be_lost(folder, options.folder);
+    refuse_unfinished(options.folder);
     analysis::run::RunData run = open_folder(options);
     const analysis::io::DumpFolder dumps =
         analysis::io::open_dump_folder(options.folder, options.timestep_s);
     if (run.is_run) analysis::run::check_dumps_are_of(run, dumps);
+    if (!run.is_run && !run.dipper.empty())
+      for (const Finding& warning :
+           analysis::run::check_dipper_is_among(run, dumps, {options.mesh, options.poses}))
+        reporter.line("warning: " + to_string(warning));
     const analysis::run::Figure figure = analysis::run::read_figure(run);
     const analysis::metrics::Metrics metrics = analysis::metrics::compute_metrics(run, dumps);
     analysis::metrics::write_report(metrics, folder, [&](const fs::path& made) {

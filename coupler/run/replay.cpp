@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "common/input_error.hpp"
 #include "common/installation.hpp"
 #include "common/temporary_folder.hpp"
 #include "coupler/launch/failure_message.hpp"
@@ -33,7 +34,7 @@ std::vector<Exchange> read_log(const fs::path& file, const std::string& to,
                                const std::string& from) {
   lcm::LogFile log(file.string(), "r");
   if (!log.good()) {
-    throw std::runtime_error("no recording to replay: cannot read " + file.string());
+    throw InputError({{file, 0, "", "no recording to replay: it cannot be read"}});
   }
   std::map<std::int64_t, Exchange> by_number;
   while (const lcm::LogEvent* event = log.readNextEvent()) {
@@ -187,11 +188,10 @@ ReplayResult replay(const fs::path& run, const std::string& side) {
   if (fs::is_directory(run)) {
     for (const std::string& segment : segments(run)) replay_segment(run, side, segment, result);
   }
-  if (result.segments == 0) {
-    throw std::runtime_error("no recording to replay: no events.lcmlog in " + run.string());
-  }
+  if (result.segments == 0)
+    throw InputError({{run, 0, "", "no recording to replay: it has no events.lcmlog"}});
   if (result.windows == 0)
-    throw std::runtime_error("no recording to replay: no sync step in " + run.string());
+    throw InputError({{run, 0, "", "no recording to replay: it has no sync step"}});
   return result;
 }
 

@@ -20,7 +20,7 @@ struct ReplayResult {
 /// Runs one side ("dem" or "mbs") of the run in `run` against the recording of the other: starts
 /// its process as each segment of the run did and sends it all requests of events.lcmlog, then of
 /// each events-N.lcmlog, in the order of their numbers. Its output goes to a scratch folder. Throws
-/// std::runtime_error for a folder without a recording, PeerError when the side fails.
+/// InputError for a folder without a recording, PeerError when the side fails.
 ReplayResult replay(const std::filesystem::path& run, const std::string& side);
 
 }  // namespace dipper::run

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/input_error.hpp"
 #include "common/temporary_folder.hpp"
 
 namespace dipper {
@@ -31,6 +32,8 @@ TEST(ResolvedPath, TheLastNameIsKept) {
   fs::create_symlink(root / "ring", root / "ring");
   EXPECT_EQ(resolved(root / "ring/../x"), root / "x");
 }
+
+TEST(ResolvedPath, AnEmptyNameIsTheUsersMistake) { EXPECT_THROW(resolved(""), InputError); }
 
 }  // namespace
 }  // namespace dipper

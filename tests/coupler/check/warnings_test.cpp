@@ -7,6 +7,7 @@
 #include "common/angles.hpp"
 #include "common/frames.hpp"
 #include "common/mesh/stl.hpp"
+#include "coupler/case/bench_surface.hpp"
 #include "coupler/check/check.hpp"
 #include "machine/kinematics.hpp"
 #include "tests/common/mesh/shapes.hpp"
@@ -150,6 +151,61 @@ TEST(Warnings, AProfileThatNoRockHas) {
               testing::Contains(HasSubstr("pile.profile: the face stands at 76 degrees")));
   EXPECT_THAT(with({{14, 4}, {18, 8}, {30, 8}}),
               testing::Contains(HasSubstr("pile.profile: begins with a step of 4 m at the toe")));
+  EXPECT_THAT(with({{14, 0}, {16, 2}, {18, 5}, {19, 0}, {20, 7}, {22, 8}, {30, 8}}),
+              testing::Contains(HasSubstr("pile.profile: the point at x = 19 m is at 0 m, those "
+                                          "beside it at 5 to 7 m: is it a wrong reading, or no")));
+  EXPECT_THAT(with({{14, 0}, {16, 2}, {18, 5}, {19, 45}, {20, 7}, {22, 8}, {30, 8}}),
+              testing::Contains(HasSubstr("x = 19 m is at 45 m, those beside it at 5 to 7 m")));
+  EXPECT_THAT(with({{14, 0}, {18, 4}, {22, 1}, {26, 5}, {30, 8}}),
+              testing::Not(testing::Contains(HasSubstr("those beside it"))))
+      << "a valley";
+}
+
+TEST(Warnings, ASurfaceWithALonePoint) {
+  const Checkout checkout;
+  const auto with = [&](double z_m) {
+    mesh::TriangleMesh fan;  // a slope around one point
+    const auto at = [](double x, double y) { return Vector3d(x, y, x - 14); };
+    const std::vector<Vector3d> rim = {at(14, -6), at(26, -6), at(26, 6), at(14, 6)};
+    const Vector3d middle(20, 0, z_m);
+    fan.vertices = {middle};
+    for (const double r : {1.0, 6.0})
+      for (const Vector3d& p : rim)
+        fan.vertices.push_back(at(20 + (p.x() - 20) * r / 6, p.y() * r / 6));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t a = 1 + k, b = 1 + (k + 1) % 4;
+      fan.triangles.push_back({0, a, b});
+      fan.triangles.push_back({a, a + 4, b + 4});
+      fan.triangles.push_back({a, b + 4, b});
+    }
+    std::vector<Finding> findings;
+    cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+    c.pile.profile = checkout.folder() / "face.stl";
+    c.pile.surface = std::make_shared<cases::BenchSurface>(fan);
+    c.pile.outline_m = c.pile.surface->section(c.pile.width_m / 2, 1);
+    return messages(c);
+  };
+  EXPECT_THAT(with(0), testing::Contains(HasSubstr("x = 20, y = 0 m is at 0 m, those beside it at "
+                                                   "5 to 7 m: is it a wrong reading, or no data")));
+  EXPECT_THAT(with(6), testing::Not(testing::Contains(HasSubstr("those beside it"))));
+}
+
+TEST(Warnings, QuaternionsWithTheScalarLast) {
+  const std::filesystem::path table = std::filesystem::path(testing::TempDir()) / "scalar_last.csv";
+  const auto with = [&](const std::string& last) {
+    test::write_text(table,
+                     "time_s,body,x_m,y_m,z_m,qw,qx,qy,qz\n0,bucket,1.5,0,0.3,0,0,0,1\n"
+                     "1,bucket,1.6,0,0.3,0,0,0,1\n2,bucket,1.7,0,0.3,0,0.6,0,0.8\n"
+                     "3,bucket,1.8,0,0.3,0,0.6,0,0.8\n" +
+                         last);
+    std::vector<Finding> findings;
+    return messages(cases::load_case(test::source() / "cases/loader",
+                                     {{"machine.poses", table.string()}}, findings));
+  };
+  EXPECT_THAT(with("4,bucket,1.9,0,0.3,0,0.8,0,0.6\n"),  // tilted beyond 90 degrees
+              testing::Contains(HasSubstr("in 4 of 5 rows, so that x points back: is the scalar")));
+  EXPECT_THAT(with("4,bucket,1.9,0,0.3,0,0.8,0,0.6\n5,bucket,2,0,0.3,0,0.8,0,0.6\n"),
+              testing::Not(testing::Contains(HasSubstr("scalar last"))));
 }
 
 TEST(Warnings, BodiesOfAPoseTable) {
@@ -188,6 +244,24 @@ TEST(Warnings, MassesThatNoBodyHas) {
   const std::string machine = "mbs/bucyrus495.yaml";
   EXPECT_THAT(with_text(machine, "mass: {value: 42000.0", "mass: {value: 42"),  // t
               ElementsAre(HasSubstr("dipper.mass: 42 kg and an inertia of")));
+  EXPECT_THAT(with_text(machine, "swing_inertia: {value: 6.0e7", "swing_inertia: {value: 6.0e4"),
+              ElementsAre(HasSubstr("house.swing_inertia: 900000 kg and an inertia of 60000")));
+}
+
+TEST(Warnings, AHandleWithItsMassOutsideIt) {
+  const std::string machine = "mbs/bucyrus495.yaml", given = "mass_center: {value: -5.0";
+  EXPECT_THAT(
+      with_text(machine, given, "mass_center: {value: 5.0"),
+      ElementsAre(HasSubstr("handle.mass_center: 5 m is in front of the handle, some 10.9")));
+  EXPECT_THAT(with_text(machine, given, "mass_center: {value: -50"),
+              ElementsAre(HasSubstr("handle.mass_center: -50 m is behind the handle")));
+}
+
+TEST(Warnings, RopesThatDoNotHoldTheDipper) {
+  EXPECT_THAT(
+      with_text("mbs/bucyrus495.yaml", "axial_stiffness: {value: 2.5e8",
+                "axial_stiffness: {value: 2.5e5"),
+      ElementsAre(HasSubstr("rope.axial_stiffness: 2.5e+05 N let the ropes stretch by 5.")));
 }
 
 TEST(Warnings, DrivesAndLoadsInAnotherUnit) {

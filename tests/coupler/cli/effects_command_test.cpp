@@ -22,7 +22,10 @@ const char* const kMine =
 
 class EffectsCommand : public ::testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_ / "effects"); }
+  void SetUp() override {
+    fs::create_directories(folder_ / "effects");
+    std::ofstream(folder_ / "case.yaml") << "seed: 1\n";
+  }
   void TearDown() override { fs::remove_all(folder_); }
   void write(const std::string& text) { std::ofstream(folder_ / "effects/mine.yaml") << text; }
 
@@ -62,6 +65,14 @@ TEST_F(EffectsCommand, FaultsAreReportedAllAtOnceAndNothingIsWritten) {
   EXPECT_EQ(out.lines, "");
   for (const char* what : {"kind: is 'magic'", "parameter.scale: 0.0 is out of range"})
     EXPECT_NE(said.find(what), std::string::npos) << what << " in " << said;
+}
+
+TEST_F(EffectsCommand, AFolderThatIsNoCaseIsRefused) {
+  fs::remove(folder_ / "case.yaml");
+  test::MemoryReporter out;
+  EXPECT_EQ(effects_command(folder_, out), 2);
+  EXPECT_EQ(out.lines, "");
+  EXPECT_NE(out.errors.find("is not a case"), std::string::npos) << out.errors;
 }
 
 }  // namespace

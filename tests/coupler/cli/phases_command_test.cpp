@@ -88,8 +88,8 @@ TEST(PhasesCommand, RefusesWhatIsNoReadings) {
   }
 }
 
-/// A run that goes on for 2 s after the 50 s of its pass.
-void write_record(const std::filesystem::path& file) {
+/// A run that goes on for 2 s after the 50 s of its pass, or ends before.
+void write_record(const std::filesystem::path& file, int rows = 521) {
   auto r = record::Record::create(file, {});
   const auto add = [&](const std::string& name, std::size_t columns = 1) {
     return r.add(name, "", "", columns);
@@ -110,7 +110,7 @@ void write_record(const std::filesystem::path& file) {
     const auto wrench = add("bodies/" + body + "/wrench_mean", 6);
     if (body == "dipper") dipper_wrench = wrench;
   }
-  for (int i = 0; i <= 520; ++i) {
+  for (int i = 0; i < rows; ++i) {
     const double t = 0.1 * i;
     const double wrench[6] = {0, 0, 0, t >= 3 && t < 15 ? 1e6 : 0, 0, 0};
     r.put(time, t);
@@ -138,11 +138,21 @@ TEST(PhasesCommand, OfARunComeWithItsPasses) {
   EXPECT_NEAR(pass["t_dig_s"], 3, 1e-9);
   EXPECT_NEAR(pass["t_dump_s"], 30, 1e-9);
   EXPECT_NEAR(pass["t_end_s"], 50, 1e-9);
+  EXPECT_EQ(pass["dumped"], true);
   EXPECT_NEAR(pass["payload_kg"], 80e3, 1e-6);
   EXPECT_NEAR(pass["truck_kg"], 80e3, 1e-6);
   ASSERT_EQ(pass["phases"].size(), 7U);
   EXPECT_EQ(pass["phases"][4]["phase"], "swing");
   EXPECT_NEAR(pass["phases"][6]["t_end_s"], 52, 1e-9);  // the return belongs to the last pass
+}
+
+TEST(PhasesCommand, OfAnUnfinishedRunSayThatItHasNotDumped) {
+  const analysis::Scratch s;
+  write_record(s.folder() / "record.h5", 200);
+  json answer;
+  ASSERT_EQ(ask(s.folder().string(), "", answer), 0);
+  ASSERT_EQ(answer["passes"].size(), 1U);
+  EXPECT_EQ(answer["passes"][0]["dumped"], false);
 }
 
 TEST(PhasesCommand, RefusesAFolderThatIsNoRun) {

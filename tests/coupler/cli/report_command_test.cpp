@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "common/file_lock.hpp"
 #include "common/mesh/stl.hpp"
 #include "tests/analysis/dump_files.hpp"
 #include "tests/analysis/tray.hpp"
@@ -143,6 +144,65 @@ TEST(ReportCommand, RefusesWhatIsWrongBeforeItWrites) {
           analysis::text_frame(100, 1, "id x y z radius mass", "1 0 0 0 0.1 1\n"));
   plain.timestep_s.reset();
   EXPECT_THAT(refused(s, plain), HasSubstr("the time step is not known"));
+}
+
+/// The tray, `scale` times as large, with these poses.
+ReportOptions with_tray(const analysis::Scratch& s, double scale, const std::string& poses) {
+  mesh::TriangleMesh tray = analysis::tray();
+  for (auto& v : tray.vertices) v *= scale;
+  ReportOptions w = options(s);
+  w.mesh = s.write("scaled.stl", mesh::to_stl("tray", tray)).string();
+  w.poses = s.write("poses.csv", "time_s,x_m,y_m,z_m,qw,qx,qy,qz\n" + poses).string();
+  return w;
+}
+
+TEST(ReportCommand, RefusesADipperInAnotherUnit) {
+  const analysis::Scratch s;
+  write_dumps(s);
+  const std::string there = "0,0,0,5,1,0,0,0\n1,0,0,5,1,0,0,0\n";
+  for (const double scale : {1000.0, 100.0})
+    EXPECT_THAT(refused(s, with_tray(s, scale, there)),
+                HasSubstr("and the box of the dumps 20 m: in mm or cm, perhaps?"));
+  for (const std::string far : {"0,0,0,5000,1,0,0,0\n1,0,0,5000,1,0,0,0\n",  // in mm
+                                "0,40,0,5,1,0,0,0\n1,40,0,5,1,0,0,0\n",      // never near
+                                "0,0,0,5,1,0,0,0\n0.1,5000,0,5,1,0,0,0\n"})  // in mm, from 0
+    EXPECT_THAT(refused(s, with_tray(s, 1, far)), HasSubstr("poses.csv: x_m,y_m,z_m: they put"));
+}
+
+TEST(ReportCommand, WarnsOfADipperLongerThanAllTheRock) {
+  const analysis::Scratch s;
+  write_dumps(s);
+  for (const double scale : {1.0, 6.0}) {
+    test::MemoryReporter reporter;
+    EXPECT_EQ(report_command(with_tray(s, scale, "0,0,0,5,1,0,0,0\n"), reporter), 0)
+        << reporter.errors;
+    EXPECT_EQ(reporter.lines.find("the rock") != std::string::npos, scale > 1) << reporter.lines;
+  }
+}
+
+TEST(ReportCommand, RefusesPosesOfAnotherTime) {
+  const analysis::Scratch s;
+  write_dumps(s);  // 0 to 0.1 s
+  const std::string at = ",0,0,5,1,0,0,0\n";
+  EXPECT_THAT(refused(s, with_tray(s, 1, "0" + at + "0.05" + at)),
+              HasSubstr("the poses cover 0 to 0.05 s, the frames 0 to 0.1 s; write poses from"));
+  EXPECT_THAT(refused(s, with_tray(s, 1, "100" + at + "101" + at)), HasSubstr("cover 100 to 101"));
+  EXPECT_THAT(refused(s, with_tray(s, 1, "0" + at + "50" + at + "100" + at)), HasSubstr("in ms,"));
+  test::MemoryReporter reporter;
+  EXPECT_EQ(report_command(with_tray(s, 1, "0" + at + "0.0999" + at), reporter), 0);
+}
+
+TEST(ReportCommand, OfARunInProgressWithoutDumpsSaysSo) {
+  const analysis::Scratch s;
+  s.write("post/record.h5", "rows");
+  fs::create_directories(s.folder() / "post/dumps");
+  ReportOptions w;
+  w.folder = (s.folder() / "post").string();
+  FileLock writer(s.folder() / "post/run.lock");
+  ASSERT_TRUE(writer.try_lock());
+  test::MemoryReporter reporter;
+  EXPECT_EQ(report_command(w, reporter), 2);
+  EXPECT_THAT(reporter.errors, HasSubstr("post: a run is writing it; wait for its end"));
 }
 
 TEST(ReportCommand, AFolderThatIsNotThereIsNamed) {

@@ -10,6 +10,7 @@ from effect_files import FINES
 
 def test_a_bad_effect_file_is_reported_whole(tmp_path):
     (tmp_path / "effects").mkdir()
+    (tmp_path / "case.yaml").write_text("seed: 1\n")
     (tmp_path / "effects" / "x.yaml").write_text(FINES.replace("rock\n", "magic\n").replace("high: 0.4", "high: -1")
                                                  .replace("title: Fines\n", ""))
     with pytest.raises(BadInput) as e:
