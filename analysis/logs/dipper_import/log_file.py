@@ -41,9 +41,10 @@ def read_log(path, what, found, notes):
         return None
     header_line, names, delimiter = header
     from_line = max(header_line + 1, what.file.data_line or 0)
-    rows = _rows(path, [(i, cells_of(line, delimiter)) for i, line in lines if i >= from_line], names, delimiter, found,
-                 notes)
-    groups = find_layout(what, path, header_line, names, rows, found, notes)
+    cells = [(i, cells_of(line, delimiter)) for i, line in lines if i > header_line]
+    rows = _rows(path, [row for row in cells if row[0] >= from_line], names, delimiter, found, notes)
+    between = [row for row in cells if row[0] < from_line]
+    groups = find_layout(what, path, header_line, names, between, rows, found, notes)
     if groups is None or found.all:
         return None
     if not groups[0].lines:

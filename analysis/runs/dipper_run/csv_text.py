@@ -15,7 +15,14 @@ LINE_END = re.compile("\r*\n|\r|\x85|\u2028|\u2029")
 SIGN = re.compile(r"([+-])[ \u00a0]+(?=[\d.,])")  # before a number, with blanks as accountants write it
 MINUS_ELSEWHERE = re.compile(r"\((\d[\d.,' ]*)\)|(\d[\d.,' ]*)-", re.ASCII)  # (200.0), 200.0-
 WITH_UNIT = re.compile(r"(.*\d[.,]?)\s*([^\d\s.,+'()#-]\D*)", re.DOTALL)
-OTHER_NAMES = {"°": "deg", "º": "deg", "degrees": "deg", "tonnes": "t"}  # of units
+OTHER_NAMES = {name: unit for unit, names in {  # of units, in small letters
+    "m": "metre metres meter meters", "mm": "millimetre millimetres", "cm": "centimetre centimetres",
+    "ft": "feet foot", "in": "inch inches", "yd": "yard yards", "deg": "° º degree degrees", "rad": "radian radians",
+    "rev": "revs revolutions turns", "kn": "kilonewton kilonewtons", "n": "newton newtons",
+    "kip": "kips klbf kipf", "lbf": "lbsf", "tf": "tonnef", "kgf": "kp", "t": "tonne tonnes mt", "kg": "kgs",
+    "lb": "lbs pound pounds", "klb": "klbs", "short ton": "short_ton short-ton short_tons ston stons st",
+    "long ton": "long_ton long-ton long_tons", "%": "percent pct"}.items() for name in names.split()}
+OTHER_NAMES.update({"short tons": "short ton", "long tons": "long ton"})
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d.*", re.ASCII)
 FIRST_STAMP_S = 10 * 365 * 86400  # seconds since 1970: a clock that began at 0 has not run for ten years
 SEPARATOR = re.compile(r"sep=.", re.IGNORECASE)  # a spreadsheet's first line, which is no header
@@ -99,7 +106,13 @@ def without_unit(text, units):
     if not text or text[-1].isdigit():
         return text
     m = WITH_UNIT.fullmatch(text)
-    return m[1].strip() if m and OTHER_NAMES.get(m[2], m[2]).lower() in {u.lower() for u in units} else text
+    return m[1].strip() if m and unit_name(m[2]) in {u.lower() for u in units} else text
+
+
+def unit_name(text):
+    """A unit's usual name in small letters, by any of its names."""
+    name = one_blank(text).lower().removesuffix(".")
+    return OTHER_NAMES.get(name, name)
 
 
 def plain_sign(text):
