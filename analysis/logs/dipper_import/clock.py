@@ -46,10 +46,11 @@ def order_rows(log, what, path, found, notes):
     if not SHORTEST_S <= interval <= what.longest_gap_s:
         _tell_interval(interval, log, what, path, found)
         return None
-    if not what.time.spread and (digit := _coarse_digit(steps, interval)):
+    if not what.time.spread and (coarse := _coarse_digit(steps, interval)):
+        digit, mean = coarse
         found.add(path, int(log.lines[0]), "time", f"counts by {digit:.3g} s, too coarse for one row each "
-                  f"{interval:.3g} s: its steps differ by that much in turn",
-                  f"stamps to {COARSE * interval:.2g} s or better: more decimals, from the logger's own file")
+                  f"{mean:.3g} s: its steps differ by that much in turn",
+                  f"stamps to {COARSE * mean:.2g} s or better: more decimals, from the logger's own file")
         return None
     if not log.has_date:
         stamp = stamp + DAY_S * np.cumsum(np.append(0, steps < -DAY_S / 2))
@@ -70,7 +71,7 @@ def order_rows(log, what, path, found, notes):
 
 
 def _coarse_digit(steps, interval):
-    """The last digit of the stamps, s, where it is coarse and an even clock was cut to it; None else. Whole seconds at
+    """(last digit of the stamps, mean step), s, where it is coarse and an even clock was cut to it; None else. Whole seconds at
     1 Hz are even; where rows are lost, the sums of some steps differ by chance."""
     counts = np.round(steps[(steps > 0) & (steps < 4 * interval)] / DIGIT_S).astype(int)
     digit = int(np.gcd.reduce(counts))
@@ -78,7 +79,8 @@ def _coarse_digit(steps, interval):
             np.mean(counts != np.median(counts)) < UNEVEN:
         return None
     sums = np.convolve(counts // digit, np.ones(IN_A_ROW, int), "valid")
-    return digit * DIGIT_S if np.mean(np.abs(sums - np.median(sums)) <= 1) > 0.9 else None
+    even = np.mean(np.abs(sums - np.median(sums)) <= 1) > 0.9
+    return (digit * DIGIT_S, counts.mean() * DIGIT_S) if even else None
 
 
 def _tell_interval(interval, log, what, path, found):

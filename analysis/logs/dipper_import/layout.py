@@ -80,10 +80,12 @@ class _Header:
     def check_units(self, name, said):
         """Finding about the first of the (line, unit) that the log states for a channel and that is not the map's."""
         channel = self.what.channels[name]
+        units = dict.fromkeys(unit for _, unit in said if unit)
         for line, unit in said:
             if other := other_unit(unit, name, channel):
                 self.found.add(self.path, line, channel.column,
-                               f"is in {other[0]} here, and in {channel.unit} by the map", other[1])
+                               f"is in {other[0]} here, and in {channel.unit} by the map",
+                               other[1] if len(units) == 1 else f"one unit in all of the log, not {', '.join(units)}")
                 return
 
     def time(self, right_of=None):

@@ -416,7 +416,8 @@ def test_another_unit_in_a_column_of_units_is_refused(read):
     line = next(k for k, r in enumerate(body, 2) if r[0] == "Pull" and k > 30)
     changed = [[*r[:4], "kip" if r[0] == "Pull" and k > 30 else r[4]] for k, r in enumerate(body, 2)]
     _, found, _ = read(text(changed, names=names))
-    assert len(found) == 1 and f"log.csv:{line}: Pull: is in kip here, and in N by the map" in found[0]
+    assert len(found) == 1 and found[0].endswith(
+        f"log.csv:{line}: Pull: is in kip here, and in N by the map; one unit in all of the log, not N, kip")
     assert not read(text([[*r[:4], "SH12"] for r in body], names=names))[1]
 
 
