@@ -71,8 +71,8 @@ def order_rows(log, what, path, found, notes):
 
 
 def _coarse_digit(steps, interval):
-    """(last digit of the stamps, mean step), s, where it is coarse and an even clock was cut to it; None else. Whole seconds at
-    1 Hz are even; where rows are lost, the sums of some steps differ by chance."""
+    """(last digit of the stamps, mean step), s, where it is coarse and an even clock was cut to it; None else. Whole
+    seconds at 1 Hz are even; where rows are lost, the sums of some steps differ by chance."""
     counts = np.round(steps[(steps > 0) & (steps < 4 * interval)] / DIGIT_S).astype(int)
     digit = int(np.gcd.reduce(counts))
     if digit * DIGIT_S <= COARSE * interval or len(counts) < 2 * IN_A_ROW or \
