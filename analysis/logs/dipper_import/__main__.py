@@ -20,8 +20,8 @@ from .log_file import read_log
 from .report import plot, words
 
 
-WRITTEN = ("motion.csv", "import.png", "import.txt", *(f"measured/{n}" for n in ("channels.yaml", "passes.csv",
-                                                                                "signals.csv")))
+WRITTEN = ("motion.csv", "import.png", "import.txt", "measured/channels.yaml", "measured/passes.csv",
+           "measured/signals.csv")
 
 
 def arguments(given):
