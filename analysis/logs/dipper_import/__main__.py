@@ -11,12 +11,17 @@ from pathlib import Path
 from dipper_gap.readings.measured import read_measured, write_measured
 from dipper_run.exit_status import exit_status
 from dipper_run.findings import BadInput, Findings
+from dipper_run.out_folder import check_not_over, check_writable
 
 from .build import build, motion_text
 from .clock import order_rows
 from .import_map import read_map
 from .log_file import read_log
 from .report import plot, words
+
+
+WRITTEN = ("motion.csv", "import.png", "import.txt", "measured/channels.yaml", "measured/passes.csv",
+           "measured/signals.csv")
 
 
 def arguments(given):
@@ -50,9 +55,9 @@ def _stop_if_any(found, notes):
 
 
 def write(made, what, said, log, out, dry):
-    """Writes into a folder beside `out` first: a fault of the measured folder leaves nothing behind."""
+    """Writes into a folder beside `out`, or in it, first: a fault of the measured folder leaves nothing behind."""
     out.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".import-", dir=out.parent) as folder:
+    with tempfile.TemporaryDirectory(prefix=".import-", dir=out if out.is_dir() else out.parent) as folder:
         folder = Path(folder)
         if made.measured:
             write_measured(made.measured, folder / "measured")
@@ -81,9 +86,12 @@ def main(given=None):
 
 
 def run(args):
+    out = args.out or Path(args.log.stem)
+    check_not_over({"the log": args.log, "the map": args.map}, [out / name for name in WRITTEN])
+    check_writable(out)
     made, what, said = read(args.log, args.map)
     print("\n".join(said), flush=True)
-    write(made, what, said, args.log, args.out or Path(args.log.stem), args.dry)
+    write(made, what, said, args.log, out, args.dry)
 
 
 if __name__ == "__main__":

@@ -14,6 +14,10 @@ ROOM = 1.5         # and of the interval, for the next row that comes late
 DOUBLED = 1.5      # rows for each interval of the log: from so many on, two stretches lie over one another
 ELSEWHERE = 1.5    # of the usual step: beyond the half of it by which goes_on lets a step differ, and noise
 FAR_APART = 2.0    # times the largest usual step: so much no drive moves within one stamp
+COARSE = 0.1       # of the interval: beyond it the last digit of the stamps spoils the speeds,
+UNEVEN = 0.05      # where so many steps differ from the usual one,
+IN_A_ROW = 20      # and so many of them add up to the same, but for a digit: rows lost by chance do not
+DIGIT_S = 1e-5     # the least digit that is looked for
 SAME_TIME = 0.05   # of the rows may share their time with another one that has other readings
 
 
@@ -42,6 +46,12 @@ def order_rows(log, what, path, found, notes):
     if not SHORTEST_S <= interval <= what.longest_gap_s:
         _tell_interval(interval, log, what, path, found)
         return None
+    if not what.time.spread and (coarse := _coarse_digit(steps, interval)):
+        digit, mean = coarse
+        found.add(path, int(log.lines[0]), "time", f"counts by {digit:.3g} s, too coarse for one row each "
+                  f"{mean:.3g} s: its steps differ by that much in turn",
+                  f"stamps to {COARSE * mean:.2g} s or better: more decimals, from the logger's own file")
+        return None
     if not log.has_date:
         stamp = stamp + DAY_S * np.cumsum(np.append(0, steps < -DAY_S / 2))
     if _first_is_last(log, index, stamp, what, path, found):
@@ -58,6 +68,19 @@ def order_rows(log, what, path, found, notes):
         notes.append(f"{some_rows(log.lines[late])}: out of order, sorted in")
     return Rows(time - time[0], log.lines[index], {n: v[index] for n, v in log.values.items()}, interval,
                 log.stamps[index[0]], log.stamps[index[-1]])
+
+
+def _coarse_digit(steps, interval):
+    """(last digit of the stamps, mean step), s, where it is coarse and an even clock was cut to it; None else. Whole
+    seconds at 1 Hz are even; where rows are lost, the sums of some steps differ by chance."""
+    counts = np.round(steps[(steps > 0) & (steps < 4 * interval)] / DIGIT_S).astype(int)
+    digit = int(np.gcd.reduce(counts))
+    if digit * DIGIT_S <= COARSE * interval or len(counts) < 2 * IN_A_ROW or \
+            np.mean(counts != np.median(counts)) < UNEVEN:
+        return None
+    sums = np.convolve(counts // digit, np.ones(IN_A_ROW, int), "valid")
+    even = np.mean(np.abs(sums - np.median(sums)) <= 1) > 0.9
+    return (digit * DIGIT_S, counts.mean() * DIGIT_S) if even else None
 
 
 def _tell_interval(interval, log, what, path, found):

@@ -1,6 +1,9 @@
 """MAP.yaml: which column of a log is which channel, in what unit, and what the machine can do (docs/import.md)."""
 import math
+import re
+from collections import Counter
 from dataclasses import dataclass, field
+from datetime import datetime
 from pathlib import Path
 
 import yaml
@@ -164,12 +167,27 @@ def _time(top):
     form = s.text("format", right=_formats())
     if form and "%" not in form and form != "iso" and form not in NUMBER_FORMATS:
         s.wrong("format", f"is {form}", _formats())
+    elif form and (fault := _twice(form)):
+        s.wrong("format", *fault)
     lines = s.numbers("clock_set_at", "lines of the log") or []
     first, last = (s.text(key, right="a stamp as in the log") for key in ("from", "to"))
     spread = s.one_of("same_stamp", ("first", "spread"), "first") == "spread"
     s.end()
     return TimeFormat(tuple(map(one_blank, columns)), form, frozenset(int(x) for x in lines), first, last, spread,
                       s.line_of("column"))
+
+
+def _twice(form):
+    """(what is wrong, what would be right) of a pattern that says a part of the time twice; None of others."""
+    try:
+        datetime.strptime("", form)
+    except re.error:
+        code, count = Counter(re.findall("%(.)", form)).most_common(1)[0]
+        return (f"has %{code} twice" if count > 1 else f"is {form}, which says a part of the time twice",
+                {"m": "%M is minutes", "M": "%m is the month"}.get(code, "each part of the time once"))
+    except ValueError:  # "" is no such stamp
+        pass
+    return None
 
 
 def _formats():

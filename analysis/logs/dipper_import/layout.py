@@ -7,11 +7,13 @@ from dipper_run.csv_text import decimal_number, find_decimal
 from dipper_run.text_file import nearest
 
 from .phrases import some_names
+from .units import other_unit, unit_in_name, unit_said
 
 QUALITY = re.compile(r"qualit|calidad|status|valid|good|confiden|flag|\bqual\b|\bqc\b|_qc?$|\bok\b|_ok$", re.IGNORECASE)
 UNSOUND = re.compile(r"\bbad|uncertain|questionable|invalid|fail|error|stale|comm\b|time.?out|false", re.IGNORECASE)
 FEWER_WORDS = 4  # beside the time: good, bad and two between
 GOOD_CODE = "192"  # a number that says how good a reading is
+OF_UNITS = re.compile(r"unit|uom|^eu$|einheit|unidad", re.IGNORECASE)
 SHARE = 0.2  # of the rows, of the machine with the second most: a log of one has no such other
 FEW_WORDS = 8  # different cells: a column beside a reading with more says something else than how good it is
 ROWS_LOOKED_AT = 5000  # of a log with a row a reading: where tags and numbers are looked for
@@ -32,8 +34,8 @@ class Group:
                      {n: take(c) for n, c in self.quality.items()})
 
 
-def find_layout(what, path, header_line, names, rows, found, notes):
-    """The log's Groups; None after a finding."""
+def find_layout(what, path, header_line, names, between, rows, found, notes):
+    """The log's Groups; None after a finding. `between`: rows between the header and the readings."""
     header = _Header(what, path, header_line, names, found)
     missing = [n for n, c in what.channels.items() if c.column not in names]
     if len(missing) == len(what.channels) and rows:
@@ -47,7 +49,7 @@ def find_layout(what, path, header_line, names, rows, found, notes):
                   + ("" if len(names) > 1 else
                      "; columns are parted by , ; | or a tab (file.delimiter), not by blanks"))
         return None
-    return _wide(header, rows, notes)
+    return _wide(header, between, rows, notes)
 
 
 class _Header:
@@ -75,6 +77,17 @@ class _Header:
         self.found.add(self.what.path, line, key, wrong, right)
         return None
 
+    def check_units(self, name, said):
+        """Finding about the first of the (line, unit) that the log states for a channel and that is not the map's."""
+        channel = self.what.channels[name]
+        units = dict.fromkeys(unit for _, unit in said if unit)
+        for line, unit in said:
+            if other := other_unit(unit, name, channel):
+                self.found.add(self.path, line, channel.column,
+                               f"is in {other[0]} here, and in {channel.unit} by the map",
+                               other[1] if len(units) == 1 else f"one unit in all of the log, not {', '.join(units)}")
+                return
+
     def time(self, right_of=None):
         what = self.what.time
         return [self.place(c, "time.column", what.line, right_of) for c in what.columns]
@@ -85,13 +98,16 @@ class _Header:
             self.place(channel.quality, f"channels.{name}.quality", channel.line)
 
 
-def _wide(header, rows, notes):
+def _wide(header, between, rows, notes):
     """A column a channel, and one time for all of them, or one for each: the next one to the left."""
     what, before = header.what, len(header.found.all)
     place = {n: header.place(c.column, f"channels.{n}.column", c.line) for n, c in what.channels.items()}
     quality = {n: header.quality(n) for n in place}
     if len(header.found.all) > before:
         return None
+    for name, at in place.items():
+        said = [(header.line, unit_in_name(header.names[at]))]
+        header.check_units(name, said + [(i, unit_said(cells[at])) for i, cells in between if at < len(cells)])
     times = {}
     for name, at in place.items():
         own = what.channels[name].time
@@ -147,6 +163,7 @@ def _long(header, rows, tags, notes):
     times, value = header.time(), _column_of_values(header, rows, tags)
     if len(found.all) > before or value is None:
         return None
+    units = [k for k in {*range(len(header.names))} - {tags, value, *times} if OF_UNITS.search(header.names[k])]
     by_tag = {}
     for row in rows:
         by_tag.setdefault(row[1][tags], []).append(row)
@@ -157,6 +174,7 @@ def _long(header, rows, tags, notes):
                       f"'{channel.column}' is neither a column of {header.path.name} nor in its '{header.names[tags]}'",
                       f"there are {some_names(by_tag)}")
             continue
+        header.check_units(name, [(i, unit_said(cells[k])) for i, cells in by_tag[channel.column] for k in units])
         groups.append(_group(by_tag[channel.column], times, {name: value}, {name: header.quality(name)}, [name]))
         _find_machines(header, by_tag[channel.column], times, {tags, value, *times}, True)
         if len(found.all) > before:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dipper_run.csv_text import DELIMITERS, cells_of, find_delimiter, lines_of, one_blank
+from dipper_run.csv_text import DELIMITERS, LINE_END, cells_of, find_delimiter, is_comment, lines_of, one_blank
 from dipper_run.text_file import read_bytes, text_of
 
 from .cells import CellReader
@@ -33,17 +33,22 @@ def read_log(path, what, found, notes):
     text = _text(path, what.file.encoding, found)
     if text is None:
         return None
-    lines = lines_of(text)
+    lines = lines_of(text, what.file.header_line)
     header = _find_header(lines, what)
+    if behind_mark := header and _header_as_comment(text, header, what):
+        found.add(path, behind_mark, "file", "begins with #, as comments do, and has the names of columns",
+                  f"file.header_line: {behind_mark}, if it is the header")
+        return None
     if header is None:
         found.add(path, what.file.header_line or 1, "file", "no line with names of columns",
                   "a header above the readings")
         return None
     header_line, names, delimiter = header
     from_line = max(header_line + 1, what.file.data_line or 0)
-    rows = _rows(path, [(i, cells_of(line, delimiter)) for i, line in lines if i >= from_line], names, delimiter, found,
-                 notes)
-    groups = find_layout(what, path, header_line, names, rows, found, notes)
+    cells = [(i, cells_of(line, delimiter)) for i, line in lines if i > header_line]
+    rows = _rows(path, [row for row in cells if row[0] >= from_line], names, delimiter, found, notes)
+    between = [row for row in cells if row[0] < from_line]
+    groups = find_layout(what, path, header_line, names, between, rows, found, notes)
     if groups is None or found.all:
         return None
     if not groups[0].lines:
@@ -95,7 +100,8 @@ def _find_header(lines, what):
     the most of the channels, else the first of as many cells as most lines have; None without any."""
     delimiters = [what.file.delimiter] if what.file.delimiter else DELIMITERS
     if what.file.header_line:
-        lines = [(i, line) for i, line in lines if i == what.file.header_line]
+        marked = any(column.startswith("#") for column in what.time.columns)
+        lines = [(i, line if marked else line.lstrip("\ufeff #")) for i, line in lines if i == what.file.header_line]
     wanted = {*what.time.columns, *(c.column for c in what.channels.values())}
     need = [word for column in what.time.columns for word in column.split()]
     best, known = None, 0
@@ -116,6 +122,21 @@ def _find_header(lines, what):
         split.append((i, names_of(line, delimiter), delimiter))
     usual = Counter(len(names) for _, names, _ in split if len(names) > 1).most_common(1)
     return next((s for s in split if usual and len(s[1]) == usual[0][0]), None) or next(iter(split), None)
+
+
+def _header_as_comment(text, header, what):
+    """Line of a # comment that has the names of the time's columns and a channel's, where the header lacks the former;
+    None else."""
+    if set(what.time.columns) <= set(header[1]):
+        return None
+    plain = lambda name: name.lstrip("#").strip()
+    times, channels = {plain(c) for c in what.time.columns}, {c.column for c in what.channels.values()}
+    for i, line in enumerate(LINE_END.split(text)[:HEADER_WITHIN], 1):
+        for d in DELIMITERS if is_comment(line) else ():
+            names = {plain(name) for name in names_of(line, d)}
+            if times <= names and channels & names:
+                return i
+    return None
 
 
 def names_of(line, delimiter):

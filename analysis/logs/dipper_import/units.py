@@ -1,6 +1,9 @@
 """Units a logger may write, and the channels that are read: each in one unit from here on."""
 import math
+import re
 from dataclasses import dataclass
+
+from dipper_run.csv_text import unit_name
 
 # unit: (quantity, how much of the quantity's own unit it is). Own units: m, deg, kN, t.
 UNITS = {
@@ -16,6 +19,11 @@ UNITS = {
 PERCENT = "%"      # of a range, given beside it
 SWITCH = "switch"  # 0 or 1 for the ends of a range
 OWN = {"length": "m", "angle": "deg", "force": "kN", "mass": "t"}
+NO_UNITS = {"dm": ("length", 0.1), "km": ("length", 1e3), "gon": ("angle", 0.9), "daN": ("force", 1e-2),
+            "tonf": ("force", 8.896443230521)}  # that a log may name, and a map writes as a scale
+BY_NAME = {u.lower(): u for u in (*UNITS, *NO_UNITS, PERCENT)}
+AS_FORCE = {"t": "tf", "kg": "kgf", "lb": "lbf", "klb": "kip", "short ton": "tonf"}  # as forces are often written
+IN_NAME = re.compile(r"[(\[]([^()\[\]]+)[)\]]$")  # Pull (kip), Mass [short ton]
 
 
 @dataclass(frozen=True)
@@ -33,6 +41,36 @@ class Kind:
     def units(self):
         """The units a logger may write it in."""
         return [u for u, (quantity, _) in UNITS.items() if quantity == self.quantity]
+
+
+def unit_said(text):
+    """The unit that a text is, as UNITS, NO_UNITS or PERCENT have it; None of any other text."""
+    return BY_NAME.get(unit_name(text))
+
+
+def unit_in_name(name):
+    """The unit in brackets at the end of a column's name, or None."""
+    named = IN_NAME.search(name)
+    return named and unit_said(named[1])
+
+
+def other_unit(unit, name, channel):
+    """(unit, what would be right) where the unit that a log states for the channel of a name is not the map's, and the
+    map's scale does not convert it; None else."""
+    quantity = CHANNELS[name].quantity
+    unit = AS_FORCE.get(unit, unit) if quantity == "force" else unit
+    if unit is None or channel.switch or unit == channel.unit:
+        return None
+    stated, size = {**UNITS, **NO_UNITS}.get(unit, (quantity, None))
+    if size is None or stated != quantity:  # only the map can say how much of the quantity it is
+        scaled = abs(channel.slope) != UNITS.get(channel.unit, (quantity, None))[1]
+        right = f"unit: {unit} in the map, with its range" if size is None else f"a column of {quantity}"
+        return None if scaled and channel.unit != PERCENT else (unit, right)
+    if math.isclose(abs(channel.slope), size, rel_tol=0.01):
+        return None
+    own = OWN[quantity]
+    return unit, (f"unit: {own}, scale: {size:g}" if unit in NO_UNITS else f"unit: {unit}") + \
+        " in the map, if the log is right"
 
 
 CHANNELS = {

@@ -15,21 +15,30 @@ LINE_END = re.compile("\r*\n|\r|\x85|\u2028|\u2029")
 SIGN = re.compile(r"([+-])[ \u00a0]+(?=[\d.,])")  # before a number, with blanks as accountants write it
 MINUS_ELSEWHERE = re.compile(r"\((\d[\d.,' ]*)\)|(\d[\d.,' ]*)-", re.ASCII)  # (200.0), 200.0-
 WITH_UNIT = re.compile(r"(.*\d[.,]?)\s*([^\d\s.,+'()#-]\D*)", re.DOTALL)
-OTHER_NAMES = {"°": "deg", "º": "deg", "degrees": "deg", "tonnes": "t"}  # of units
+OTHER_NAMES = {name: unit for unit, names in {  # of units, in small letters
+    "m": "metre metres meter meters", "mm": "millimetre millimetres", "cm": "centimetre centimetres",
+    "ft": "feet foot", "in": "inch inches", "yd": "yard yards", "deg": "° º degree degrees", "rad": "radian radians",
+    "rev": "revs revolutions turns", "kn": "kilonewton kilonewtons", "n": "newton newtons",
+    "kip": "kips klbf kipf", "lbf": "lbsf", "tf": "tonnef", "kgf": "kp", "t": "tonne tonnes mt", "kg": "kgs",
+    "lb": "lbs pound pounds", "klb": "klbs", "short ton": "short_ton short-ton short_tons ston stons st",
+    "long ton": "long_ton long-ton long_tons", "%": "percent pct"}.items() for name in names.split()}
+OTHER_NAMES.update({"short tons": "short ton", "long tons": "long ton"})
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d.*", re.ASCII)
 FIRST_STAMP_S = 10 * 365 * 86400  # seconds since 1970: a clock that began at 0 has not run for ten years
+SHEET_ERROR = re.compile(r"\s*#(N/A|VALUE!|DIV/0!|REF!|NUM!|NULL!|NAME\?)\s*([;\t|,]|$)", re.IGNORECASE)
 SEPARATOR = re.compile(r"sep=.", re.IGNORECASE)  # a spreadsheet's first line, which is no header
 LONGEST_QUOTE = 20  # lines: a quote that is still open then is a slip
 
 
-def lines_of(text):
-    """(number, line) of each line with more than blanks that is no # comment. Lines end as Windows, Unix or old Macs
-    end them; quotes may hold line breaks, and the line then has the number of its first."""
+def lines_of(text, header=None):
+    """(number, line) of each line with more than blanks that is no # comment; that of the number `header` is none.
+    Lines end as Windows, Unix or old Macs end them; quotes may hold line breaks, and the line then has the number of
+    its first."""
     out, open_line, since = [], None, 0
     for i, line in enumerate(LINE_END.split(text), 1):
         if open_line is not None and i - since < LONGEST_QUOTE:
             line, at = f"{open_line} {line}", since
-        elif line.strip() and not line.lstrip().startswith("#"):
+        elif line.strip() and (i == header or not is_comment(line)):
             at = i
         else:
             continue
@@ -39,6 +48,11 @@ def lines_of(text):
         open_line = None
         out.append((at, line))
     return out if open_line is None else [*out, (since, open_line)]
+
+
+def is_comment(line):
+    """Whether it begins with #, other than by a spreadsheet's word for no value."""
+    return line.lstrip().startswith("#") and not SHEET_ERROR.match(line)
 
 
 def _is_open(line):
@@ -99,7 +113,13 @@ def without_unit(text, units):
     if not text or text[-1].isdigit():
         return text
     m = WITH_UNIT.fullmatch(text)
-    return m[1].strip() if m and OTHER_NAMES.get(m[2], m[2]).lower() in {u.lower() for u in units} else text
+    return m[1].strip() if m and unit_name(m[2]) in {u.lower() for u in units} else text
+
+
+def unit_name(text):
+    """A unit's usual name in small letters, by any of its names."""
+    name = one_blank(text).lower().removesuffix(".")
+    return OTHER_NAMES.get(name, name)
 
 
 def plain_sign(text):

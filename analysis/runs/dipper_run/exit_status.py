@@ -1,4 +1,7 @@
 """How a command ends: its errors on standard error, and its exit status."""
+import os
+import select
+import signal
 import sys
 
 from .findings import BadInput
@@ -6,16 +9,30 @@ from .program import ProgramFailed
 
 
 def exit_status(command, work):
-    """Calls `work()`. 0: done; 2: bad input or a file that cannot be used; 3: `dipper` itself failed."""
+    """Calls `work()`. 0: done; 2: bad input or a file that cannot be used; 3: `dipper` itself failed; what a shell says
+    of a program that SIGPIPE ends, where nobody reads its output to the end."""
     try:
         work()
+        sys.stdout.flush()
     except BadInput as e:
         print(e.counted(), file=sys.stderr)
         return 2
     except OSError as e:
+        if isinstance(e, BrokenPipeError) and _output_is_closed():
+            return 128 + signal.SIGPIPE
         print(f"{e.filename}: {e.strerror}", file=sys.stderr)
         return 2
     except ProgramFailed as e:
         print(f"{command}: {e}", file=sys.stderr)
         return 3
     return 0
+
+
+def _output_is_closed():
+    """Whether it is standard output that nobody reads; then nothing more is written to it, as at the end."""
+    output = select.poll()
+    output.register(sys.stdout, 0)
+    closed = bool(output.poll(0))
+    if closed:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return closed

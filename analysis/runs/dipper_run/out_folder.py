@@ -21,6 +21,15 @@ def make_cache(folder):
         raise BadInput([f"{folder}: cannot be written ({why}); set XDG_CACHE_HOME to a folder that can be written"])
 
 
+def check_not_over(inputs, outputs):
+    """BadInput where an output would overwrite an input; `inputs`: {what it is: file}."""
+    for what, file in inputs.items():
+        for out in outputs:
+            if os.path.realpath(out) == os.path.realpath(file) or os.path.exists(out) and os.path.exists(file) and \
+                    os.path.samefile(out, file):
+                raise BadInput([f"--out: {out} is {what}; choose another --out"])
+
+
 def check_writable(folder):
     """BadInput when the folder cannot be made or written into: for before the work is done. Makes nothing."""
     # A link to nothing is there; what lies in a folder that cannot be looked into is not.

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from dipper_run.exit_status import exit_status
 from dipper_run.findings import BadInput
+from dipper_run.out_folder import check_not_over
 from dipper_run.program import check_json
 from dipper_run.text_file import number
 
@@ -85,6 +86,7 @@ def run(args):
     out = args.out or args.case / "face.stl"
     if out.suffix.lower() not in (".stl", ".csv"):
         raise BadInput([f"--out: is '{out}'; a surface, FILE.stl, or a section, FILE.csv"])
+    check_not_over({"the scan": args.cloud}, [out, *map(out.with_suffix, (".png", ".txt"))])
     values = read_case(args.case)
     made = survey(args.cloud, site_of(values, args), box_of(values, args.rear), args.rear is not None)
     said = words(made, args.cloud)

@@ -128,9 +128,13 @@ def _other_unit(text, in_name):
 
 
 def _counts_up(lines, delimiter):
-    """Whether the first column is 0, 1, 2, ... or 1, 2, 3, ..."""
-    read = [number(cells_in(line.strip(), delimiter)[0]) for line in lines[:100] if line.strip()]
-    return len(read) > 2 and read[0] in (0, 1) and read == [read[0] + i for i in range(len(read))]
+    """Whether the first column is n, n + 1, n + 2, ...: of whole numbers, and from 0 or 1 or beside two columns with
+    decimals, for a grid of points may count metres."""
+    rows = [cells_in(line.strip(), delimiter) for line in lines[:100] if line.strip()]
+    read = [number(row[0]) for row in rows]
+    counts = len(read) > 2 and None not in read and read == [read[0] + i for i in range(len(read))]
+    return counts and (read[0] in (0, 1) or all(row[0].isdigit() for row in rows) and all(
+        any("." in c or "," in c for c in column) for column in list(zip(*rows))[1:3]))
 
 
 def _columns(words):

@@ -18,14 +18,15 @@ HOIST = np.sin(TIME)
 class Read:
     """What comes of a log with a column of time and one of hoist."""
 
-    def __init__(self, folder, stamps, order=None, hoist=HOIST, head="t,h", file=FileFormat(), **time):
+    def __init__(self, folder, stamps, order=None, hoist=HOIST, head="t,h", file=FileFormat(),
+                 longest_gap_s=2.0, **time):
         order = range(N) if order is None else order
         self.file = folder / "log.csv"
         self.file.write_text("\n".join([head, *(f"{stamps[k]},{hoist[k]:.5f}" for k in order)]) + "\n")
         usual = dict(columns=("t",), format=None, clock_set_at=frozenset(), first=None, last=None, spread=False, line=1)
         self.what = ImportMap(folder / "map.yaml", file, TimeFormat(**{**usual, **time}),
                               {"hoist": Channel("h", "m", 1.0, 0.0, False, False, None, None, None, 0.0, None, 2)},
-                              {"hoist": Limits()})
+                              {"hoist": Limits()}, longest_gap_s=longest_gap_s)
         self.found, self.notes, self.rows, self.gaps = Findings(), [], None, None
         log = read_log(self.file, self.what, self.found, self.notes)
         if not self.found.all:
@@ -237,6 +238,29 @@ def test_stamps_of_whole_seconds(tmp_path):
     stamps = [f"{int(t + 1e-9)}" for t in TIME]
     assert "180 of 200 rows have the time of another row" in Read(tmp_path, stamps).found.all[0]
     assert Read(tmp_path, stamps, spread=True).is_whole()
+
+
+def day_number(rate_hz, digits):
+    """As a spreadsheet writes stamps."""
+    return [f"{46095.25833 + k / rate_hz / 86400:.{digits}f}" for k in range(N)]
+
+
+@pytest.mark.parametrize("stamps, form, digit", [
+    (day_number(1, 5), "days", "0.864"), (day_number(0.51, 5), "days", "0.864"), (day_number(5, 6), "days", "0.0864"),
+    (day_number(1, 6), "days", None), (day_number(5, 8), "days", None), (day_number(1, 8), "days", None),
+    ([f"{0.25 * k + 0.01:.1f}" for k in range(N)], "s", "0.1"), ([f"{int(1.2 * k)}" for k in range(N)], "s", "1"),
+    ([f"{k}" for k in range(N)], "s", None), ([f"{k / 2:.1f}" for k in range(N)], "s", None)])
+def test_stamps_too_coarse_for_the_interval(tmp_path, stamps, form, digit):
+    read = Read(tmp_path, stamps, format=form)
+    assert not any("counts by" in f for f in read.found.all) if digit is None else len(read.found.all) == 1 and \
+        f"log.csv:2: time: counts by {digit} s, too coarse for one row each" in read.found.all[0]
+    assert not Read(tmp_path, stamps, format=form, spread=True).found.all
+
+
+@pytest.mark.parametrize("lost", [0.02, 0.1, 0.3])
+def test_whole_seconds_with_lost_rows_are_read(tmp_path, lost):
+    kept = np.flatnonzero(np.random.default_rng(3).random(N) > lost)
+    assert not Read(tmp_path, [f"{k}" for k in range(N)], kept, longest_gap_s=9).found.all
 
 
 def test_a_part_of_the_log(tmp_path):

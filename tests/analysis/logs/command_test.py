@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import ugly_log
+from dipper_import.__main__ import main
 
 ROOT = ugly_log.ROOT
 DIPPER = os.environ.get("DIPPER", str(ROOT / "build/release/bin/dipper"))
@@ -72,6 +73,30 @@ def test_bad_input_writes_nothing(tmp_path):
                   (LOG, "--map", MAP, "--outt", "x")):
         assert "Traceback" not in dipper("import", *words, "--out", tmp_path / "out", status=2)
     assert files(tmp_path) == ["map.yaml"]
+
+
+@pytest.mark.parametrize("name, what", [("motion.csv", "log"), ("measured/signals.csv", "log"), ("import.txt", "map")])
+def test_an_input_is_not_overwritten(tmp_path, capsys, name, what):
+    log, map_file = (tmp_path / name if what == w else f for w, f in (("log", LOG), ("map", MAP)))
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    shutil.copy(LOG if what == "log" else MAP, tmp_path / name)
+    before = (tmp_path / name).read_bytes()
+    assert main([str(log), "--map", str(map_file), "--out", str(tmp_path)]) == 2
+    assert f"--out: {tmp_path / name} is the {what}; choose another --out" in capsys.readouterr().err
+    assert (tmp_path / name).read_bytes() == before and files(tmp_path) == [name]
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write everywhere")
+def test_a_folder_that_cannot_be_written_names_the_option(tmp_path, capsys):
+    (tmp_path / "shut").mkdir(mode=0o500)
+    assert main([str(LOG), "--map", str(MAP), "--out", str(tmp_path / "shut/out")]) == 2
+    assert "shut/out: cannot be written (Permission denied); choose another --out" in capsys.readouterr().err
+
+
+def test_a_parent_that_is_a_file_names_the_option(tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    assert main([str(LOG), "--map", str(MAP), "--out", str(tmp_path / "file/out")]) == 2
+    assert "file/out: cannot be written" in (said := capsys.readouterr().err) and "choose another --out" in said
 
 
 def test_help():

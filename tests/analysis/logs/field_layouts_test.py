@@ -379,6 +379,48 @@ def test_rows_of_units_below_the_header_name_the_key(read):
     assert not found and is_whole(log_read)
 
 
+@pytest.mark.parametrize("name, map_unit, says", [
+    ("Pull (kip)", "kN", "is in kip here, and in kN by the map; unit: kip in the map"), ("Pull [kips]", "kip", None),
+    ("Pull (daN)", "kN", "is in daN here, and in kN by the map; unit: kN, scale: 0.01 in the map, if the log is right"),
+    ("Pull (N)", "kN, scale: 0.001", None),
+    ("Pull (daN)", "kN, scale: 0.01", None), ("Pull (t)", "tf", None), ("Pull (t)", "kN", "is in tf here"),
+    ("Pull (m)", "kN", "is in m here, and in kN by the map; a column of force"), ("Pull (bar)", "kN, scale: 12", None),
+    ("Pull (%)", "kN", "is in % here"), ("Pull (%)", "kN, scale: 20", None), ("Pull (left)", "kN", None),
+    ("Pull (short ton)", "tf", "is in tonf here")])
+def test_another_unit_in_a_column_s_name_is_refused(read, name, map_unit, says):
+    map_text = MAP.replace("{column: Pull, unit: N", f"{{column: '{name}', unit: {map_unit}")
+    _, found, _ = read(text(rows(), names=[*NAMES[:5], name]), map_text=map_text)
+    assert not found if says is None else len(found) == 1 and f"log.csv:1: {name}: {says}" in found[0]
+
+
+def test_another_unit_of_a_mass_is_refused(read):
+    mass = "  truck_mass: {column: 'Mass [short ton]', unit: t, reads: total, sigma: 1}\n"
+    map_text = MAP.replace("limits:", mass + "limits:")
+    log = text([[*row, "0"] for row in rows()], names=[*NAMES, "Mass [short ton]"])
+    _, found, _ = read(log, map_text=map_text)
+    assert "Mass [short ton]: is in short ton here, and in t by the map; unit: short ton in the map" in found[0]
+    assert not read(log, map_text=map_text.replace("unit: t,", "unit: short ton,"))[1]
+
+
+def test_another_unit_in_a_row_below_the_header_is_refused(read):
+    units = ["s", "m", "m", "deg", "deg", "kip"]
+    _, found, _ = read(text([["", "rope", "crowd", "house", "trip", "pull"], units, *rows()]), "file: {data_line: 4}\n")
+    assert len(found) == 1 and "log.csv:3: Pull: is in kip here, and in N by the map" in found[0]
+
+
+def test_another_unit_in_a_column_of_units_is_refused(read):
+    of = dict(zip(NAMES[1:], ("m", "m", "deg", "deg", "N")))
+    body = [[*r, of[r[0]]] for r in long(rows())]
+    names = ["Tag", "Time", "Value", "Quality", "Unit"]
+    assert not read(text(body, names=names))[1]
+    line = next(k for k, r in enumerate(body, 2) if r[0] == "Pull" and k > 30)
+    changed = [[*r[:4], "kip" if r[0] == "Pull" and k > 30 else r[4]] for k, r in enumerate(body, 2)]
+    _, found, _ = read(text(changed, names=names))
+    assert len(found) == 1 and found[0].endswith(
+        f"log.csv:{line}: Pull: is in kip here, and in N by the map; one unit in all of the log, not N, kip")
+    assert not read(text([[*r[:4], "SH12"] for r in body], names=names))[1]
+
+
 def long(body, late_ms=0, by_tag=False):
     """A row a reading: tag, time, value and quality."""
     out = [[name, stamp(k, j * late_ms), row[j], "Good"] for k, row in enumerate(body)

@@ -2,6 +2,7 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from dipper_import.import_map import read_map
@@ -132,6 +133,34 @@ def test_cells_that_mean_no_reading(read):
     rows[2][1], rows[3][1], rows[4][1] = "", "NULL", "-9999"
     log, found, _ = read(joined(rows, ";"), "file: {missing: ['-9999']}\n")
     assert not found and [x == x for x in log.values["hoist"]] == [True, False, False, False, True, True]
+
+
+@pytest.mark.parametrize("mark", ["#", "# "])
+def test_a_header_behind_the_mark_of_comments_names_the_key(read, mark):
+    log = mark + joined(ROWS, ",")
+    _, found, _ = read("# unit 12\n" + log)
+    assert len(found) == 1 and "log.csv:2: file: begins with #, as comments do, and has the names of columns; " \
+        "file.header_line: 2, if it is the header" in found[0]
+    whole, found, _ = read("# unit 12\n" + log, "file: {header_line: 2}\n")
+    assert not found and is_whole(whole)
+
+
+def test_a_column_that_begins_with_a_mark(read, tmp_path):
+    (tmp_path / "hash.yaml").write_text(MAP.replace("column: t", "column: '#t'") + "file: {header_line: 1}\n")
+    (tmp_path / "hash.csv").write_text("#" + joined(ROWS, ","))
+    found = Findings()
+    assert is_whole(read_log(tmp_path / "hash.csv", read_map(tmp_path / "hash.yaml"), found, [])) and not found.all
+
+
+@pytest.mark.parametrize("written", ["#N/A", " #n/a "])
+def test_a_row_that_begins_with_no_value_is_no_comment(read, written):
+    rows = [[*row[1:], row[0]] for row in ROWS]
+    rows[3][0] = written
+    log, found, _ = read("# a comment, too\n" + joined(rows, ","))
+    assert not found and is_whole(log) and np.flatnonzero(np.isnan(log.values["hoist"])).tolist() == [2]
+    rows[3][0] = "#DIV/0!"
+    assert "log.csv:4: h: is '#DIV/0!'; a number; if it means that there is no reading, list it under file.missing" \
+        in read(joined(rows, ","))[1][0]
 
 
 def test_encodings(read):

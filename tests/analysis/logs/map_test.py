@@ -51,6 +51,8 @@ def test_a_sound_map(sound):
     ("  door:", "  dor:", 6, "channels.dor: unknown key; door, perhaps?"),
     ("  door: {column: D, unit: deg}\n", "", 2, "channels.door: missing; name its column"),
     ("time: {column: Clock}", "time: {column: Clock, format: DD.MM}", 1, "time.format: is DD.MM; iso, one of s,"),
+    ("Clock}", "Clock, format: '%d.%m.%Y %H:%m'}", 1, "time.format: has %m twice; %M is minutes"),
+    ("Clock}", "Clock, format: '%c %H'}", 1, "time.format: is %c %H, which says a part of the time twice; each part"),
     ("time: {column: Clock}\n", "", 1, "time: missing"),
     ("max: 0.25", "max: -20", 9, "limits.hoist.min: is -12; below max, -20"),
     ("acceleration: 2", "acceleration: -2", 9, "limits.hoist.acceleration: is -2; a number in m/s^2, above 0"),

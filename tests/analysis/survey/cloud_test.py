@@ -85,9 +85,16 @@ def test_rows_without_a_return_are_kept_as_such(tmp_path):
     ("lon,lat,z\n" + rows(","), "in metres of the mine's grid: project the degrees to it"),
     ("E (ft),N (ft),Z (ft)\n" + rows(","), ":1: header: says 'ft'; coordinates in metres: convert them"),
     ("x,y,z\nm,m,ft\n" + rows(","), ":2: header: says 'ft'"),
-    ("".join(f"{i} {line}\n" for i, line in enumerate(rows().splitlines(), 1)), ":1: point: the first column counts")])
+    ("".join(f"{i} {line}\n" for i, line in enumerate(rows().splitlines(), 1)), ":1: point: the first column counts"),
+    ("".join(f"{101 + i},{line},CREST\n" for i, line in enumerate(rows(",").splitlines())),
+     ":1: point: the first column counts")])
 def test_text_that_is_none(tmp_path, content, said):
     assert said in fault(text(tmp_path, content))
+
+
+def test_a_line_of_a_grid_in_metres_counts_no_points(tmp_path):
+    grid = "".join(f"{512345 + i} 7443210 182.{i} 40\n" for i in range(9))
+    assert len(read(text(tmp_path, grid))) == 9
 
 
 def test_no_file(tmp_path):

@@ -85,6 +85,14 @@ def test_bad_input_writes_nothing(case, cloud, tmp_path, words, said):
     assert sorted(p for p in tmp_path.rglob("*")) == before
 
 
+@pytest.mark.parametrize("scan, out", [("mine.csv", "mine.csv"), ("mine.txt", "mine.stl")])
+def test_the_scan_is_not_overwritten(case, cloud, tmp_path, scan, out):
+    shutil.copy(cloud, tmp_path / scan)
+    printed = dipper("survey", tmp_path / scan, "--case", case, *AT, "--out", tmp_path / out, status=2)
+    assert f"--out: {tmp_path / scan} is the scan; choose another --out" in printed
+    assert (tmp_path / scan).read_bytes() == cloud.read_bytes()
+
+
 def test_faults_of_the_case_are_its_own(case, cloud):
     edit(case, ("density_kg_m3: 3747", "density_kg_m3: -1"))
     assert "rock.density_kg_m3" in dipper("survey", cloud, "--case", case, *AT, status=2)

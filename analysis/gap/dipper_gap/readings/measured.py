@@ -23,6 +23,7 @@ from .number_table import read_table
 
 PASS_COLUMNS = ("pass", "t_start_s", "t_end_s", MASS)
 TRUCK = "truck"
+PROFILE_COLUMNS = ("pass", "x_m", "z_m", "after", TRUCK)
 FARTHEST_M = {"x_m": 200.0, "z_m": 100.0}  # of a face from the swing axis at ground level: beyond any shovel's
 LEAST_SAMPLES = 10  # a pass with fewer readings cannot be cut into phases
 
@@ -109,7 +110,7 @@ def _passes(file, channels, need_passes, found):
         found.add(file, 0, "file", "not there", ",".join(PASS_COLUMNS))
         return []
     need = PASS_COLUMNS if MASS in channels else PASS_COLUMNS[:3]
-    table, lines = read_table(file, need, found)
+    table, lines = read_table(file, need, found, (*PASS_COLUMNS, TRUCK))
     if not all(name in table for name in need):
         return []
     masses = table.get(MASS, np.full(len(lines), math.nan))
@@ -157,7 +158,8 @@ def _signals(file, channels, passes, found):
             found.add(file, 0, "file", "not there, but channels.yaml declares " + ", ".join(declared),
                       "time_s," + ",".join(declared))
         return np.zeros(0), {}
-    table, lines = read_table(file, ["time_s"] + declared, found, {"time_s"} | set(declared))
+    table, lines = read_table(file, ["time_s"] + declared, found, ("time_s", *declared),
+                              "declare it in channels.yaml, as one of " + ", ".join(KNOWN))
     if "time_s" not in table or not lines:
         return np.zeros(0), {}
     for name in MOTION:
@@ -191,7 +193,7 @@ def read_profiles(file, found):
     out, left = {}, {}
     if not file.is_file():
         return out, left
-    table, lines = read_table(file, ("pass", "x_m", "z_m"), found)
+    table, lines = read_table(file, ("pass", "x_m", "z_m"), found, PROFILE_COLUMNS)
     if not lines or any(name not in table for name in ("pass", "x_m", "z_m")):
         return out, left
     found.add_rows(file, [(line, name, f"is {value:g}", f"within {most:g} m of the swing axis at ground level: in the "
@@ -216,7 +218,7 @@ def read_profiles(file, found):
 
 def _optional_table(file, columns, found):
     if file.is_file():
-        read_table(file, columns, found)
+        read_table(file, columns, found, columns)
 
 
 def write_measured(m, folder):

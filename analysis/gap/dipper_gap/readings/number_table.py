@@ -5,7 +5,7 @@ import numpy as np
 
 from dipper_run.csv_text import (SEPARATOR, cells_of, decimal_number, find_decimal, find_delimiter, lines_of,
                                  parted_by, read_stamp, stamp_seconds, without_unit)
-from dipper_run.text_file import read_text
+from dipper_run.text_file import nearest, read_text
 
 from .channels import KNOWN
 
@@ -31,11 +31,12 @@ def _rows(file, found):
     return header_line, header[:named], rows, delimiter
 
 
-def read_table(file, need, found, allowed=None):
+def read_table(file, need, found, allowed=None, right=None):
     """Columns of numbers by name, and the line of each row; unreadable cells are findings.
 
     Columns parted by semicolons or tabs may have decimal commas, and numbers their unit behind them. A column of TIMES
-    may hold ISO 8601 stamps: they become seconds since 1970.
+    may hold ISO 8601 stamps: they become seconds since 1970. Columns that are not `allowed` are findings, `right`
+    says what to do about them.
     """
     header_line, header, rows, delimiter = _rows(file, found)
     if not header:
@@ -50,8 +51,9 @@ def read_table(file, need, found, allowed=None):
         return {}, []
     for name in header:
         if allowed is not None and name not in allowed:
-            found.add(file, header_line, name, "unknown channel",
-                      "declare it in channels.yaml, as one of " + ", ".join(KNOWN))
+            like = nearest(name, allowed)
+            found.add(file, header_line, name, "unknown column",
+                      (f"{like}, perhaps? " if like else "") + (right or "one of " + ", ".join(allowed)))
     faults = [(line, "row", f"{len(row)} values", _right_number(len(row), len(header), delimiter))
               for line, row in rows if len(row) != len(header)]
     lines = [line for line, _ in rows]

@@ -77,7 +77,9 @@ def test_what_spreadsheets_leave_in_tables(folder, end):
     ("passes.csv", "48.000,96.000", "47.000,96.000", 3, "passes must not overlap"),
     ("passes.csv", "truck_mass_t", "mass", 1, "truck_mass_t: column missing"),
     ("passes.csv", "\n2,", "\n5,", 4, "pass: is 3; whole numbers that rise"),
-    ("signals.csv", "hoist_force_kN", "hoist_force_N", 1, "hoist_force_N: unknown channel"),
+    ("signals.csv", "hoist_force_kN", "hoist_force_N", 1,
+     "hoist_force_N: unknown column; hoist_force_kN, perhaps? declare it in channels.yaml"),
+    ("passes.csv", ",truck\n", ",Truck\n", 1, "Truck: unknown column; truck, perhaps? one of pass, t_start_s, t_end_s"),
     ("signals.csv", "\n7.000,", "\n5.500,", 9, "time_s: is 5.5 after 6; later times only"),
     ("signals.csv", "\n9.000,", "\n9.000,nan,", 11, "row: 7 values; 6"),
 ])
@@ -85,6 +87,15 @@ def test_fault_is_found_at_its_line(folder, file, old, new, where, what):
     change(folder / file, old, new)
     all_of_it = findings(folder)
     assert any(f"{file}:{where}: " in f and what in f for f in all_of_it), all_of_it
+
+
+def test_an_unknown_column_of_faces_is_found(folder):
+    """Faces after passes are not taken for faces before them, nor one truck's for another's."""
+    rows = "".join(f"1,{x},{0.5 * x},1,1\n" for x in range(12))
+    (folder / "profile.csv").write_text("pass,x_m,z_m,After,Truck\n" + rows)
+    said = findings(folder)
+    assert [f.split("profile.csv")[1].split(" one of")[0] for f in said if "unknown column" in f] == [
+        ":1: After: unknown column; after, perhaps?", ":1: Truck: unknown column; truck, perhaps?"]
 
 
 def test_wrong_units_show_in_the_values(folder):
