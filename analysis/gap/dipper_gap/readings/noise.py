@@ -4,7 +4,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .features import FeatureMap
-from .channels import FACE, MASS
+from .channels import FACE, MASS, MOTION
 
 REPLICAS = 64
 
@@ -31,7 +31,10 @@ def noisy_features(measured, channels, pass_numbers, seed=0, replicas=REPLICAS):
     copies = {n: v + channels[n].sigma * rng.standard_normal((replicas, len(v))) for n, v in clean.items()}
     faces = {at: (x, z + channels[FACE].sigma * rng.standard_normal((replicas, len(z))))
              for at, (x, z) in fmap.faces.items()}
-    rows = fmap(copies, np.tile(masses, (replicas, 1)), faces)
+    # A force's work is over the measured way: a drive's own error is in it too.
+    driven = {n: v + channels[n].sigma * rng.standard_normal((replicas, len(v)))
+              for n, v in measured.signals.items() if n in MOTION}
+    rows = fmap(copies, np.tile(masses, (replicas, 1)), faces, driven)
     mean = rows.mean(axis=0)
     return NoisyFeatures(fmap.cells, mean, rows - mean, fmap.durations)
 
