@@ -141,8 +141,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
     tails = find_tails(baseline)  # of any size: the same when inflated
     one = replace(baseline, trucks=1)
     inflation = left_out_inflation(one, simulate_null(one, draws=LEFT_OUT_DRAWS, tails=tails))
-    size = np.array([measured.channels[n].common_sigma for n in response_names(measured)])
-    bias = baseline.common / np.where(size > 0, size, 1.0)[:, None]
+    bias = vectors.bias[:, at][:, keep]
     model = Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, response_names(measured),
                   tails, inflation, tuple(base), seen)
     if not known:
