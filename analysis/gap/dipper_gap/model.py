@@ -133,7 +133,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
                                    vectors.common[:, at], numbers, len(measured.trucks()))
     baseline = replace(baseline, rest=at_rest(base[0], baseline.cells))
     runs = {n: SignatureRuns(tuple(p.strength for p in planned), tuple(p.seed_index for p in planned),
-                             np.array([rows[p.request][keep] for p in planned]), planned[0].request.how != "run")
+                             np.array([rows[p.request][keep] for p in planned]), planned[0].same_rock)
             for n, planned in plan.signatures.items()}
     ran = {plan.signatures[n][0].request: r for n, r in runs.items() if not r.same_rock}  # each run once
     baseline = baseline.with_deviations(np.concatenate(
