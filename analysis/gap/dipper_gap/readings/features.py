@@ -90,18 +90,20 @@ def _reading(time, points):
 class FeatureMap:
     """From the signals of one folder to its features; built once, used on many noisy copies of them."""
 
-    def __init__(self, measured, pass_numbers):
+    def __init__(self, measured, pass_numbers, phases=None):
+        """`phases`, [{phase: (start, end)}] a pass, in place of those that the driven signals show."""
         self.measured = measured
         by_number = {p.number: p for p in measured.passes}
         self.passes = [by_number[n] for n in pass_numbers]
         self.responses = measured.responses()
-        self._spans = []
+        self._spans, self.phases = [], []
         self.durations = []
         if measured.signals:
             driven = (measured.signals["crowd_m"], measured.signals["swing_rad"])
             spans = [(p.t_start_s, p.t_end_s) for p in self.passes]
-            for index, phases in enumerate(find_phases(measured.time_s, *driven, spans)):
-                self._add_pass(index, phases)
+            self.phases = phases or find_phases(measured.time_s, *driven, spans)
+            for index, found in enumerate(self.phases):
+                self._add_pass(index, found)
         self.faces = self._faces() if FACE in measured.channels else {}
         self.cells = [cell for cell, _ in self._columns(measured.signals, self.masses(), self.faces, measured.signals)]
 
