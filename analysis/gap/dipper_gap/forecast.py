@@ -30,7 +30,7 @@ class Forecast:
 
 def forecast(channels, simulator, catalogue, first_seed, say=print):
     """Forecast for a mine with these `channels` {name: Channel}; makes the runs that are not kept."""
-    plan = make_plan(catalogue, max(TRUCKS), first_seed)
+    plan = make_plan(catalogue, max(TRUCKS), first_seed, simulator.takes_a_run)
     say(f"gap: {statement(plan, simulator)}")
     requests = plan.requests()
     folders = dict(zip(requests, simulator.run(requests, say)))

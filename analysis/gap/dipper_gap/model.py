@@ -133,7 +133,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
                                    vectors.common[:, at], numbers, len(measured.trucks()))
     baseline = replace(baseline, rest=at_rest(base[0], baseline.cells))
     runs = {n: SignatureRuns(tuple(p.strength for p in planned), tuple(p.seed_index for p in planned),
-                             np.array([rows[p.request][keep] for p in planned]), planned[0].request.how != "run")
+                             np.array([rows[p.request][keep] for p in planned]), planned[0].same_rock)
             for n, planned in plan.signatures.items()}
     ran = {plan.signatures[n][0].request: r for n, r in runs.items() if not r.same_rock}  # each run once
     baseline = baseline.with_deviations(np.concatenate(
@@ -141,8 +141,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
     tails = find_tails(baseline)  # of any size: the same when inflated
     one = replace(baseline, trucks=1)
     inflation = left_out_inflation(one, simulate_null(one, draws=LEFT_OUT_DRAWS, tails=tails))
-    size = np.array([measured.channels[n].common_sigma for n in response_names(measured)])
-    bias = baseline.common / np.where(size > 0, size, 1.0)[:, None]
+    bias = vectors.bias[:, at][:, keep]
     model = Model(plan, tuple(numbers), vectors, baseline.inflated(inflation), bias, runs, response_names(measured),
                   tails, inflation, tuple(base), seen)
     if not known:

@@ -112,7 +112,7 @@ class Outcome:
 def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None):
     """The Outcome for a mine's folder, and one of its earlier trucks `before`; throws ValueError for one that cannot be
     compared with the case."""
-    plan = make_plan(catalogue, len(measured.trucks()), first_seed)
+    plan = make_plan(catalogue, len(measured.trucks()), first_seed, simulator.takes_a_run)
     first = without_runs(plan, simulator)
     say(f"gap: {statement(plan, simulator, first)}")
     runner, known = Runner(simulator, catalogue, say), (None, None)

@@ -131,7 +131,7 @@ class World:
     def residual(self, effects, seed):
         """A mine with a hidden effect, seen through its instruments."""
         mine = synthetic.run(effects, self.first + 5000 + seed, spread=self.spread)
-        _, y, _ = measured_features(synthetic.with_noise(mine, self.first + seed), PASSES)
+        _, y, _ = measured_features(synthetic.with_noise(mine, self.first + seed, drives=True), PASSES)
         return y[self.keep] - self.baseline.mean
 
 

@@ -157,15 +157,16 @@ def _faces(e, rng, spread, load):
     return (FACE_X, z), (FACE_X, z - cut * area / (cut.sum() * (FACE_X[1] - FACE_X[0])))
 
 
-def with_noise(m, seed, channels=None):
-    """The mine's view of a noise-free folder: own noise on each reading, one shared error a channel."""
+def with_noise(m, seed, channels=None, drives=False):
+    """The mine's view of a noise-free folder: own noise on each reading, one shared error a channel; with `drives` the
+    driven channels have theirs too, which moves the phases besides."""
     channels = channels or CHANNELS
     rng = np.random.default_rng([seed, 99])
     signals = {}
     for name, v in m.signals.items():
         c = channels[name]
         noise = c.sigma * rng.standard_normal(len(v)) + c.common_sigma * rng.standard_normal()
-        signals[name] = v + (noise if c.role == "response" else 0.0)
+        signals[name] = v + (noise if drives or c.role == "response" else 0.0)
     scale = channels["truck_mass_t"]
     shared = scale.common_sigma * rng.standard_normal()
     passes = tuple(replace(p, truck_mass_t=p.truck_mass_t + shared + scale.sigma * rng.standard_normal())

@@ -21,6 +21,7 @@ DRAWS = 99
 MOST_TERMS = 3
 LEAST_GAIN = 0.10     # of the weighted square that is left, for one more term
 LEAST_EXPLAINED = 0.25  # of the residual's weighted square on the passes held out: less is no law
+LAGS_S = np.arange(-10.0, 10.01, 0.05)
 CONSTANT = "constant"
 
 # What may be in a law: the terms of drive_terms.hpp that it adds up, and how its number a is reported.
@@ -212,9 +213,15 @@ def _readings(model, channel, measured, before):
         p = one_pass(first, number)
         inside = (first.time_s >= p.t_start_s) & (first.time_s <= p.t_end_s)
         t = first.time_s[inside] - p.t_start_s
-        runs = np.array([read_signal(m, number, channel, t) for m in model.folders])
-        seen = np.mean([read_signal(m, number, channel, t) for m in measured.trucks()], axis=0)
-        then = np.mean([read_signal(m, number, channel, t) for m in usual], axis=0) if usual else runs.mean(axis=0)
+        crowd = first.signals["crowd_m"][inside]
+
+        def read(m):  # at the same moments of the motion: passes may begin at another one of the cycle
+            off = [((read_signal(m, number, "crowd_m", t + lag) - crowd) ** 2).sum() for lag in LAGS_S]
+            return read_signal(m, number, channel, t + LAGS_S[int(np.argmin(off))])
+
+        runs = np.array([read(m) for m in model.folders])
+        seen = np.mean([read(m) for m in measured.trucks()], axis=0)
+        then = np.mean([read(m) for m in usual], axis=0) if usual else runs.mean(axis=0)
         terms.append(columns[inside])
         passes += [number] * len(t)
         residual.append(seen - then)

@@ -66,7 +66,7 @@ class _Span:
         if name in DRIVE:
             way, sign = DRIVE[name]
             steps = np.diff(driven[way] @ self.at)
-            out.append(("work", sign * (0.5 * (v[..., 1:] + v[..., :-1])) @ steps))
+            out.append(("work", sign * (0.5 * (v[..., 1:] + v[..., :-1]) * steps).sum(axis=-1)))
         return out
 
 
@@ -90,20 +90,22 @@ def _reading(time, points):
 class FeatureMap:
     """From the signals of one folder to its features; built once, used on many noisy copies of them."""
 
-    def __init__(self, measured, pass_numbers):
+    def __init__(self, measured, pass_numbers, phases=None):
+        """`phases`, [{phase: (start, end)}] a pass, in place of those that the driven signals show."""
         self.measured = measured
         by_number = {p.number: p for p in measured.passes}
         self.passes = [by_number[n] for n in pass_numbers]
         self.responses = measured.responses()
-        self._spans = []
+        self._spans, self.phases = [], []
         self.durations = []
         if measured.signals:
             driven = (measured.signals["crowd_m"], measured.signals["swing_rad"])
             spans = [(p.t_start_s, p.t_end_s) for p in self.passes]
-            for index, phases in enumerate(find_phases(measured.time_s, *driven, spans)):
-                self._add_pass(index, phases)
+            self.phases = phases or find_phases(measured.time_s, *driven, spans)
+            for index, found in enumerate(self.phases):
+                self._add_pass(index, found)
         self.faces = self._faces() if FACE in measured.channels else {}
-        self.cells = [cell for cell, _ in self._columns(measured.signals, self.masses(), self.faces)]
+        self.cells = [cell for cell, _ in self._columns(measured.signals, self.masses(), self.faces, measured.signals)]
 
     def _faces(self):
         """{(pass index, after): (x, z)} in steps, of the passes that are surveyed before and after."""
@@ -125,12 +127,12 @@ class FeatureMap:
             points = np.concatenate([[a], inner, [b]])
             self._spans.append(_Span(index, phase, _reading(m.time_s, points), points))
 
-    def _columns(self, signals, masses, faces):
+    def _columns(self, signals, masses, faces, driven):
         out = []
         for span in self._spans:
             number = self.passes[span.pass_index].number
             for name in self.responses:
-                for feature, v in span.columns(name, signals[name], self.measured.signals):
+                for feature, v in span.columns(name, signals[name], driven):
                     out.append((Cell(number, span.phase, name, feature), v))
             length = span.time[-1] - span.time[0]
             out.append((Cell(number, span.phase, TIME, "duration"), length))
@@ -142,11 +144,12 @@ class FeatureMap:
                 out += [(Cell(p.number, "dump", FACE, f), v) for f, v in _of_faces(faces[i, 0], faces[i, 1])]
         return out
 
-    def __call__(self, signals, masses, faces=None):
-        """Features of copies of this folder: signals {name: (B, T)}, masses (B, P), and of `faces` heights z (B, X), or
-        its own -> (B, n)."""
+    def __call__(self, signals, masses, faces=None, driven=None):
+        """Features of copies of this folder: signals {name: (B, T)}, masses (B, P), and of `faces` heights z (B, X) and
+        `driven` signals, or its own -> (B, n)."""
         out = np.empty((len(masses), len(self.cells)))
-        for i, (_, v) in enumerate(self._columns(signals, masses, self.faces if faces is None else faces)):
+        faces, driven = self.faces if faces is None else faces, driven or self.measured.signals
+        for i, (_, v) in enumerate(self._columns(signals, masses, faces, driven)):
             out[:, i] = v
         return out
 

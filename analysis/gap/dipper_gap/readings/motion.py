@@ -6,6 +6,7 @@ import numpy as np
 
 from dipper_run.findings import BadInput, Findings
 
+from .before import RATES
 from .channels import MOTION
 from .number_table import read_table
 from .passes import NEED_PASSES
@@ -17,6 +18,7 @@ LAGS_S = np.arange(-10.0, 10.01, 0.25)  # a mine's passes may begin at another m
 # Assumed: from so much on the drives do not do the same. Twice what a slow logger and an operator's hand leave.
 LARGEST_RMS = {"hoist_m": 0.5, "crowd_m": 0.3, "swing_rad": 0.1}
 MEASURED_ONE = "is its motion the measured one?"
+HOLE = 2.5              # medians: so long without a reading is no jitter of the logger's
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,7 @@ class PlannedMotion:
     time_s: np.ndarray
     drives: dict         # {channel of MOTION: (rows,)}
     passes: tuple        # (start, end) in s of each pass that ends with a dump
+    step_s: float        # from one reading of a run to the next
 
 
 def read_motion(case, data):
@@ -36,7 +39,8 @@ def read_motion(case, data):
     drives = {"hoist_m": table["hoist_m"], "crowd_m": table["crowd_m"], "swing_rad": np.radians(table["swing_deg"])}
     end = min(end, time[-1])
     run = np.append(time[time < end], end)
-    return PlannedMotion(time, drives, planned_passes(run, np.interp(run, time, door)))
+    rate = float((data.get("observation") or {}).get("rate_Hz", 1))
+    return PlannedMotion(time, drives, planned_passes(run, np.interp(run, time, door)), 1 / rate)
 
 
 def compare_motion(measured, plan):
@@ -58,6 +62,9 @@ def compare_motion(measured, plan):
         if abs(mine - planned) > DURATION * planned:
             out.append(f"pass {p.number} takes {mine:.1f} s in the mine and {planned:.1f} s in the case: "
                        + MEASURED_ONE)
+    if len(first.time_s):
+        out += dict.fromkeys(line for m in measured.trucks() for p in m.passes if p.number in both
+                             for line in _of_readings(m.time_s, p, plan.step_s))
     names = [n for n in MOTION if n in first.signals]
     if names:
         rms = min((_rms(first, passes, plan, names, lag) for lag in LAGS_S),
@@ -65,6 +72,19 @@ def compare_motion(measured, plan):
         out += [f"{n} is {rms[n]:.2g} {n.rsplit('_', 1)[1]} (rms) off the case's motion: {MEASURED_ONE}"
                 for n in names if rms[n] > LARGEST_RMS[n]]
     return tuple(out)
+
+
+def _of_readings(time_s, p, plan):
+    """Whether a pass is read as often as the runs are, every `plan` s: peaks and slopes depend on it."""
+    steps = np.diff(time_s[(time_s >= p.t_start_s) & (time_s <= p.t_end_s)])
+    if not len(steps):
+        return
+    median, longest = np.median(steps), steps.max()
+    if not 1 / RATES <= median / plan <= RATES:
+        yield (f"a reading every {median:.3g} s, and the case's every {plan:.3g} s: set observation.rate_Hz in the "
+               "case")
+    if longest > HOLE * median:
+        yield f"{longest:.3g} s without a reading in pass {p.number} of truck {p.truck}"
 
 
 def _rms(m, passes, plan, names, lag):

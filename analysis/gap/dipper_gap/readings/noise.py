@@ -1,12 +1,15 @@
 """What the mine's instruments do to the features: spread, shared error, and the lift of a noisy peak."""
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
-from .features import FeatureMap
-from .channels import FACE, MASS
+from .features import TIME, FeatureMap
+from .channels import FACE, MASS, MOTION
+from .phases import find_phases
 
 REPLICAS = 64
+MOVED_S = 0.07  # by which an end of a phase is moved to see what that does to the features
 
 
 @dataclass(frozen=True)
@@ -31,9 +34,49 @@ def noisy_features(measured, channels, pass_numbers, seed=0, replicas=REPLICAS):
     copies = {n: v + channels[n].sigma * rng.standard_normal((replicas, len(v))) for n, v in clean.items()}
     faces = {at: (x, z + channels[FACE].sigma * rng.standard_normal((replicas, len(z))))
              for at, (x, z) in fmap.faces.items()}
-    rows = fmap(copies, np.tile(masses, (replicas, 1)), faces)
+    # A force's work is over the measured way: a drive's own error is in it too.
+    driven = {n: v + channels[n].sigma * rng.standard_normal((replicas, len(v)))
+              for n, v in measured.signals.items() if n in MOTION}
+    rows = fmap(copies, np.tile(masses, (replicas, 1)), faces, driven)
+    if fmap.phases:
+        rows = rows + _moved_ends(fmap, driven)
     mean = rows.mean(axis=0)
     return NoisyFeatures(fmap.cells, mean, rows - mean, fmap.durations)
+
+
+def _moved_ends(fmap, driven):
+    """(B, n) what the features change by as the drives' noise moves the ends of phases, to first order."""
+    m, passes = fmap.measured, fmap.passes
+    copies = len(driven["crowd_m"])
+    length = m.time_s[-1] - m.time_s[0] + np.median(np.diff(m.time_s))
+    starts = length * np.arange(copies)
+    found = find_phases(np.concatenate([m.time_s + s for s in starts]), driven["crowd_m"].ravel(),
+                        driven["swing_rad"].ravel(),
+                        [(p.t_start_s + s, p.t_end_s + s) for s in starts for p in passes])
+    clean = {n: m.signals[n][None] for n in fmap.responses}
+    masses, index = fmap.masses()[None], {p.number: i for i, p in enumerate(passes)}
+    at = np.array([index[c.pass_number] for c in fmap.cells])
+    out = np.zeros((copies, len(fmap.cells)))
+    for phase in dict.fromkeys(name for phases in fmap.phases for name in phases):
+        ends = np.array([phases[phase][1] if phase in phases else np.nan for phases in fmap.phases])
+        seen = np.array([p[phase][1] if phase in p else np.nan for p in found]).reshape(copies, -1) - starts[:, None]
+        maps = [FeatureMap(m, list(index), [_with_end(p, phase, by) for p in fmap.phases])
+                for by in (-MOVED_S, MOVED_S)]
+        less, more = (dict(zip(f.cells, f(clean, masses)[0])) for f in maps)
+        slope = np.array([(more[c] - less[c]) / (2 * MOVED_S) if c in less and c in more and c.channel != TIME else 0.0
+                          for c in fmap.cells])
+        out += np.nan_to_num(seen - ends)[:, at] * slope
+    return out
+
+
+def _with_end(phases, phase, by):
+    """The phases of a pass with the end of one moved, where another follows and both are long enough."""
+    out = dict(phases)
+    for a, b in pairwise(phases):
+        (start, end), (begins, stop) = phases[a], phases[b]
+        if a == phase and min(end - start, stop - begins) > 2 * abs(by):
+            out[a], out[b] = (start, end + by), (begins + by, stop)
+    return out
 
 
 def common_errors(folders, channels, pass_numbers):

@@ -1,7 +1,10 @@
 """Feature vectors of runs and of a mine over the same cells, and what the instruments do to them."""
+from dataclasses import replace
+
 import numpy as np
 
 from .balance import balanced, tonnes_a_kN
+from .channels import FACE, MASS
 from .noise import common_errors, measured_features, noise_covariance, noisy_features
 
 
@@ -22,8 +25,13 @@ class Vectors:
         for _ in range(2):  # rows, then columns
             own = balanced(self.plain, own, self.slope)[1].T
         self.own = own                                                 # (n, n) of one truck
-        common = common_errors(seen, channels, numbers)
-        self.common = balanced(self.plain, common, self.slope)[1]  # (channels, n): one common_sigma each
+        # A shift of each channel: also of one that shares no error, which may have drifted, or be all that is wrong.
+        steps = {n: c.common_sigma or c.sigma or 1.0 for n, c in channels.items()}
+        stepped = {n: replace(c, common_sigma=steps[n]) for n, c in channels.items()}
+        shifts = balanced(self.plain, common_errors(seen, stepped, numbers), self.slope)[1]
+        names = (*seen[0].responses(), *(n for n in (MASS, FACE) if n in seen[0].channels))
+        self.bias = shifts / np.array([steps[n] for n in names])[:, None]                    # (channels, n): 1 each
+        self.common = self.bias * np.array([channels[n].common_sigma for n in names])[:, None]  # common_sigma each
 
     def of_run(self, measured):
         """Cells and vector of a noise-free folder, as the mine's instruments would see it on average."""

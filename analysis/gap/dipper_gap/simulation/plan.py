@@ -15,6 +15,7 @@ class PlannedRun:
     strength: float
     seed_index: int  # which of the baseline's runs has the same seed
     request: object
+    same_rock: bool  # the rock does what it does in the plain run: it takes no run of its own
 
 
 @dataclass(frozen=True)
@@ -42,14 +43,17 @@ def seeds_for(trucks):
     return min(MOST_SEEDS, max(LEAST_SEEDS, SEEDS_A_TRUCK * trucks))
 
 
-def make_plan(catalogue, trucks, first_seed):
+def make_plan(catalogue, trucks, first_seed, takes_a_run=lambda r: r.how == "run"):
+    """`takes_a_run` is a Simulator's: with limited drives a replay cannot tell what another machine does, and its runs
+    are as chaotic as those of another rock."""
     seeds = [first_seed + k for k in range(seeds_for(trucks))]
     signatures, shared = {}, {}
     for effect in sorted(catalogue.values(), key=lambda e: e.nuisance):
         first = shared.setdefault(effect.overlay or effect.name, effect)
-        strengths = first.strengths(request({first.name: 1.0}, 0, catalogue).how != "run")
+        same_rock = not takes_a_run(request({first.name: 1.0}, 0, catalogue))
+        strengths = first.strengths(same_rock)
         signatures[effect.name] = tuple(
-            PlannedRun(strengths[i], k, request({first.name: strengths[i]}, seeds[k], catalogue))
+            PlannedRun(strengths[i], k, request({first.name: strengths[i]}, seeds[k], catalogue), same_rock)
             for i, k in SIGNATURE_RUNS)
     return Plan(first_seed, tuple(request({}, s, catalogue) for s in seeds), signatures)
 

@@ -22,7 +22,7 @@ class Closure:
     before: float
     after: float
     floor: float
-    closure: float       # None where the gap before is within what noise makes: nothing to close
+    closure: float       # None where the gap before is within noise of none or of the floor: nothing to close
     interval90: tuple    # of closure; None likewise
     p: float             # that T^2 would fall so far by chance, were the unchanged model right
     reaches: bool        # the effect acts on these passes at all
@@ -81,7 +81,8 @@ def closure(y, baseline, after, rivals, expected, seed=0):
         again, first = again - first + baseline.mean, np.broadcast_to(baseline.mean, first.shape)
         added = np.ones(len(sd)), 1 + spread * (1 / baseline.seeds + 1 / runs)
     share = interval = None
-    if g0 > np.quantile(mean_square(noise, sd), 1 - SIGNIFICANT):
+    least = np.quantile(mean_square(noise, sd), 1 - SIGNIFICANT)
+    if g0 > max(least, floor + least - 1):  # beyond a perfect model's own floor, too: closure is a share of that
         b0, b1 = (mean_square(drawn - r, sd) - a.mean() for r, a in zip((first, again), added))
         interval = tuple(float(q) for q in np.quantile((b0 - b1) / np.maximum(b0 - floor, 0.1 * (g0 - floor)),
                                                        [0.05, 0.95]))

@@ -123,7 +123,8 @@ def strength(m, name, signatures, only=None, seed=0):
     draws = np.concatenate([evidence.sample(m.fits[k], [by_name[n] for n in k], c, rng)[:, k.index(name)]
                             for k, c in zip(keys, counts) if c])
     e = by_name[name].effect
-    draws = np.clip(draws * (1 + GAIN_ERROR * rng.standard_normal(len(draws))), e.low, e.high)
+    relative = np.hypot(GAIN_ERROR, by_name[name].gain)
+    draws = np.clip(draws * (1 + relative * rng.standard_normal(len(draws))), e.low, e.high)
     tail = (1 - INTERVAL) / 2
     return tuple(float(x) for x in np.quantile(draws, [tail, 0.5, 1 - tail]))
 

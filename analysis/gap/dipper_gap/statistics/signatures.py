@@ -27,6 +27,7 @@ class Signature:
     g: np.ndarray        # (n,) per unit strength
     noise: np.ndarray    # (n, n) covariance of what few runs leave unknown of g, per unit strength squared
     wrong: np.ndarray    # (n, n) the same of what the catalogue's model of the effect gets wrong
+    gain: float = 0.0    # sd, relative, of what it gets wrong in all cells alike: it is in the strength
 
     @property
     def name(self):
@@ -60,10 +61,10 @@ def fit_signature(effect, baseline, strengths, seed_index, values, same_rock=Fal
         g, error = _chaotic(s, values - baseline.mean, pairs - baseline.mean, baseline)
     scale = np.sqrt(error)
     g, noise = shrink(g, baseline.seed * np.outer(scale, scale), baseline, abs(effect.reference()))
-    wrong = _shape_error(g, baseline)
+    wrong, gain = _shape_error(g, baseline)
     if effect.affects == "machine":  # it acts with or against the motion
         wrong = wrong + np.diag(_rest_error(g, baseline) ** 2)
-    return Signature(effect, g, noise, wrong)
+    return Signature(effect, g, noise, wrong, gain)
 
 
 def _rest_error(g, baseline):
@@ -139,10 +140,10 @@ def _moves(baseline):
 
 
 def _shape_error(g, baseline):
-    """Covariance of what the catalogue's own model of the effect gets wrong, beyond its strength.
+    """Covariance of what the catalogue's own model of the effect gets wrong, beyond its strength, and sd of that.
 
-    Each block's size errs by itself; what they have in common is the strength, and taken out. Where a mine's earlier
-    trucks differ from the model, what an effect does to them may differ by as large a share besides.
+    Each block's size errs by itself; what they have in common is in the strength, and its relative sd beside. Where a
+    mine's earlier trucks differ from the model, what an effect does to them may differ by as large a share besides.
     """
     block = [(c.phase, c.channel) for c in baseline.cells]
     labels = list(dict.fromkeys(block))
@@ -151,4 +152,4 @@ def _shape_error(g, baseline):
     weight = weight / max(weight.sum(), 1e-300)
     error = np.hypot(BLOCK_ERROR, member.T @ baseline.unlike / member.sum(axis=0))  # (blocks,)
     factor = (member - weight) * g[:, None] * error
-    return factor @ factor.T + np.diag((CELL_ERROR * g) ** 2)
+    return factor @ factor.T + np.diag((CELL_ERROR * g) ** 2), float(np.sqrt(((weight * error) ** 2).sum()))

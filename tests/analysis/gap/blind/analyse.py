@@ -45,7 +45,8 @@ def run(folder, out, cases):
 def nulls(count, file):
     simulator = DipperSimulator(ROOT / CASE, read_catalogue(ROOT / CASE), program(), cache_folder("gap"))
     catalogue, _ = usable(simulator.catalogue, simulator)
-    plan, runner = make_plan(catalogue, make.TRUCKS, 1), Runner(simulator, catalogue, lambda text: None)
+    plan = make_plan(catalogue, make.TRUCKS, 1, simulator.takes_a_run)
+    runner = Runner(simulator, catalogue, lambda text: None)
     base, motion = make.complete(ROOT / "tests/gap_mine/runs/base"), Motion.read(ROOT / CASE / "motion.csv")
     with open(file, "w") as f, tempfile.TemporaryDirectory() as work:
         f.write("case,verdict,omnibus_p\n")

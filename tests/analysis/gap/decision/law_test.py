@@ -57,6 +57,15 @@ def test_nothing_has_no_law():
     assert [k for k in range(30, 40) if laws({}, k)] == []
 
 
+def test_passes_that_begin_at_another_moment_have_no_law():
+    """Half a second later in the cycle than the runs' passes: forces are read at the same moments of the motion."""
+    late = replace(synthetic.run(), passes=tuple(replace(p, t_start_s=p.t_start_s + 0.5, t_end_s=p.t_end_s + 0.5 * (
+        p.number < 3)) for p in synthetic.run().passes))
+    trucks = [replace(synthetic.with_noise(synthetic.run(seed=9010 + k), 7 + k), passes=late.passes)
+              for k in range(TRUCKS)]
+    assert find_laws(model(), replace(model().baseline, trucks=TRUCKS), (2,), in_a_row(trucks)) == ()
+
+
 def test_it_is_an_effect_that_the_program_reads(tmp_path):
     """Its file in a case's own folder: `dipper effects` lists it as it was found."""
     found = laws({"outside": 3}, 7)

@@ -12,10 +12,10 @@ CELLS = [Cell(2, phase, channel, f) for phase in ("fill", "swing", "dump", "retu
 RUNS, FRESH, MINES, SIZE = 16, 5, 80, 1.2  # SIZE: the effect's shift of each cell, in sd of a run
 
 
-def confirm(trucks, number, true=True):
+def confirm(trucks, number, true=True, size=SIZE):
     """A mine with an effect that shifts every cell, against `FRESH` runs with it (or with its opposite)."""
     rng, n = np.random.default_rng([trucks, number]), len(CELLS)
-    shift = SIZE * np.where(np.arange(n) % 2, 1.0, -1.0)
+    shift = size * np.where(np.arange(n) % 2, 1.0, -1.0)
     b, _ = make_baseline(CELLS, rng.standard_normal((RUNS, n)), 0.05 * trucks * np.eye(n), np.zeros((0, n)), (2,),
                          trucks)
     y = shift + rng.standard_normal((trucks, n)).mean(axis=0) + np.sqrt(0.05) * rng.standard_normal(n)
@@ -34,6 +34,14 @@ def test_a_true_effect_is_seldom_refused(trucks, most):
 def test_its_closure_is_whole():
     found = [confirm(4, k).closure for k in range(MINES)]
     assert np.median(found) == pytest.approx(1.0, abs=0.1)
+
+
+def test_closure_is_no_share_of_what_the_fresh_runs_leave_anyway():
+    """Sixteen trucks and a small effect: the gap is as large as the floor of five runs, or smaller."""
+    found = [confirm(16, k, size=0.4) for k in range(40)]
+    assert sum(f.closure is None for f in found) > 20
+    assert not [f for f in found if f.after < f.before and any("the gap grows" in o for o in f.objections())]
+    assert all(f.closure < 2 for f in found if f.closure is not None)
 
 
 def test_an_effect_with_which_the_gap_grows_is_refused():

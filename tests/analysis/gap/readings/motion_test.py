@@ -1,0 +1,48 @@
+"""A logger of another rate than the case's, and holes in its readings, are asked about before anything runs."""
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+import yaml
+
+import synthetic
+from dipper_gap.readings.measured import read_measured
+from dipper_gap.readings.motion import PlannedMotion, compare_motion, read_motion
+
+ROOT = Path(__file__).resolve().parents[4]
+
+
+def asked(rate_hz, planned_hz=1.0):
+    time, hoist, crowd, swing = synthetic.motion(10.0)
+    plan = PlannedMotion(time, {"hoist_m": hoist, "crowd_m": crowd, "swing_rad": swing},
+                         tuple((48.0 * k, 48.0 * (k + 1)) for k in range(3)), 1 / planned_hz)
+    return compare_motion(synthetic.run(rate_hz=rate_hz), plan)
+
+
+@pytest.mark.parametrize("rate_hz, step", [(2.0, "0.5"), (5.0, "0.2"), (0.5, "2")])
+def test_another_rate_than_the_runs_is_asked_about_once(rate_hz, step):
+    line = f"a reading every {step} s, and the case's every 1 s: set observation.rate_Hz in the case"
+    assert asked(rate_hz) == (line,)
+    assert asked(rate_hz, planned_hz=rate_hz) == ()
+
+
+def test_a_hole_in_a_pass_is_asked_about():
+    m, plan = synthetic.run(), read_motion(ROOT / "cases/screening", {"machine": {"motion": "motion.csv"}})
+    there = [i for i, t in enumerate(m.time_s) if not 60 < t < 70]
+    m = replace(m, time_s=m.time_s[there], signals={n: v[there] for n, v in m.signals.items()})
+    assert "10 s without a reading in pass 2 of truck 1" in compare_motion(m, plan)
+
+
+def test_the_runs_rate_is_the_cases():
+    data = {"machine": {"motion": "motion.csv"}}
+    steps = [read_motion(ROOT / "cases/screening", {**data, **more}).step_s
+             for more in ({}, {"observation": None}, {"observation": {"rate_Hz": 5}})]
+    assert steps == [1.0, 1.0, 0.2]
+
+
+def test_the_sealed_set_has_the_runs_rate_and_no_holes():
+    case = ROOT / "cases/screening"
+    plan = read_motion(case, yaml.safe_load((case / "case.yaml").read_text()))
+    folders = sorted((ROOT / "tests/analysis/gap/blind/measured").iterdir())
+    lines = [line for f in folders for line in compare_motion(read_measured(f), plan)]
+    assert len(folders) == 52 and not [line for line in lines if "reading" in line]
