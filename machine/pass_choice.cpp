@@ -22,7 +22,7 @@ constexpr double kSide_m = 1;        // of the height map beyond the bench
 constexpr double kMostOverload = 2;  // of a drive; from 1 on the dig is slower and loads less
 constexpr double kOver_m = 0.5;      // between the dipper and the rock that it turns over
 constexpr double kScatter = 0.15;    // of one pass's load, standard deviation (docs/operator.md)
-constexpr double kHeaped = 1.05;     // of the struck volume (cases/quick: 1.01 in the mean, up to 1.17)
+constexpr double kHeaped = 1.05;     // of the struck volume; measured: 1.01, at most 1.17
 
 /// The mean of what a dipper holds of a load that scatters normally about `mean`: what is beyond
 /// its capacity is left in the face.

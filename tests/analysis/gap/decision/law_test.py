@@ -70,6 +70,7 @@ def test_it_is_an_effect_that_the_program_reads(tmp_path):
     """Its file in a case's own folder: `dipper effects` lists it as it was found."""
     found = laws({"outside": 3}, 7)
     made = law_effect(found)
+    (tmp_path / "case.yaml").write_text("")
     (tmp_path / "effects").mkdir()
     (tmp_path / "effects" / f"{made.name}.yaml").write_text(effect_text(made))
     read = read_catalogue(tmp_path)[made.name]

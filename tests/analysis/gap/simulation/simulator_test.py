@@ -52,6 +52,7 @@ def world(tmp_path):
     (case / "case.yaml").write_text("# a comment\nseed: 1\nrock:\n  mesh: ../rock.stl  # kept\n")
     effects = tmp_path / "own" / "effects"
     effects.mkdir(parents=True)
+    (tmp_path / "own" / "case.yaml").write_text("")
     (effects / "fines.yaml").write_text(FINES)
     (effects / "scale_gain.yaml").write_text(GAIN)
     (effects / "crowd_friction.yaml").write_text(FRICTION)
