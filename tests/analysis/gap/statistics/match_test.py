@@ -78,8 +78,8 @@ def case():
 def test_effects_are_named_at_their_limit_and_twice_it(multiple, least_right):
     """In three worlds, each mine with seeds and noise of its own."""
     verdicts = []
-    for number in range(3):
-        case = case_of(number)
+    for world in range(3):
+        case = case_of(world)
         for k, (n, x) in enumerate(case.limits.items()):
             if multiple * x <= fake_mine.CATALOGUE[n].reference() * 1.5:
                 verdicts.append((n, case.decide(case.w.residual({n: multiple * x}, 100 * multiple + k))))
