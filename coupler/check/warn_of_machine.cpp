@@ -14,7 +14,7 @@ namespace {
 constexpr double kOtherPower = 100;  ///< a speed of power / stall so far from the limit's
 constexpr double kOtherLoad = 10;    ///< a rated load so far from the dipper full of rock
 constexpr double kLeastRake_deg = 2;
-constexpr double kMostStretch_m = 0.5;  ///< of ropes that hold the empty dipper: some mm are usual
+constexpr double kMostStretch_m = 0.5;  ///< of ropes that hold the empty dipper
 
 void warn_of_angles(const cases::Case& c, std::vector<Finding>& warnings) {
   if (c.machine.rake_angle_deg == 0)
