@@ -10,12 +10,24 @@ struct Box {
   Eigen::Vector3d min_m = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector3d max_m = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
 
+  static constexpr int kCorners = 8;
+
+  /// The corner at the upper face of each axis whose bit in `k` is set: bit 0 is x, bit 2 z.
+  Eigen::Vector3d corner(int k) const {
+    return {(k & 1 ? max_m : min_m).x(), (k & 2 ? max_m : min_m).y(), (k & 4 ? max_m : min_m).z()};
+  }
+
   Eigen::Vector3d sides_m() const { return max_m - min_m; }
   bool is_empty() const { return (min_m.array() > max_m.array()).any(); }
 
   /// Points on its faces are inside.
   bool holds(const Eigen::Vector3d& p) const {
     return (p.array() >= min_m.array()).all() && (p.array() <= max_m.array()).all();
+  }
+
+  /// Between the nearest points of the two, m; 0 where they touch.
+  double distance_m(const Box& other) const {
+    return (min_m - other.max_m).cwiseMax(other.min_m - max_m).cwiseMax(0).norm();
   }
 
   /// Extended by `by_m` on every side.

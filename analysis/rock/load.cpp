@@ -34,10 +34,8 @@ double load_volume(const std::vector<Sphere>& balls, const Eigen::Vector3d& up, 
                    double cell_m) {
   const Eigen::Vector3d u = up.unitOrthogonal(), v = up.cross(u);
   double u0 = std::numeric_limits<double>::infinity(), v0 = u0, u1 = -u0, v1 = -u0;
-  for (int k = 0; k < 8; ++k) {
-    const Eigen::Vector3d p((k & 1) != 0 ? region.max_m.x() : region.min_m.x(),
-                            (k & 2) != 0 ? region.max_m.y() : region.min_m.y(),
-                            (k & 4) != 0 ? region.max_m.z() : region.min_m.z());
+  for (int k = 0; k < Box::kCorners; ++k) {
+    const Eigen::Vector3d p = region.corner(k);
     u0 = std::min(u0, u.dot(p));
     u1 = std::max(u1, u.dot(p));
     v0 = std::min(v0, v.dot(p));

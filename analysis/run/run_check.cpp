@@ -116,16 +116,9 @@ Box box_of_rock(const RunData& run, const io::DumpFolder& dumps) {
 
 double longest_m(const Box& box) { return box.sides_m().maxCoeff(); }
 
-double distance_m(const Box& a, const Box& b) {
-  return (a.min_m - b.max_m).cwiseMax(b.min_m - a.max_m).cwiseMax(0).norm();
-}
-
 Box placed(const Box& box, const Pose& X_WB) {
   Box out;
-  for (int k = 0; k < 8; ++k)
-    out.add(X_WB * Vector3d((k & 1) != 0 ? box.max_m.x() : box.min_m.x(),
-                            (k & 2) != 0 ? box.max_m.y() : box.min_m.y(),
-                            (k & 4) != 0 ? box.max_m.z() : box.min_m.z()));
+  for (int k = 0; k < Box::kCorners; ++k) out.add(X_WB * box.corner(k));
   return out;
 }
 
@@ -152,7 +145,7 @@ std::vector<Finding> check_dipper_is_among(const RunData& run, const io::DumpFol
                     mesh_m, room_m));
   double nearest_m = INFINITY, farthest_m = 0;
   for (const double t : dumps.time_s) {
-    const double d = distance_m(placed(mesh, run.dipper.at(t).X_WB), rock);
+    const double d = placed(mesh, run.dipper.at(t).X_WB).distance_m(rock);
     nearest_m = std::min(nearest_m, d);
     farthest_m = std::max(farthest_m, d);
   }

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..readings.curves import one_pass, read_signal
+from ..readings.lag import best_lag_s
 from ..readings.phases import find_terms
 from ..statistics.reference import drift_sigmas
 
@@ -21,7 +22,6 @@ DRAWS = 99
 MOST_TERMS = 3
 LEAST_GAIN = 0.10     # of the weighted square that is left, for one more term
 LEAST_EXPLAINED = 0.25  # of the residual's weighted square on the passes held out: less is no law
-LAGS_S = np.arange(-10.0, 10.01, 0.05)
 CONSTANT = "constant"
 
 # What may be in a law: the terms of drive_terms.hpp that it adds up, and how its number a is reported.
@@ -216,8 +216,8 @@ def _readings(model, channel, measured, before):
         crowd = first.signals["crowd_m"][inside]
 
         def read(m):  # at the same moments of the motion: passes may begin at another one of the cycle
-            off = [((read_signal(m, number, "crowd_m", t + lag) - crowd) ** 2).sum() for lag in LAGS_S]
-            return read_signal(m, number, channel, t + LAGS_S[int(np.argmin(off))])
+            lag = best_lag_s(lambda lag: ((read_signal(m, number, "crowd_m", t + lag) - crowd) ** 2).sum())
+            return read_signal(m, number, channel, t + lag)
 
         runs = np.array([read(m) for m in model.folders])
         seen = np.mean([read(m) for m in measured.trucks()], axis=0)

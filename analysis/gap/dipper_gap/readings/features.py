@@ -105,7 +105,8 @@ class FeatureMap:
             for index, found in enumerate(self.phases):
                 self._add_pass(index, found)
         self.faces = self._faces() if FACE in measured.channels else {}
-        self.cells = [cell for cell, _ in self._columns(measured.signals, self.masses(), self.faces, measured.signals)]
+        self.own = dict(self._columns(measured.signals, self.masses(), self.faces, measured.signals))  # {cell: number}
+        self.cells = list(self.own)
 
     def _faces(self):
         """{(pass index, after): (x, z)} in steps, of the passes that are surveyed before and after."""

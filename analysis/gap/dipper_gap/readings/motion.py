@@ -8,13 +8,13 @@ from dipper_run.findings import BadInput, Findings
 
 from .before import RATES
 from .channels import MOTION
+from .lag import best_lag_s
 from .number_table import read_table
 from .passes import NEED_PASSES
 from .phases import planned_passes
 
 COLUMNS = ("time_s", "hoist_m", "crowd_m", "swing_deg", "door_deg")
 DURATION = 0.25         # of a pass's: from so much on its duration is another
-LAGS_S = np.arange(-10.0, 10.01, 0.25)  # a mine's passes may begin at another moment of the cycle
 # Assumed: from so much on the drives do not do the same. Twice what a slow logger and an operator's hand leave.
 LARGEST_RMS = {"hoist_m": 0.5, "crowd_m": 0.3, "swing_rad": 0.1}
 MEASURED_ONE = "is its motion the measured one?"
@@ -67,8 +67,10 @@ def compare_motion(measured, plan):
                              for line in _of_readings(m.time_s, p, plan.step_s))
     names = [n for n in MOTION if n in first.signals]
     if names:
-        rms = min((_rms(first, passes, plan, names, lag) for lag in LAGS_S),
-                  key=lambda r: sum((r[n] / LARGEST_RMS[n]) ** 2 for n in names))
+        def misfit(lag):
+            return sum((x / LARGEST_RMS[n]) ** 2 for n, x in _rms(first, passes, plan, names, lag).items())
+
+        rms = _rms(first, passes, plan, names, best_lag_s(misfit))
         out += [f"{n} is {rms[n]:.2g} {n.rsplit('_', 1)[1]} (rms) off the case's motion: {MEASURED_ONE}"
                 for n in names if rms[n] > LARGEST_RMS[n]]
     return tuple(out)

@@ -53,28 +53,32 @@ def _moved_ends(fmap, driven):
     found = find_phases(np.concatenate([m.time_s + s for s in starts]), driven["crowd_m"].ravel(),
                         driven["swing_rad"].ravel(),
                         [(p.t_start_s + s, p.t_end_s + s) for s in starts for p in passes])
-    clean = {n: m.signals[n][None] for n in fmap.responses}
-    masses, index = fmap.masses()[None], {p.number: i for i, p in enumerate(passes)}
-    at = np.array([index[c.pass_number] for c in fmap.cells])
+    index = {p.number: i for i, p in enumerate(passes)}
+    names = [list(phases) for phases in fmap.phases]
+    nowhere = (np.nan, np.nan)
+    off = [{phase: np.array([copy.get(phase, nowhere)[1] for copy in found[i::len(passes)]]) - starts - end
+            for phase, (_, end) in phases.items()} for i, phases in enumerate(fmap.phases)]
     out = np.zeros((copies, len(fmap.cells)))
-    for phase in dict.fromkeys(name for phases in fmap.phases for name in phases):
-        ends = np.array([phases[phase][1] if phase in phases else np.nan for phases in fmap.phases])
-        seen = np.array([p[phase][1] if phase in p else np.nan for p in found]).reshape(copies, -1) - starts[:, None]
-        maps = [FeatureMap(m, list(index), [_with_end(p, phase, by) for p in fmap.phases])
-                for by in (-MOVED_S, MOVED_S)]
-        less, more = (dict(zip(f.cells, f(clean, masses)[0])) for f in maps)
-        slope = np.array([(more[c] - less[c]) / (2 * MOVED_S) if c in less and c in more and c.channel != TIME else 0.0
-                          for c in fmap.cells])
-        out += np.nan_to_num(seen - ends)[:, at] * slope
+    for first in (0, 1):  # every second end at once: no phase then has both of its ends moved
+        less, more = (FeatureMap(m, list(index), [_with_ends(p, first, by) for p in fmap.phases]).own
+                      for by in (-MOVED_S, MOVED_S))
+        for k, c in enumerate(fmap.cells):
+            i = index[c.pass_number]
+            if c.phase not in names[i] or c.channel == TIME or not (c in less and c in more):
+                continue
+            at = names[i].index(c.phase)
+            moved = at - (at - first) % 2  # its own end, or its start: the end of the one before
+            if moved >= 0:
+                out[:, k] += np.nan_to_num(off[i][names[i][moved]]) * (more[c] - less[c]) / (2 * MOVED_S)
     return out
 
 
-def _with_end(phases, phase, by):
-    """The phases of a pass with the end of one moved, where another follows and both are long enough."""
+def _with_ends(phases, first, by):
+    """The phases of a pass with every second end moved from the `first` on, where both that it parts are long enough."""
     out = dict(phases)
-    for a, b in pairwise(phases):
+    for a, b in list(pairwise(phases))[first::2]:
         (start, end), (begins, stop) = phases[a], phases[b]
-        if a == phase and min(end - start, stop - begins) > 2 * abs(by):
+        if min(end - start, stop - begins) > 2 * abs(by):
             out[a], out[b] = (start, end + by), (begins + by, stop)
     return out
 
@@ -94,7 +98,7 @@ def common_errors(folders, channels, pass_numbers):
         if FACE in measured.channels:
             moved.append((clean, masses, {at: (x, z + channels[FACE].common_sigma)
                                           for at, (x, z) in fmap.faces.items()}))
-        zero = fmap(clean, masses)[0]
+        zero = np.array(list(fmap.own.values()))
         shifts.append([fmap(*m)[0] - zero for m in moved])
     return np.mean(shifts, axis=0)
 
@@ -102,8 +106,7 @@ def common_errors(folders, channels, pass_numbers):
 def measured_features(measured, pass_numbers):
     """Features of the mine's own folder, as they are."""
     fmap = FeatureMap(measured, pass_numbers)
-    signals = {n: measured.signals[n][None] for n in fmap.responses}
-    return fmap.cells, fmap(signals, fmap.masses()[None])[0], fmap.durations
+    return fmap.cells, np.array(list(fmap.own.values())), fmap.durations
 
 
 def noise_covariance(runs, channels):
