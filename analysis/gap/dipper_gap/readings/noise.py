@@ -74,7 +74,7 @@ def _moved_ends(fmap, driven):
 
 
 def _with_ends(phases, first, by):
-    """The phases of a pass with every second end moved from the `first` on, where both that it parts are long enough."""
+    """The phases of a pass with every second end moved, from the `first` on, where both phases are long enough."""
     out = dict(phases)
     for a, b in list(pairwise(phases))[first::2]:
         (start, end), (begins, stop) = phases[a], phases[b]
