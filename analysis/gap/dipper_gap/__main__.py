@@ -130,6 +130,7 @@ def main(words=None):
             planned = forecast(channels, simulator, catalogue, first_seed, say)
             folder.mkdir(parents=True, exist_ok=True)
             write_forecast(planned, catalogue, folder / "plan.json")
+            say("gap: smallest strength that stands out; where effects look alike, its name may still stay open")
             for line in as_lines(planned, catalogue):
                 say(line)
             say(f"gap: {folder / 'plan.json'}")
