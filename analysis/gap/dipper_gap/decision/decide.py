@@ -108,10 +108,15 @@ def _rejected(lead, members, m, by_name):
         if n in members or (lead and m.presence(n) >= PROBABILITY):
             continue
         factor = m.log_bayes(lead, n) / np.log(10) if lead else None
-        reason = (f"in place of {lead} it is 10^{factor:.1f} times less likely" if lead
-                  else f"alone it explains the data 10^{_behind(m, n):.1f} times worse than the best")
+        reason = (f"in place of {lead} it is {_times(factor)} less likely" if lead
+                  else f"alone it explains the data {_times(_behind(m, n))} worse than the best")
         out.append((n, m.presence(n), reason))
     return tuple(out)
+
+
+def _times(power):
+    """A factor of 10 ** power to read."""
+    return "over a million times" if power > 6 else f"{10**power:,.{0 if power > 1 else 1}f} times"
 
 
 def _behind(m, name):
