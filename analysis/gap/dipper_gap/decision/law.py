@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..readings.curves import one_pass, read_signal
-from ..readings.lag import best_lag_s
+from ..readings.curves import one_pass, same_moments
 from ..readings.phases import find_terms
 from ..statistics.reference import drift_sigmas
 
@@ -215,9 +214,8 @@ def _readings(model, channel, measured, before):
         t = first.time_s[inside] - p.t_start_s
         crowd = first.signals["crowd_m"][inside]
 
-        def read(m):  # at the same moments of the motion: passes may begin at another one of the cycle
-            lag = best_lag_s(lambda lag: ((read_signal(m, number, "crowd_m", t + lag) - crowd) ** 2).sum())
-            return read_signal(m, number, channel, t + lag)
+        def read(m):
+            return np.interp(same_moments(m, number, t, crowd), m.time_s, m.signals[channel])
 
         runs = np.array([read(m) for m in model.folders])
         seen = np.mean([read(m) for m in measured.trucks()], axis=0)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .channels import MASS
+from .lag import best_lag_s
 from .phases import find_phases
 
 
@@ -31,7 +32,7 @@ class Mass:
 
 
 def curves(measured, before, after, numbers, held, share, reference=None):
-    """Curves of the response signals; simulated ones are read at the measured times within the pass.
+    """Curves of the response signals, all read where the first truck's motion is at its readings.
 
     `share`: variance of the mine's mean less the model's, in variances of a run. With a `reference` folder its trucks
     stand in the place of `before`, and `after` is what the runs make of them.
@@ -39,20 +40,24 @@ def curves(measured, before, after, numbers, held, share, reference=None):
     if not measured.responses():
         return []
     out = []
-    trucks = measured.trucks()
+    trucks, earlier = measured.trucks(), reference.trucks() if reference else ()
     time, driven = trucks[0].time_s, [trucks[0].signals[name] for name in ("crowd_m", "swing_rad")]
     passes = [one_pass(trucks[0], number) for number in numbers]
     found = find_phases(time, *driven, [(p.t_start_s, p.t_end_s) for p in passes])
     for number, mine, phases in zip(numbers, passes, found):
-        t = time[(time >= mine.t_start_s) & (time <= mine.t_end_s)] - mine.t_start_s
+        inside = (time >= mine.t_start_s) & (time <= mine.t_end_s)
+        t = time[inside] - mine.t_start_s
         phases = {name: (a - mine.t_start_s, b - mine.t_start_s) for name, (a, b) in phases.items()}
+        at = {id(m): same_moments(m, number, t, driven[0][inside]) for m in (*trucks, *before, *after, *earlier)}
         for channel in measured.responses():
-            seen = np.mean([read_signal(m, number, channel, t) for m in trucks], axis=0)
-            runs = np.array([read_signal(m, number, channel, t) for m in before])
-            new = np.mean([read_signal(m, number, channel, t) for m in after], axis=0) if after else None
+            def read(folders):
+                return np.array([np.interp(at[id(m)], m.time_s, m.signals[channel]) for m in folders])
+
+            seen, runs = read(trucks).mean(axis=0), read(before)
+            new = read(after).mean(axis=0) if after else None
             usual = runs.mean(axis=0)
             if reference:
-                then = np.mean([read_signal(m, number, channel, t) for m in reference.trucks()], axis=0)
+                then = read(earlier).mean(axis=0)
                 usual, new = then, None if new is None else new + then - usual
             out.append(Curve(number, number in held, channel, t, seen, usual,
                              runs.std(axis=0, ddof=1) * np.sqrt(share), new, phases))
@@ -82,5 +87,8 @@ def one_pass(m, number):
     return next(p for p in m.passes if p.number == number)
 
 
-def read_signal(m, number, channel, t):
-    return np.interp(t + one_pass(m, number).t_start_s, m.time_s, m.signals[channel])
+def same_moments(m, number, t, crowd):
+    """Times of a folder at which its crowd in a pass is where `crowd`, (T,) m, says, of another folder `t`, (T,) s,
+    since the pass began: passes may begin at another moment of the cycle."""
+    at = t + one_pass(m, number).t_start_s
+    return at + best_lag_s(lambda lag: ((np.interp(at + lag, m.time_s, m.signals["crowd_m"]) - crowd) ** 2).sum())
