@@ -66,12 +66,14 @@ void require_outputs(const MotionOptions& o, const cases::Case& c, const fs::pat
 
 std::string planned_rows(const MotionOptions& o, const cases::Case& c,
                          const machine::MachineData& data, const machine::ShovelKinematics& shovel,
-                         Reporter& reporter) {
+                         const fs::path& out, Reporter& reporter) {
   const fs::path file = plan_of(o, c);
   const machine::PlanFile plan =
       machine::read_plan(file, data, shovel, [&](const std::string& name, double heading_rad) {
-        return name == "pile" ? deck::bench_along_boom(c, heading_rad)
-                              : cases::read_outline(file.parent_path() / name);
+        if (name == "pile") return deck::bench_along_boom(c, heading_rad);
+        const fs::path section = file.parent_path() / name;
+        require_output(out, "--out", {section});
+        return cases::read_outline(section);
       });
   return fmt::format(
       "# {}\n# Made of {} by dipper motion.\n{}{}", plan.source, file.filename().string(),
@@ -117,7 +119,7 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
 
   std::string text;
   if (o.path.empty()) {
-    text = planned_rows(o, c, data, shovel, reporter);
+    text = planned_rows(o, c, data, shovel, out, reporter);
   } else {
     const machine::TimedPath path = machine::read_timed_path(o.path);
     report_times(path, reporter);

@@ -86,8 +86,11 @@ def run(args):
     out = args.out or args.case / "face.stl"
     if out.suffix.lower() not in (".stl", ".csv"):
         raise BadInput([f"--out: is '{out}'; a surface, FILE.stl, or a section, FILE.csv"])
-    check_not_over({"the scan": args.cloud}, [out, *map(out.with_suffix, (".png", ".txt"))])
+    outputs = [out, *map(out.with_suffix, (".png", ".txt"))]
+    check_not_over({"the scan": args.cloud}, outputs)
     values = read_case(args.case)
+    check_not_over({f"the case's {key}": args.case / file for key, file in values.items()
+                    if key != "pile.profile" and isinstance(file, str)}, outputs)
     made = survey(args.cloud, site_of(values, args), box_of(values, args.rear), args.rear is not None)
     said = words(made, args.cloud)
     print("\n".join(said), flush=True)

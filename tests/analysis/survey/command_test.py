@@ -85,6 +85,13 @@ def test_bad_input_writes_nothing(case, cloud, tmp_path, words, said):
     assert sorted(p for p in tmp_path.rglob("*")) == before
 
 
+def test_the_cases_other_files_are_not_overwritten(case, cloud):
+    before = (case / "motion.csv").read_bytes()
+    printed = dipper("survey", cloud, "--case", case, *AT, "--out", case / "motion.csv", status=2)
+    assert f"--out: {case / 'motion.csv'} is the case's machine.motion; choose another --out" in printed
+    assert (case / "motion.csv").read_bytes() == before
+
+
 @pytest.mark.parametrize("scan, out", [("mine.csv", "mine.csv"), ("mine.txt", "mine.stl")])
 def test_the_scan_is_not_overwritten(case, cloud, tmp_path, scan, out):
     shutil.copy(cloud, tmp_path / scan)

@@ -69,5 +69,18 @@ TEST(OutputFile, AMotionDoesNotReplaceItsPath) {
   EXPECT_EQ(test::read_text(path), before);
 }
 
+TEST(OutputFile, AMotionDoesNotReplaceASectionOfItsPlan) {
+  const test::Checkout scratch;
+  for (const char* name : {"plan.yaml", "face_2.csv", "face_3.csv"})
+    fs::copy_file(test::source() / "cases/aitik_coarse" / name, scratch.root / name);
+  const fs::path section = scratch.root / "face_2.csv";
+  const std::string before = test::read_text(section);
+  EXPECT_THAT(refused(add_motion_command,
+                      {"motion", scratch.folder().string(), "--plan",
+                       (scratch.root / "plan.yaml").string(), "--out", section.string()}),
+              HasSubstr("face_2.csv: --out: is an input"));
+  EXPECT_EQ(test::read_text(section), before);
+}
+
 }  // namespace
 }  // namespace dipper::cli
