@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..readings.curves import one_pass, same_moments
+from ..readings.curves import SameMoments, one_pass
 from ..readings.phases import find_terms
 from ..statistics.reference import drift_sigmas
 
@@ -84,8 +84,9 @@ def find_laws(model, baseline, holdout, measured, before=None, seed=0):
     """(Law, ...) of the forces that one explains better than chance, the best explained first."""
     rng, found = np.random.default_rng(seed), []
     share = baseline.share(baseline.seeds)
+    moments = [SameMoments(measured.trucks()[0], number) for number in model.passes]
     for channel in measured.responses():
-        r = _readings(model, channel, measured, before)
+        r = _readings(model, channel, measured, before, moments)
         held = np.isin(r.passes, holdout)
         weight = 1.0 / (r.chance.var(axis=0, ddof=1) * share + r.sigma**2)
         by_chance = [_no_law(r, share, rng) for _ in range(DRAWS)]
@@ -103,8 +104,9 @@ def rival_law(model, holdout, measured, before=None):
     None where there is none. Whether it is one by chance is for the passes held out to say."""
     folder, words, signals = model.folders[0], [], dict(model.folders[0].signals)
     columns = _columns(folder, [(p.t_start_s, p.t_end_s) for p in folder.passes])
+    moments = [SameMoments(measured.trucks()[0], number) for number in model.passes]
     for channel in measured.responses():
-        r = _readings(model, channel, measured, before)
+        r = _readings(model, channel, measured, before, moments)
         held = np.isin(r.passes, holdout)
         weight = 1.0 / (r.chance.var(axis=0, ddof=1) + r.sigma**2)
         _, chosen, _ = _search(r, r.residual, weight, held)
@@ -204,24 +206,16 @@ def _columns(m, spans):
     return np.column_stack([sum(f * values[:, names.index(t)] for t, f in TERMS[n][0].items()) for n in FORMS])
 
 
-def _readings(model, channel, measured, before):
+def _readings(model, channel, measured, before, moments):
     first, usual = measured.trucks()[0], before.trucks() if before else None
     terms, passes, residual, chance = [], [], [], []
     columns = _columns(first, [(p.t_start_s, p.t_end_s) for p in (one_pass(first, n) for n in model.passes)])
-    for number in model.passes:
-        p = one_pass(first, number)
-        inside = (first.time_s >= p.t_start_s) & (first.time_s <= p.t_end_s)
-        t = first.time_s[inside] - p.t_start_s
-        crowd = first.signals["crowd_m"][inside]
-
-        def read(m):
-            return np.interp(same_moments(m, number, t, crowd), m.time_s, m.signals[channel])
-
-        runs = np.array([read(m) for m in model.folders])
-        seen = np.mean([read(m) for m in measured.trucks()], axis=0)
-        then = np.mean([read(m) for m in usual], axis=0) if usual else runs.mean(axis=0)
-        terms.append(columns[inside])
-        passes += [number] * len(t)
+    for at in moments:
+        runs = at.read(model.folders, channel)
+        seen = at.read(measured.trucks(), channel).mean(axis=0)
+        then = (at.read(usual, channel) if usual else runs).mean(axis=0)
+        terms.append(columns[at.inside])
+        passes += [at.number] * len(at.time_s)
         residual.append(seen - then)
         chance.append(runs - runs.mean(axis=0))
     trucks = len(measured.trucks())

@@ -45,21 +45,16 @@ def curves(measured, before, after, numbers, held, share, reference=None):
     passes = [one_pass(trucks[0], number) for number in numbers]
     found = find_phases(time, *driven, [(p.t_start_s, p.t_end_s) for p in passes])
     for number, mine, phases in zip(numbers, passes, found):
-        inside = (time >= mine.t_start_s) & (time <= mine.t_end_s)
-        t = time[inside] - mine.t_start_s
+        moments = SameMoments(trucks[0], number)
         phases = {name: (a - mine.t_start_s, b - mine.t_start_s) for name, (a, b) in phases.items()}
-        at = {id(m): same_moments(m, number, t, driven[0][inside]) for m in (*trucks, *before, *after, *earlier)}
         for channel in measured.responses():
-            def read(folders):
-                return np.array([np.interp(at[id(m)], m.time_s, m.signals[channel]) for m in folders])
-
-            seen, runs = read(trucks).mean(axis=0), read(before)
-            new = read(after).mean(axis=0) if after else None
+            seen, runs = moments.read(trucks, channel).mean(axis=0), moments.read(before, channel)
+            new = moments.read(after, channel).mean(axis=0) if after else None
             usual = runs.mean(axis=0)
             if reference:
-                then = read(earlier).mean(axis=0)
+                then = moments.read(earlier, channel).mean(axis=0)
                 usual, new = then, None if new is None else new + then - usual
-            out.append(Curve(number, number in held, channel, t, seen, usual,
+            out.append(Curve(number, number in held, channel, moments.time_s, seen, usual,
                              runs.std(axis=0, ddof=1) * np.sqrt(share), new, phases))
     return out
 
@@ -87,8 +82,25 @@ def one_pass(m, number):
     return next(p for p in m.passes if p.number == number)
 
 
-def same_moments(m, number, t, crowd):
-    """Times of a folder at which its crowd in a pass is where `crowd`, (T,) m, says, of another folder `t`, (T,) s,
-    since the pass began: passes may begin at another moment of the cycle."""
-    at = t + one_pass(m, number).t_start_s
-    return at + best_lag_s(lambda lag: ((np.interp(at + lag, m.time_s, m.signals["crowd_m"]) - crowd) ** 2).sum())
+class SameMoments:
+    """Reads folders at the moments of the motion at which a first one is read in a pass: passes may begin at another
+    moment of the cycle. A folder's lag is looked for once."""
+
+    def __init__(self, first, number):
+        p = one_pass(first, number)
+        self.number = number
+        self.inside = (first.time_s >= p.t_start_s) & (first.time_s <= p.t_end_s)  # (all readings,)
+        self.time_s = first.time_s[self.inside] - p.t_start_s                       # (T,) since the pass began
+        self._crowd = first.signals["crowd_m"][self.inside]
+        self._known = {}  # by the folder's identity; the folder itself, too, so that it is not another's
+
+    def read(self, folders, channel):
+        """(folders, T) of a channel."""
+        return np.array([np.interp(self._times(m), m.time_s, m.signals[channel]) for m in folders])
+
+    def _times(self, m):
+        if id(m) not in self._known:
+            at, crowd = self.time_s + one_pass(m, self.number).t_start_s, m.signals["crowd_m"]
+            lag = best_lag_s(lambda lag: ((np.interp(at + lag, m.time_s, crowd) - self._crowd) ** 2).sum())
+            self._known[id(m)] = m, at + lag
+        return self._known[id(m)][1]
