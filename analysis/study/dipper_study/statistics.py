@@ -2,7 +2,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import stats
+from scipy.special import stdtr, stdtrit
 
 LEVEL = 0.9  # of every interval
 
@@ -23,7 +23,7 @@ def summary(values):
     n = len(x)
     if n < 2:
         return Summary(n, float(x[0]) if n else np.nan, np.nan, np.nan, np.nan)
-    half = stats.t.ppf(0.5 + LEVEL / 2, n - 1) * x.std(ddof=1) / np.sqrt(n)
+    half = stdtrit(n - 1, 0.5 + LEVEL / 2) * x.std(ddof=1) / np.sqrt(n)
     return Summary(n, float(x.mean()), float(x.std(ddof=1)), float(x.mean() - half), float(x.mean() + half))
 
 
@@ -48,5 +48,5 @@ def compare(a, b):
         return Comparison(d, np.nan)
     error = d.sd / np.sqrt(d.n)
     # Without any spread the sign is known, and of no difference nothing is.
-    confidence = stats.t.cdf(abs(d.mean) / error, d.n - 1) if error else 1.0 if d.mean else 0.5
+    confidence = stdtr(d.n - 1, abs(d.mean) / error) if error else 1.0 if d.mean else 0.5
     return Comparison(d, float(confidence))
