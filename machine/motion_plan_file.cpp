@@ -36,7 +36,9 @@ class PlanReader {
     p.dig = move(y, "dig");
     p.swing_out = move(y, "swing_out");
     p.door_open = move(y, "door_open");
-    p.returns = y.find("back") != nullptr;
+    p.returns = false;
+    for (const char* key : {"back", "swing_back", "door_close", "lower_deg_m"})
+      p.returns = p.returns || y.find(key) != nullptr;
     if (p.returns) {
       p.back = move(y, "back");
       p.swing_back = move(y, "swing_back");

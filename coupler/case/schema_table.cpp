@@ -301,7 +301,7 @@ std::vector<KeySpec> make_schema() {
        "upper corner of the DEM box, in W", SLOT(c.domain.max_m)},
 
       {"dem.timestep_s", "s", up_to(0.1), {"auto"}, required, settling,
-       "DEM step, below the largest stable one, which `dipper check` prints; auto: 0.85 of it",
+       "DEM step, below the largest stable one, which `dipper check` prints; auto: 0.85 of it, to two digits",
        SLOT(c.dem.timestep_s)},
       {"dem.ranks", "", between(1, 4096), {}, optional, settling,
        "number of MPI processes; default 1", SLOT(c.dem.ranks)},

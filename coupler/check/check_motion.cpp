@@ -198,14 +198,18 @@ void check_windows(const cases::Case& c, std::int64_t start_ns, std::int64_t end
   }
   const double end_s = c.end_s > 0 ? c.end_s : seconds(end_ns);
   const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
-  if (window_s > end_s) {
+  if (end_s < c.dem.timestep_s) {
+    findings.push_back(cases::finding_at(
+        c, "end_s",
+        fmt::format("{:g} s is shorter than a DEM step, {:g} s", end_s, c.dem.timestep_s)));
+  } else if (window_s > end_s) {
     findings.push_back(cases::finding_at(
         c, "coupling.sync_steps",
         fmt::format(
             "a sync step of {} DEM steps takes {:g} s, longer than the {:g} s simulated; write at "
             "most {:.0f}",
             c.coupling.sync_steps, window_s, end_s,
-            std::max(1.0, std::floor(end_s / c.dem.timestep_s)))));
+            std::floor(end_s / c.dem.timestep_s))));
   }
 }
 

@@ -68,6 +68,14 @@ void warn_of_volume(const CaseParts& parts, std::vector<Finding>& warnings) {
     warnings.push_back({parts.c.machine.model, 0, "dipper.struck_volume",
                         fmt::format("is {:g} m3, but the YAML of the dipper's mesh says {:g}",
                                     of_machine_m3, given_m3)});
+  const Vector3d inside_m = parts.machine.dipper.inside, cavity_m = facts.cavity.sides_m();
+  if (((inside_m - cavity_m).array().abs() > kMuch * cavity_m.array()).any())
+    warnings.push_back(
+        {parts.c.machine.model, 0, "dipper.inside",
+         fmt::format("is {:g} x {:g} x {:g} m, but the cavity in the YAML of the dipper's mesh is "
+                     "{:g} x {:g} x {:g} m; the sweep of the teeth and planned digs use the former",
+                     inside_m.x(), inside_m.y(), inside_m.z(), cavity_m.x(), cavity_m.y(),
+                     cavity_m.z())});
   warn_of_cavity(parts.c, "dipper", box, facts.cavity, warnings);
 }
 

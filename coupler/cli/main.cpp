@@ -93,7 +93,7 @@ int command_line(std::vector<std::string> words, Reporter& reporter) {
   }
   const std::vector<Command> commands = add_commands(app, words, reporter);
   const auto asked = [&](const CLI::App* sub) { return sub->get_name() == words.front(); };
-  if (help && !begins_with(words.front(), "-") && app.get_subcommands(asked).empty()) {
+  if (!words.empty() && !begins_with(words.front(), "-") && app.get_subcommands(asked).empty()) {
     const std::string meant = guess(app, words);
     reporter.error(words.front() + " is not a command; " +
                    (meant.empty() ? "dipper help lists them" : "did you mean " + meant + "?"));

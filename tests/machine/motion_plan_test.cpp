@@ -144,6 +144,7 @@ TEST_F(PlanFileTest, EveryFaultIsNamed) {
   };
   expect(with("dig: [1, 20, 2]", "dig: [20, 1, 2]"), ":4: dig: must begin before it ends");
   expect(with("cycle_s: 40\n", ""), "cycle_s: missing key");
+  expect(with("back: [28, 39, 2]\n", ""), "back: missing key");
   expect(with("depth_m: 1,", "depth_m: -1,"), "passes.0.cut.depth_m: -1 is out of range");
   expect(with("face: pile", "face: wall.csv"), "passes.0.cut.face: wall.csv:3: is not a face");
   expect(with("lift_m: [[24, 11.5]", "lift_m: [[24]"), "lift_m.0: is a list; write [x, z] in m");

@@ -813,6 +813,12 @@ TEST(CheckCase, WindowLongerThanTheRun) {
         "50000"}});
 }
 
+TEST(CheckCase, EndBeforeTheFirstStep) {
+  Checkout checkout;
+  expect_findings(check(checkout, {{"end_s", "1e-5"}, {"dem.timestep_s", "1e-4"}}),
+                  {{"--set", 0, "end_s", "1e-05 s is shorter than a DEM step, 0.0001 s"}});
+}
+
 TEST(CheckCase, EndBeforeTheMotion) {
   Checkout checkout;
   const fs::path motion = checkout.folder() / "motion.csv";

@@ -80,7 +80,7 @@ TEST(Warnings, NumbersInAnotherUnit) {
   EXPECT_THAT(warnings_of(checkout, {{"machine.rake_angle_deg", "1.0786"}}),
               testing::Contains(HasSubstr("is the value in rad? write 61.8")));
   EXPECT_THAT(warnings_of(checkout, {{"coupling.sync_steps", "200"}}),
-              ElementsAre(HasSubstr("steps keep the coupling stable")));
+              ElementsAre(HasSubstr("which takes at most 33 steps")));
   EXPECT_THAT(warnings_of(checkout, {{"pile.width_m", "4"}}),
               ElementsAre(HasSubstr("narrower than the dipper")));
   EXPECT_THAT(warnings_of(checkout, {}, false),
@@ -246,6 +246,11 @@ TEST(Warnings, MassesThatNoBodyHas) {
               ElementsAre(HasSubstr("dipper.mass: 42 kg and an inertia of")));
   EXPECT_THAT(with_text(machine, "swing_inertia: {value: 6.0e7", "swing_inertia: {value: 6.0e4"),
               ElementsAre(HasSubstr("house.swing_inertia: 900000 kg and an inertia of 60000")));
+}
+
+TEST(Warnings, InsideOfAnotherDipper) {
+  EXPECT_THAT(with_text("mbs/bucyrus495.yaml", "[4.0, 4.0, 3.0]", "[4.0, 3.0, 3.0]"),
+              ElementsAre(HasSubstr("dipper.inside: is 4 x 3 x 3 m, but the cavity in the YAML")));
 }
 
 TEST(Warnings, AHandleWithItsMassOutsideIt) {

@@ -45,9 +45,10 @@ class Help(unittest.TestCase):
 
     def test_help_of_no_command_is_an_error(self):
         for word, said in (("rnu", "rnu is not a command; did you mean run?"), ("xyzzy", "dipper help lists them")):
-            asked = subprocess.run([DIPPER, "help", word], capture_output=True, text=True)
-            self.assertEqual((asked.returncode, asked.stdout), (2, ""))
-            self.assertIn(said, asked.stderr)
+            for words in (("help", word), (word, "case")):
+                asked = subprocess.run([DIPPER, *words], capture_output=True, text=True)
+                self.assertEqual((asked.returncode, asked.stdout), (2, ""))
+                self.assertIn(said, asked.stderr)
 
     def test_the_options_of_a_python_program_are_those_of_its_command(self):
         options = re.compile(r"--[\w-]+")
