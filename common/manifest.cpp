@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::size_t kDigits = 64;
 
+}  // namespace
+
 void sync(const fs::path& path) {
   const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) throw std::system_error(errno, std::generic_category(), path.string());
@@ -29,8 +31,6 @@ void sync(const fs::path& path) {
   if (failed != 0 && why != EINVAL)
     throw std::system_error(why, std::generic_category(), path.string());
 }
-
-}  // namespace
 
 void seal(const fs::path& folder) {
   std::vector<fs::path> parts;

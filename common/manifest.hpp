@@ -11,6 +11,9 @@ namespace dipper {
 /// In the format of sha256sum, so that `sha256sum -c` checks a folder by hand.
 inline constexpr const char* kManifest = "manifest.sha256";
 
+/// Writes what the system still holds of a file or folder to the disk. Throws std::system_error.
+void sync(const std::filesystem::path& path);
+
 /// Writes a manifest of all files in a folder and below, and syncs all of them to the disk: after a
 /// rename of the folder it exists whole or not at all, even after a power failure. A process killed
 /// meanwhile leaves no manifest. Throws std::runtime_error or std::system_error when it cannot be

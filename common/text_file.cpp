@@ -33,4 +33,10 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
                              ": cannot be written; is the disk full, or the folder not yours?");
 }
 
+void copy_contents(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const std::optional<std::string> bytes = read_bytes(from);
+  if (!bytes) throw std::runtime_error(from.string() + ": cannot be read");
+  write_text(to, *bytes);
+}
+
 }  // namespace dipper

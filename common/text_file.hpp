@@ -15,4 +15,8 @@ std::optional<std::string> read_bytes(const std::filesystem::path& file);
 /// cannot be written to the end; the old contents then remain.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
+/// Replaces the file `to` by a copy of `from`, without its permissions: the copy can be replaced
+/// again. Throws std::runtime_error naming the file that cannot be read or written.
+void copy_contents(const std::filesystem::path& from, const std::filesystem::path& to);
+
 }  // namespace dipper

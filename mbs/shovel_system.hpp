@@ -90,7 +90,6 @@ class ShovelSystem {
   std::array<Pose, kBodies> poses_in(double h);
 
   const ShovelLoadLaws& laws() const { return laws_; }
-  bool limited() const { return laws_.limited(); }
 
  private:
   struct Forces;

@@ -19,9 +19,9 @@ void for_each_sphere(const io::DumpFrame& frame, const Visit& visit) {
 }
 
 /// The highest top in each column of a coarse grid, to leave out rock deep below.
-class HeightGrid {
+class ColumnTops {
  public:
-  HeightGrid(const Footprint& f, double cell)
+  ColumnTops(const Footprint& f, double cell)
       : min_(f.min), cell_(std::max(cell, std::sqrt((f.max - f.min).prod() / kMostColumns))) {
     n_ = ((f.max - f.min) / cell_).array().ceil().cast<int>() + 1;
     top_.assign(static_cast<std::size_t>(n_.x()) * static_cast<std::size_t>(n_.y()), -1e300);
@@ -74,7 +74,7 @@ PileSurface pile_surface(const io::DumpFrame& frame, const rock::LoadRegions& re
     pile([&](const Vector3d&, double r) { largest = std::max(largest, r); });
   std::vector<Sphere> balls;
   if (largest > 0) {
-    HeightGrid tops(footprint, 2 * largest);
+    ColumnTops tops(footprint, 2 * largest);
     pile([&](const Vector3d& p, double r) { tops.of(p) = std::max(tops.of(p), p.z() + r); });
     pile([&](const Vector3d& p, double r) {
       if (p.z() + r > tops.of(p) - 6 * largest) balls.push_back({p, r});

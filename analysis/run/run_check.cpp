@@ -8,6 +8,7 @@
 #include "analysis/run/run_folder.hpp"
 #include "common/box.hpp"
 #include "common/input_error.hpp"
+#include "common/manifest.hpp"
 
 namespace dipper::analysis::run {
 namespace {
@@ -160,6 +161,13 @@ std::vector<Finding> check_dipper_is_among(const RunData& run, const io::DumpFol
   return {{given.mesh, 0, "",
            fmt::format("is {:.3g} m long, and all the rock {:.3g} m: in ft, perhaps?", mesh_m,
                        rock_m)}};
+}
+
+void keep_recorded(const RunData& run, io::DumpFolder& dumps) {
+  if (std::filesystem::exists(run.folder / kManifest)) return;
+  const double end_s = run.signals.pass.time_s.back() + dumps.timestep_s;
+  for (; dumps.frames.size() > 1 && dumps.time_s.back() > end_s; dumps.time_s.pop_back())
+    dumps.frames.pop_back();
 }
 
 void check_dumps_are_of(const RunData& run, const io::DumpFolder& dumps) {

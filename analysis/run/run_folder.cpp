@@ -57,23 +57,11 @@ void read_scales(RunData& run) {
     }
     run.struck_given_m3 =
         setup.value("struck_volume_m3", 0.0);  // 0: a run made before it was there
+    // Runs made before it was there have the heap's height more.
+    if (regions.dipper) regions.lip_x_m = setup.value("lip_x_m", regions.dipper->max_m.x());
   } catch (const json::exception& e) {
     throw io::input_error(file, 0, e.what());
   }
-}
-
-/// `variable NAME index VALUE` of a deck's case.in.
-std::map<std::string, std::string> deck_variables(const fs::path& file) {
-  std::map<std::string, std::string> values;
-  io::LineReader in(file);
-  std::string_view text;
-  while (in.next(text)) {
-    if (io::take_word(text) != "variable") continue;
-    const std::string name(io::take_word(text));
-    io::take_word(text);
-    values[name] = io::take_word(text);
-  }
-  return values;
 }
 
 /// What a report takes from summary.json has to be what a run writes.
@@ -100,27 +88,20 @@ mesh::TriangleMesh from_dump(const fs::path& file, const Pose& X_WB) {
   return mesh;
 }
 
-void read_meshes(RunData& run, const fs::path& deck) {
-  const auto variables = deck_variables(deck);
+void read_meshes(RunData& run) {
   std::vector<std::string> names = {"truck"};
   for (const auto& track : run.signals.walls) names.push_back(track.first);
   for (const std::string& name : names) {
-    const auto at = variables.find(name + "_mesh");
-    const fs::path file = at == variables.end() ? fs::path() : fs::path(at->second);
-    if (!file.empty() && fs::exists(file)) {
-      run.mesh_files[name] = file;
-      run.meshes[name] = mesh::read_stl(file);
+    const fs::path built = run.folder / "deck" / "walls" / (name + ".stl");
+    if (fs::exists(built)) {
+      run.meshes[name] = mesh::read_stl(built);
       continue;
     }
     const fs::path dump = run.folder / "dumps" / (name + "_0.vtk");
     const auto track = run.signals.walls.find(name);
     const Pose X_WB =
         track == run.signals.walls.end() ? run.regions.X_WT : track->second.at(0).X_WB;
-    const fs::path built = deck.parent_path() / "walls" / (name + ".stl");
-    if (fs::exists(dump))
-      run.meshes[name] = from_dump(dump, X_WB);
-    else if (fs::exists(built))  // a run without rock has no dumps
-      run.meshes[name] = mesh::read_stl(built);
+    if (fs::exists(dump)) run.meshes[name] = from_dump(dump, X_WB);
   }
 }
 
@@ -147,21 +128,6 @@ mesh::TriangleMesh vessel_of(const RunData& run) {
     vessel.add_loose(corners);
   }
   return vessel;
-}
-
-/// What the YAML file beside a dipper's mesh says of it.
-void read_beside(RunData& run, fs::path file) {
-  file.replace_extension(".yaml");
-  run.regions.lip_x_m = run.regions.dipper->max_m.x();
-  if (!fs::exists(file)) return;
-  std::vector<Finding> faults;
-  const YamlTree tree = read_yaml(file, faults);
-  YamlSection y(tree, "", faults);
-  if (y.find("struck_volume_m3") != nullptr)
-    run.struck_given_m3 = y.number("struck_volume_m3", "a number in m3");
-  if (y.find("heap_height_m") != nullptr)
-    run.regions.lip_x_m -= y.number("heap_height_m", "a number in m");
-  if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 }  // namespace
@@ -208,9 +174,8 @@ RunData read_run_folder(const fs::path& folder) {
       with_fines(pile, run.number("rock.fines_fraction"), std::max(0.0, 1 - pile / rock));
   read_scales(run);
   run.clumps = rock::read_clump_masses(folder / "deck" / "rocks.in");
-  read_meshes(run, folder / "deck" / "case.in");
+  read_meshes(run);
   if (run.is_shovel && run.meshes.count("dipper") != 0) run.vessel = vessel_of(run);
-  if (run.regions.dipper) read_beside(run, run.mesh_files["dipper"]);
   return run;
 }
 
@@ -230,7 +195,6 @@ RunData read_foreign_folder(const fs::path& folder, const std::optional<ForeignD
   run.folder = folder;
   if (!dipper) return run;
   run.meshes["dipper"] = run.vessel = read_sound_mesh(dipper->mesh);
-  run.mesh_files["dipper"] = dipper->mesh;
   run.dipper = read_poses(dipper->poses);
   return run;
 }

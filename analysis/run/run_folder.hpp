@@ -39,7 +39,6 @@ struct RunData {
   rock::LoadRegions regions;
   rock::PoseTrack dipper;                            ///< empty: not known
   std::map<std::string, mesh::TriangleMesh> meshes;  ///< in their own frames: dipper, door, truck
-  std::map<std::string, std::filesystem::path> mesh_files;
   mesh::TriangleMesh vessel;      ///< dipper with its door shut, in B
   double struck_given_m3 = 0;     ///< by the file beside the mesh; 0: not known
   double bulk_density_kg_m3 = 0;  ///< of the settled pile, from the case; 0: not known
@@ -66,6 +65,9 @@ RunData read_foreign_folder(const std::filesystem::path& folder,
 
 /// Poses from a CSV file with a header line. Throws InputError naming file and line.
 rock::PoseTrack read_poses(const std::filesystem::path& file);
+
+/// Of a run that was killed or is running: drops the frames that its record has not come to yet.
+void keep_recorded(const RunData& run, io::DumpFolder& dumps);
 
 /// Whether these dumps are of this run: the box is the case's domain, types are the case's classes,
 /// all rock weighs what the record says, walls are where the record has them. Throws InputError

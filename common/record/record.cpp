@@ -100,9 +100,17 @@ std::size_t Record::add(const std::string& name, const std::string& unit, const 
   Hdf5Handle dataset;
   if (resumed_) {
     dataset = dataset_of(H5Dopen2(handle_.id(), name.c_str(), H5P_DEFAULT));
+    if (!dataset) fail("continue dataset '" + name + "' in");
+    hsize_t held[2] = {0, 0};
     const hsize_t size[2] = {rows_, columns};
-    if (!dataset || H5Dset_extent(dataset.id(), size) < 0)
-      fail("continue dataset '" + name + "' in");
+    if (H5Sget_simple_extent_dims(space_of(H5Dget_space(dataset.id())).id(), held, nullptr) != rank)
+      fail("read the size of '" + name + "' in");
+    if (held[0] < rows_)  // to extend it would fill it with zeros
+      throw InputError({{file_, 0, name,
+                         "has " + std::to_string(held[0]) + " rows, the checkpoint " +
+                             std::to_string(rows_) + "; remove this checkpoint, to continue from "
+                             "the one before it"}});
+    if (H5Dset_extent(dataset.id(), size) < 0) fail("continue dataset '" + name + "' in");
   } else {
     const hsize_t size[2] = {0, columns};
     const hsize_t limit[2] = {H5S_UNLIMITED, columns};

@@ -72,13 +72,13 @@ int clean(const CleanOptions& o, Reporter& reporter) {
     const fs::path folder = cache ? cache_folder() : fs::path(place);
     FileLock writer(folder / "run.lock");
     const std::vector<Load> loads = cache ? of_cache() : load_of_run(folder);
-    if (!cache && !writer.try_lock())
+    if (o.yes && !cache && !writer.try_lock())
       throw InputError({{folder, 0, "", "a run is writing it; wait for its end"}});
     for (const Load& load : loads) {
       std::uintmax_t load_B = 0;
       for (const fs::path& path : load.paths) {
         FileLock maker(writers_lock(path));
-        if (cache && !maker.try_lock()) continue;  // another process is making it
+        if (o.yes && cache && !maker.try_lock()) continue;  // another process is making it
         load_B += size_B(path);
         if (o.yes) fs::remove_all(path);
       }

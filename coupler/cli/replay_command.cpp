@@ -57,6 +57,11 @@ int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
          "is limited: a changed machine moves differently, so the recorded rock forces "
          "do not apply; run the case instead"});
   }
+  if (findings.empty() && changed.machine.operated_by == cases::OperatorKind::plan) {
+    findings.push_back({o.folder, 0, "machine.operator",
+                        "is plan: the motion is not in the case, and with another machine it would "
+                        "be another; run the case instead"});
+  }
   if (findings.empty()) findings = weigh_changes(o.folder, changed, reporter);
   for (const Finding& f : findings) reporter.error(to_string(f));
   if (!findings.empty()) return 2;

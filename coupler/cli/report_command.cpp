@@ -99,9 +99,12 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
     refuse_what_would_be_lost(folder, options.folder);
     refuse_unfinished(options.folder);
     analysis::run::RunData run = open_folder(options);
-    const analysis::io::DumpFolder dumps =
+    analysis::io::DumpFolder dumps =
         analysis::io::open_dump_folder(options.folder, options.timestep_s);
-    if (run.is_run) analysis::run::check_dumps_are_of(run, dumps);
+    if (run.is_run) {
+      analysis::run::keep_recorded(run, dumps);
+      analysis::run::check_dumps_are_of(run, dumps);
+    }
     if (!run.is_run && !run.dipper.empty())
       for (const Finding& warning :
            analysis::run::check_dipper_is_among(run, dumps, {options.mesh, options.poses}))

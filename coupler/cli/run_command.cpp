@@ -63,11 +63,11 @@ double resumed_from_s(const result::RunFolder& folder, const cases::Case& c) {
   return last ? static_cast<double>(last->coupling.dem_step) * c.dem.timestep_s : 0;
 }
 
-// The settings of a run that are no keys of its case.
-constexpr const char* kMpirun = "mpirun";
-constexpr const char* kOperator = "operator";
-constexpr const char* kOperatorFolder = "operator_folder";
-constexpr const char* kOperatorTruth = "operator_truth";
+// The settings of a run that are no keys of its case, which has a section `operator`.
+constexpr const char* kMpirun = "--mpirun";
+constexpr const char* kOperator = "--operator";
+constexpr const char* kOperatorFolder = "--operator-folder";
+constexpr const char* kOperatorTruth = "--operator-truth";
 
 /// Such a setting: the value given, else the one kept, which is removed from the settings.
 std::string take(const char* name, const std::optional<std::string>& asked,

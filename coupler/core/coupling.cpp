@@ -29,7 +29,6 @@ Window Coupling::start() {
   Window w;
   w.rock = rock_.place(poses(machine_state_));
   w.machine = machine_state_;
-  w.V_WB_wall.resize(machine_state_.bodies.size());
   state_.held.assign(machine_state_.bodies.size(), Wrench{});
   state_.walls.clear();
   for (std::size_t b = 0; b < machine_state_.bodies.size(); ++b) {
@@ -78,12 +77,13 @@ Window Coupling::finish(std::int64_t n_next) {
     // The wall's twist is constant over the window, so mean wrench times twist times H is the
     // rock's work exactly. The machine's wrench is constant, so its work is wrench times
     // displacement (the error of the rotation vector is third order in the window's rotation).
-    w.V_WB_wall.push_back(twist_between(state_.walls[b].X_WB, w.rock.bodies[b].X_WB, H));
-    w.rock_work_J += power(felt[b], w.V_WB_wall[b]) * H;
+    // The constant twist of the wall.
+    const Twist V_WB = twist_between(state_.walls[b].X_WB, w.rock.bodies[b].X_WB, H);
+    w.rock_work_J += power(felt[b], V_WB) * H;
     w.machine_work_J += power(applied[b], twist_between(machine_state_.bodies[b].X_WB,
                                                         w.machine.bodies[b].X_WB, H)) *
                         H;
-    state_.walls[b] = {w.rock.bodies[b].X_WB, w.V_WB_wall[b], w.rock.bodies[b].end};
+    state_.walls[b] = {w.rock.bodies[b].X_WB, V_WB, w.rock.bodies[b].end};
   }
   state_.held = std::move(felt);
   state_.step_index = w.step_index;

@@ -349,7 +349,7 @@ void write_deck(const cases::Case& c, const fs::path& shapes, const fs::path& fo
     fs::create_directories(folder / "walls");
     const fs::path copy = folder / "walls" / (name + ".stl");
     if (mesh::is_plain_stl(mesh)) {
-      fs::copy_file(mesh, copy, fs::copy_options::overwrite_existing);
+      copy_contents(mesh, copy);
     } else {
       write_text(copy, mesh::to_stl(name, mesh::read_stl(mesh)));
     }

@@ -62,7 +62,7 @@ void write_scene(const cases::Case& c, const result::RunFolder& folder) {
   run::write_scales(folder,
                     sides::rock_setup(c, facts, folder.deck(), folder.dumps(), folder.logs(),
                                       fs::path(), std::nullopt),
-                    facts.dipper.struck_volume_m3);
+                    facts.dipper);
 }
 
 /// Steps to the end of the motion, or until interrupted. Whether the end is reached.

@@ -73,6 +73,7 @@ void write_observed(const analysis::signals::DriveSignals& plain,
   }
   fs::create_directories(out);
   const bool surveyed = write_profiles(run / "faces", drives, found, out);
+  if (!surveyed) fs::remove(out / "profile.csv");  // of an earlier observation
   write_text(out / "channels.yaml", std::string(kChannels) + (surveyed ? kFaceChannel : ""));
   write_text(out / "signals.csv", signals);
   write_text(out / "passes.csv", passes);

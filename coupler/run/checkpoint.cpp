@@ -19,12 +19,14 @@ using nlohmann::json;
 namespace {
 
 /// Checkpoint folders with that extension, oldest first; without an extension: the completed ones,
-/// valid or damaged.
+/// valid or damaged. Other folders are the user's.
 std::vector<fs::path> list(const fs::path& checkpoints, const std::string& extension = "") {
   std::vector<fs::path> found;
   if (!fs::exists(checkpoints)) return found;
   for (const auto& entry : fs::directory_iterator(checkpoints)) {
-    if (entry.is_directory() && entry.path().extension() == extension)
+    const std::string step = entry.path().stem().string();
+    if (entry.is_directory() && entry.path().extension() == extension &&
+        step.find_first_not_of("0123456789") == std::string::npos)
       found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());

@@ -21,6 +21,9 @@ HeightGrid bench_grid(const cases::Case& c) {
   return face_grid(pile.toe_x_m - kBeforeToe_m, pile.rear_x_m, -half, half);
 }
 
+/// Of a face: a resumed run compares it with the checkpoint's to the bit.
+double time_s(std::int64_t t_ns) { return static_cast<double>(t_ns) * 1e-9; }
+
 }  // namespace
 
 FaceSurvey::FaceSurvey(const cases::Case& c, const Sides& sides, std::filesystem::path folder,
@@ -33,8 +36,7 @@ FaceSurvey::FaceSurvey(const cases::Case& c, const Sides& sides, std::filesystem
       door_(core::channel_index(sides.machine_info, "door")) {
   if (from == nullptr) return;
   was_open_ = is_open(machine);
-  const double t_s = static_cast<double>(from->dem_step) * c.dem.timestep_s;
-  faces_ = result::keep_faces_until(folder_, t_s);
+  faces_ = result::keep_faces_until(folder_, time_s(machine.t_ns));
 }
 
 bool FaceSurvey::is_open(const core::MachineState& machine) const {
@@ -52,7 +54,7 @@ void FaceSurvey::window(const core::Window& w) {
 
 void FaceSurvey::look(std::int64_t t_ns) {
   nlohmann::json j = nlohmann::json::parse(to_json_text(sides_.rock.look(grid_)));
-  j["t_s"] = static_cast<double>(t_ns) * 1e-9;
+  j["t_s"] = time_s(t_ns);
   j["axis_m"] = {axis_x_m_, axis_y_m_};
   std::filesystem::create_directories(folder_);
   write_text(result::face_file(folder_, faces_++), j.dump() + '\n');

@@ -17,7 +17,10 @@ LoneMachine::LoneMachine(const setup::PeerConfig& config, const std::filesystem:
       machine_(link_) {}
 
 LoneMachine::~LoneMachine() {
-  machine_.stop();
+  try {
+    machine_.stop();
+  } catch (const transport::PeerError&) {  // it has ended already
+  }
   process_.wait(std::chrono::seconds(5));
   process_.end();
 }

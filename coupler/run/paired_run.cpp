@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <memory>
 #include <optional>
 
 #include "common/input_error.hpp"
+#include "common/record/record.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/result/observed.hpp"
 #include "coupler/result/summary.hpp"
@@ -27,6 +31,18 @@ const char* word(RunStatus status) {
   return "failed";
 }
 
+/// A path as a word of a shell's command.
+std::string shell_word(const std::filesystem::path& path) {
+  const std::string text = path.string();
+  if (std::all_of(text.begin(), text.end(), [](unsigned char letter) {
+        return std::isalnum(letter) != 0 || letter > 127 || std::strchr("/._-+", letter) != nullptr;
+      }))
+    return text;
+  std::string word = "'";
+  for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return word + "'";
+}
+
 double time_s(const core::CouplingState& at, const cases::Case& c) {
   return static_cast<double>(at.dem_step) * c.dem.timestep_s;
 }
@@ -41,15 +57,40 @@ std::string how_to_resume(const cases::Case& c, const result::RunFolder& folder)
   }
   if (!last) return "no checkpoint yet";
   return fmt::format("last checkpoint: {} (t = {:.3f} s); `dipper run {} --out {} --resume`",
-                     last->folder.string(), time_s(last->coupling, c), c.folder.string(),
-                     folder.root().string());
+                     last->folder.string(), time_s(last->coupling, c), shell_word(c.folder),
+                     shell_word(folder.root()));
+}
+
+/// Prepares a run without a checkpoint to begin again. Throws InputError where that would lose more
+/// than the way to a first checkpoint.
+void begin_again(const cases::Case& c, const result::RunFolder& folder, Reporter& reporter) {
+  double recorded_s = 0;
+  try {
+    const std::vector<double> t = record::read_channel(folder.record(), "time_s");
+    if (!t.empty()) recorded_s = t.back();
+  } catch (const InputError&) {  // killed before it was written
+  }
+  const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
+  const double every_s = c.output.checkpoint_every_s;
+  if (recorded_s > (every_s > 0 ? every_s + window_s : 0))
+    throw InputError({{folder.checkpoints(), 0, "",
+                       fmt::format("holds no checkpoint of this run, which came to t = {:.3f} s and "
+                                   "would begin again; run the case into another --out",
+                                   recorded_s)}});
+  reporter.line("no checkpoint yet: the run begins again");
+  for (const auto& left : {folder.dumps(), folder.faces(), folder.decisions()})
+    for (const auto& entry : std::filesystem::exists(left)
+                                 ? std::filesystem::directory_iterator(left)
+                                 : std::filesystem::directory_iterator())
+      std::filesystem::remove_all(entry.path());
 }
 
 /// Closes the session, then writes summary and observed signals from the closed record.
 void conclude(const cases::Case& c, const result::RunFolder& folder,
               std::unique_ptr<Session> session, RunStatus status, const std::string& failure,
               Reporter& reporter) {
-  result::RunFacts facts = session->close(status != RunStatus::failed);
+  const bool in_order = status != RunStatus::failed && launch::interrupts() < 2;
+  result::RunFacts facts = session->close(in_order);
   session.reset();
   facts.status = word(status);
   facts.failure = failure;
@@ -76,6 +117,7 @@ RunStatus paired_run(const cases::Case& c, const result::RunFolder& folder, bool
       return RunStatus::complete;
     }
   }
+  if (resume && !from) begin_again(c, folder, reporter);
   RunStatus status = RunStatus::failed;
   std::string failure;
   std::unique_ptr<Session> session;

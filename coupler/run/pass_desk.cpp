@@ -39,9 +39,10 @@ void each_number(Pass& p, Experience& e, F f) {
 }
 
 /// A factor after a pass that measured `ratio` times what it expected. One pass scatters by as much
-/// as passes differ, so half of the difference counts.
+/// as passes differ, so half of the difference counts. Below 0: a truck that lost rock, or a crowd
+/// that held back.
 double learned(double factor, double ratio, double least, double most) {
-  return std::clamp(factor * std::sqrt(ratio), least, most);
+  return std::clamp(factor * std::sqrt(std::max(ratio, 0.0)), least, most);
 }
 
 double rounded(double value, double step) { return std::round(value / step) * step + 0.0; }
@@ -103,9 +104,10 @@ PassDesk::PassDesk(const cases::Case& c, const Sides& sides, std::filesystem::pa
 
 void PassDesk::forget_later() const {
   namespace fs = std::filesystem;
+  if (finished_) return;  // its last decision says why
   for (int pass = passes_ + 1; fs::remove(folder_ / fmt::format("pass_{}.json", pass)); ++pass) {
   }
-  if (!finished_) fs::remove(folder_ / "end.json");
+  fs::remove(folder_ / "end.json");
 }
 
 json PassDesk::state() const {

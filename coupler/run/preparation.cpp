@@ -93,9 +93,10 @@ std::map<std::string, std::string> record_attributes(
 }
 
 void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
-                  double struck_volume_m3) {
-  const nlohmann::json kept = {{"scales", to_json(rock).at("scales")},
-                               {"struck_volume_m3", struck_volume_m3}};
+                  const cases::DipperFacts& dipper) {
+  nlohmann::json kept = {{"scales", to_json(rock).at("scales")},
+                         {"struck_volume_m3", dipper.struck_volume_m3}};
+  if (dipper.struck_volume_m3 > 0) kept["lip_x_m"] = dipper.cavity.max_m.x();
   write_text(folder.scales(), kept.dump() + "\n");
 }
 
@@ -141,7 +142,7 @@ sides::SidesSetup prepare(const cases::Case& c, const result::RunFolder& folder,
   setup.message_log = folder.root() / ("events" + setup.segment + ".lcmlog");
   setup.rock = sides::rock_setup(c, shovel, folder.deck(), folder.dumps(), folder.logs(), restart,
                                  from ? std::optional(wall_memory(from->coupling)) : std::nullopt);
-  write_scales(folder, setup.rock, shovel.dipper.struck_volume_m3);
+  write_scales(folder, setup.rock, shovel.dipper);
   setup.machine = sides::machine_setup(c, layers, program_drives);
   return setup;
 }

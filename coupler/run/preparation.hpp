@@ -8,6 +8,7 @@
 
 #include "common/reporter.hpp"
 #include "coupler/case/case.hpp"
+#include "coupler/case/mesh_facts.hpp"
 #include "coupler/operate/operated_machine.hpp"
 #include "coupler/result/run_folder.hpp"
 #include "coupler/run/checkpoint.hpp"
@@ -45,10 +46,10 @@ std::map<std::string, std::string> record_attributes(
     const std::optional<operate::Program>& program);
 
 /// Writes scales.json from dipper-dem's input, without the run's secret, which dem.json contains;
-/// and the dipper's struck volume, which its meshes alone do not give. Throws std::runtime_error
-/// naming the file.
+/// and, of a shovel, its dipper's struck volume and where its lip is, which its meshes alone do not
+/// give. Throws std::runtime_error naming the file.
 void write_scales(const result::RunFolder& folder, const setup::RockSetup& rock,
-                  double struck_volume_m3);
+                  const cases::DipperFacts& dipper);
 
 /// Writes deck and identity into the run's folder, finds the pile in the cache or settles it, and
 /// reports this. \param from  the checkpoint of a resumed run; none: a new run. \param places

@@ -8,6 +8,7 @@
 
 #include "common/input_error.hpp"
 #include "common/installation.hpp"
+#include "common/numbers.hpp"
 #include "common/temporary_folder.hpp"
 #include "coupler/launch/failure_message.hpp"
 #include "coupler/launch/mpirun.hpp"
@@ -72,8 +73,9 @@ std::vector<std::string> segments(const fs::path& run) {
     const std::string name = entry.path().stem().string();
     if (entry.path().extension() != ".lcmlog" || name.rfind("events", 0) != 0) continue;
     const std::string segment = name.substr(6);
-    if (segment.empty()) by_start[-1] = segment;
-    if (segment.size() > 1) by_start[std::stoll(segment.substr(1))] = segment;
+    std::int64_t start = -1;
+    if (segment.empty() || (segment[0] == '-' && parse_number(segment.substr(1), start)))
+      by_start[start] = segment;  // not a copy of the user's
   }
   std::vector<std::string> all;
   for (const auto& [start, segment] : by_start) all.push_back(segment);
@@ -109,12 +111,25 @@ void compare(const core::Body& now, const core::Body& before, ReplayResult& resu
 
 bool is_window(const Exchange& e) { return !std::holds_alternative<core::Command>(e.request.body); }
 
+/// Where a run was, and where its folder is now.
+struct Move {
+  std::string from, to;
+  std::string operator()(const std::string& path) const {
+    return path.rfind(from + "/", 0) == 0 ? to + path.substr(from.size()) : path;
+  }
+  void operator()(nlohmann::json& j) const {
+    if (j.is_string()) j = (*this)(j.get<std::string>());
+    if (j.is_structured())
+      for (auto& part : j) (*this)(part);
+  }
+};
+
 /// The request with its file names directed to `scratch`; a file that it reads is copied there.
-core::Body redirected(core::Body request, const fs::path& scratch) {
+core::Body redirected(core::Body request, const Move& moved, const fs::path& scratch) {
   auto* c = std::get_if<core::Command>(&request);
   if (c == nullptr || (c->action != core::Action::save && c->action != core::Action::load))
     return request;
-  const fs::path file = c->text;
+  const fs::path file = moved(c->text);
   c->text = (scratch / file.filename()).string();
   if (c->action == core::Action::load) {
     fs::copy_file(file, c->text, fs::copy_options::overwrite_existing);
@@ -129,6 +144,8 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
   const char* from = dem ? transport::Channels::from_dem : transport::Channels::from_mbs;
   const auto exchanges = read_log(run / ("events" + segment + ".lcmlog"), to, from);
   setup::PeerConfig config = setup::read_peer_config(run / "logs" / (side + segment + ".json"));
+  const Move moved{config.checkpoints.parent_path().string(), fs::absolute(run).string()};
+  moved(config.settings);
   const TemporaryFolder temporary("dipper-replay");
   const fs::path& scratch = temporary.path();
   int ranks = 1;
@@ -164,7 +181,7 @@ void replay_segment(const fs::path& run, const std::string& side, const std::str
       began = std::chrono::steady_clock::now();
       recorded_us = e.asked_us;
     }
-    const core::Body reply = link.ask(redirected(e.request.body, scratch),
+    const core::Body reply = link.ask(redirected(e.request.body, moved, scratch),
                                       e.request.envelope.step_index, e.request.envelope.t_ns);
     ++result.requests;
     if (!is_window(e)) continue;

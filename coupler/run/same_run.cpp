@@ -83,7 +83,7 @@ void write_identity(const fs::path& folder, const cases::Case& c) {
   write_text(folder / "case.txt", c.text);
   write_text(folder / "inputs.sha256", inputs);
   const auto keep = [&](const fs::path& file, const char* name) {
-    fs::copy_file(file, folder / name, fs::copy_options::overwrite_existing);
+    copy_contents(file, folder / name);
   };
   if (c.machine.kind == cases::MachineKind::poses) return keep(c.machine.poses, kPoses);
   keep(c.machine.motion, kMotion);

@@ -23,7 +23,8 @@ const core::Window& Stepper::start() {
 }
 
 std::int64_t Stepper::steps_from(std::int64_t dem_step) const {
-  return std::min(window_steps_, end_step_ - dem_step);
+  // After an end within a sync step, the next one is shorter.
+  return std::min(window_steps_ - dem_step % window_steps_, end_step_ - dem_step);
 }
 
 bool Stepper::at_end() const {

@@ -30,9 +30,6 @@ class Stepper {
   /// is reached.
   bool run(const std::function<bool()>& stop);
 
-  /// The last window; index 0 and no bodies before the first.
-  const core::Window& last() const { return last_; }
-
   /// Wall time from the start of `run` to the end of its last window [s].
   double wall_s() const { return wall_s_; }
 

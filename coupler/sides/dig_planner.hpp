@@ -13,7 +13,6 @@ machine::DigFacts dig_facts(const cases::Case& c);
 
 /// The input of a plan file. Throws InputError with every fault and its line, also where the file
 /// plans passes instead of giving candidates.
-/// in place of a choice.
 machine::DigPlanner dig_planner(const cases::Case& c, const std::filesystem::path& plan);
 
 }  // namespace dipper::sides

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <fstream>
 #include <lcm/lcm-cpp.hpp>
 
@@ -25,7 +27,7 @@ std::shared_ptr<lcm::LogFile> open_log(const std::filesystem::path& file) {
   return log;
 }
 
-void write(lcm::LogFile& log, transport::Packet packet) {
+void write(lcm::LogFile& log, const std::filesystem::path& file, transport::Packet packet) {
   lcm::LogEvent event;
   event.channel = packet.channel;
   event.timestamp = std::chrono::duration_cast<std::chrono::microseconds>(
@@ -33,7 +35,9 @@ void write(lcm::LogFile& log, transport::Packet packet) {
                         .count();
   event.data = packet.bytes.data();
   event.datalen = static_cast<std::int32_t>(packet.bytes.size());
-  if (log.writeEvent(&event) != 0) throw std::runtime_error("cannot write the LCM log");
+  errno = 0;
+  if (log.writeEvent(&event) != 0)
+    throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(errno));
 }
 
 }  // namespace
@@ -56,21 +60,22 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
                            {url, secret, identity, setup.checkpoints, to_json(setup.rock)});
   setup::write_peer_config(mbs_config,
                            {url, secret, identity, setup.checkpoints, to_json(setup.machine)});
+  std::filesystem::remove(setup.dem_screen);  // its errors would be taken for this start's
   dem_ = std::make_unique<launch::Process>(
       launch::mpirun(setup.rock.ranks, {installed_program("dipper-dem"), dem_config.string()},
                      setup.places),
-      setup.logs / "dem.log",
+      log_of("dem"),
       setup.logs);  // working folder: LIGGGHTS writes a restart file there when it is ended
   mbs_ = std::make_unique<launch::Process>(
       std::vector<std::string>{installed_program("dipper-mbs"), mbs_config.string()},
-      setup.logs / "mbs.log");
+      log_of("mbs"));
 
   transport::LinkOptions options;
   options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * setup.timeout_s));
   options.watch = [this] { watch(); };
   options.wants_end = [] { return launch::interrupts() > 0; };
-  options.record = [log = open_log(setup.message_log)](const transport::Packet& packet) {
-    write(*log, packet);
+  options.record = [this, log = open_log(setup.message_log)](const transport::Packet& packet) {
+    write(*log, setup_.message_log, packet);
   };
   options.starved = [this] { return std::chrono::duration<double>(dem_->starved_s()); };
   dem_link_ = std::make_unique<transport::Link>("dem", *from_dem_, transport::Channels::to_dem,
@@ -82,14 +87,18 @@ Sides::Sides(const SidesSetup& setup) : setup_(setup) {
   rock_ = std::make_unique<transport::RemoteRock>(*dem_link_);
 }
 
+std::filesystem::path Sides::log_of(const std::string& side) const {
+  return setup_.logs / (side + setup_.segment + ".log");
+}
+
 Sides::~Sides() = default;  // ends the processes
 
 void Sides::watch() {
   if (dem_->ended())
     throw transport::PeerError(
-        "dem", launch::failure_message(*dem_, setup_.logs / "dem.log", setup_.dem_screen));
+        "dem", launch::failure_message(*dem_, log_of("dem"), setup_.dem_screen));
   if (mbs_->ended())
-    throw transport::PeerError("mbs", launch::failure_message(*mbs_, setup_.logs / "mbs.log"));
+    throw transport::PeerError("mbs", launch::failure_message(*mbs_, log_of("mbs")));
   if (launch::interrupts() > 1) throw launch::Interrupted();
 }
 

@@ -51,6 +51,8 @@ class Sides {
 
  private:
   void watch();
+  /// What a side prints, in each segment of the run apart.
+  std::filesystem::path log_of(const std::string& side) const;
 
   SidesSetup setup_;
   std::unique_ptr<transport::Transport> from_dem_, from_mbs_;

@@ -91,6 +91,21 @@ TEST_F(RecordTest, AContinuedRecordIsCutBackToTheCheckpoint) {
   EXPECT_EQ(t[60], -1);
 }
 
+TEST_F(RecordTest, ARecordThatLacksRowsOfTheCheckpointIsNotFilledUp) {
+  {
+    Record r = Record::create(file_, {});
+    const auto t = r.add("time_s", "s", "-");
+    for (int i = 0; i < 50; ++i) {
+      r.put(t, i);
+      r.next();
+    }
+  }
+  Record r = Record::resume(file_, 60);
+  EXPECT_THAT([&] { r.add("time_s", "s", "-"); },
+              testing::ThrowsMessage<InputError>(testing::AllOf(
+                  testing::HasSubstr("time_s"), testing::HasSubstr("50 rows, the checkpoint 60"))));
+}
+
 TEST_F(RecordTest, AFullDiskIsAnErrorThatNamesTheFile) {
   // /dev/full refuses every write.
   try {

@@ -78,6 +78,17 @@ TEST_F(Checkpoints, TheNewestIsTaken) {
   EXPECT_EQ(last().second, "");
 }
 
+TEST_F(Checkpoints, AUsersFoldersAreNone) {
+  fs::copy(newest_, folder_ / "keep");
+  for (const char* name : {"zz", ".snapshot", "lost+found"}) fs::create_directory(folder_ / name);
+  EXPECT_EQ(last(), std::make_pair(std::int64_t{20}, std::string()));
+  Checkpoint c;
+  c.coupling.step_index = 30;
+  save_checkpoint(folder_, c, rock_, machine_);
+  EXPECT_TRUE(fs::exists(folder_ / "keep") && fs::exists(folder_ / "zz"));
+  EXPECT_FALSE(fs::exists(folder_ / "000000010"));
+}
+
 TEST_F(Checkpoints, AFlippedBitMakesItTheOneBefore) {
   for (const char* name : {"machine.state", "rock.restart", "coupling.json"}) {
     const fs::path file = newest_ / name;

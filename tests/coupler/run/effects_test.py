@@ -110,7 +110,7 @@ class OneOfYourOwn(RunTest):
         page = (ROOT / "docs/case.md").read_text()
         file = re.search(r"Save this as `cases/quick/(effects/(\w+)\.yaml)`:\n\n```yaml\n(.*?)```", page, re.S)
         command = re.search(r"dipper run cases/quick (--set \S+)", page[file.end():])
-        shown = re.search(r"grep (\w+) .*# (\S+) in place of (\S+)\n", page[file.end():])
+        shown = re.search(r"grep (?:\w+\.)?(\w+) .*# (\S+) in place of (\S+)\n", page[file.end():])
         case = self.folder / "case"
         (case / "effects").mkdir(parents=True)
         (case / file[1]).write_text(file[3])
@@ -124,7 +124,7 @@ class OneOfYourOwn(RunTest):
                                self.folder / "run"], capture_output=True, text=True, timeout=PATIENCE_S)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         text = (self.folder / "run/case.txt").read_text()
-        value = float(re.search(rf"^\S*{shown[1]}=(\S+)$", text, re.M)[1])
+        value = float(re.search(rf"^\S*\.{shown[1]}=(\S+)$", text, re.M)[1])
         self.assertAlmostEqual(value, float(shown[2]))
         self.assertIn(f"{shown[1]}: {shown[3]}", (case / "case.yaml").read_text())
         self.assertEqual(self.summary(self.folder / "run")["effects"], {file[2]: 0.2})

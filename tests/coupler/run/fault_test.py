@@ -164,6 +164,15 @@ class Faults(RunTest):
         with h5py.File(out / "record.h5") as f:
             self.assertEqual(len(f["time_s"]), steps // WINDOW + 1)
 
+    def test_a_killed_run_without_checkpoints_does_not_lose_its_record(self):
+        process, out = self.digging("bare", "--set", "output.checkpoint_every_s=0")
+        os.kill(self.pids(out, "dipper-dem")[0], signal.SIGKILL)
+        self.assert_ended(process, out, 3, "no checkpoint yet")
+        record = (out / "record.h5").read_bytes()
+        _, err = self.run_case(out, "--resume", status=2)
+        self.assertIn("holds no checkpoint of this run, which came to t = ", err)
+        self.assertEqual((out / "record.h5").read_bytes(), record)
+
     def test_a_liggghts_error_reaches_the_user_as_liggghts_wrote_it(self):
         cache = self.folder / "cache"
         os.environ["XDG_CACHE_HOME"] = str(cache)

@@ -58,7 +58,7 @@ class Operator(RunTest):
         self.assertGreater(moved, 0.5, "the motion's crowd goes out")
         self.assertLess(np.abs(one["crowd"] - one["sent_crowd"]).max(), 0.06, "in the air it is where it is sent")
         self.assertEqual(self.summary(first)["operator"], command)
-        self.assertIn("operator_folder=", (first / "settings.txt").read_text())
+        self.assertIn("--operator-folder=", (first / "settings.txt").read_text())
 
     def test_a_program_ends_the_run(self):
         text = FOLLOWER.read_text().replace("return dict", "return {'done': t_s > 0.95} | dict")

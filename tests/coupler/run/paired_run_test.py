@@ -158,6 +158,7 @@ class PairedRun(RunTest):
         self.assertEqual(both["dem"]["steps"], 7000)
         for side in ("dem", "mbs"):  # the second part, a sixth of the first, comes on top
             self.assertGreater(both[side]["cpu_s"], first[side]["cpu_s"])
+        parts = parts.rename(self.folder / "moved to")
         for side in ("dem", "mbs"):
             done = self.replay(parts, side)
             self.assertEqual(done.returncode, 0, done.stderr)

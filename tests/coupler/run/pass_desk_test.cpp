@@ -178,6 +178,8 @@ TEST_F(PassDeskTest, StopsWhenNoPassPays) {
   EXPECT_TRUE(machine.sent.empty());
   EXPECT_THAT(read("end.json").at("reason").get<std::string>(), HasSubstr("no dig pays"));
   EXPECT_TRUE(read("pass_1.json").at("chosen").is_null()) << "the face as seen is kept";
+  desk(one.state());
+  EXPECT_TRUE(fs::exists(folder() / "pass_1.json")) << "and by a run that is resumed at its end";
 }
 
 TEST_F(PassDeskTest, ExpectsTheRunsEndByTheTruckAndThePassesAllowed) {
@@ -245,6 +247,19 @@ TEST_F(PassDeskTest, LearnsFromAPassWhatTheNextNeeds) {
       read("pass_2.json").at("loaded").get<double>(),
       file.at("loaded").get<double>() * std::sqrt(50e3 / first.at("payload_kg").get<double>()),
       1e-3);
+}
+
+TEST_F(PassDeskTest, LearnsTheLeastFromATruckThatLostRockAndACrowdThatHeldBack) {
+  PassDesk one = desk();
+  one.window(at(0, 0, 5));
+  const json first = one.state();
+  const double from_s = first.at("rock_from_s"), to_s = first.at("rock_to_s");
+  int index = 1;
+  for (double t = from_s; t < to_s; t += 0.05) one.window(at(index++, t, 5, -0.7e6));
+  one.window(at(index, first.at("end_s").get<double>() + 0.01, 4.5));
+  EXPECT_EQ(read("pass_2.json").at("loaded"), 0.6);
+  EXPECT_EQ(read("pass_2.json").at("resistance"), 0.5);
+  EXPECT_FALSE(one.finished());
 }
 
 TEST_F(PassDeskTest, AScannersErrorsAreThoseOfTheSeedAndThePass) {

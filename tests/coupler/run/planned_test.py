@@ -59,6 +59,10 @@ class Planned(RunTest):
                                   timeout=PATIENCE_S)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("bit for bit", done.stdout)
+        done = subprocess.run([DIPPER, "replay", parts, "--side", "mbs", "--out", self.folder / "seen", "--set",
+                               "machine.drives=prescribed"], capture_output=True, text=True, timeout=PATIENCE_S)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("machine.operator: is plan", done.stderr)
 
 
 if __name__ == "__main__":

@@ -54,6 +54,17 @@ class Report(RunTest):
         np.testing.assert_allclose(phases["dig_force_mean_N"][-3:], force_N, rtol=0.01)
         self.assertEqual(read.summary["passes"][0]["phases"][-1]["dig_force_mean_N"], phases["dig_force_mean_N"][-1])
 
+    def test_a_killed_run_whose_record_is_behind_its_dumps(self):
+        run = self.folder / "run"
+        self.run_case(run, "--ranks", "1", "--set", "end_s=0.95")
+        for name in ("manifest.sha256", "summary.json"):
+            (run / name).unlink()
+        with h5py.File(run / "record.h5", "r+") as f:
+            rows = np.searchsorted(f["time_s"][:], 0.8)
+            f.visititems(lambda _, data: data.resize(rows, axis=0) if isinstance(data, h5py.Dataset) else None)
+        self.report(run)
+        self.assertAlmostEqual(float(self.read_csv(run / "report/frames.csv")[-1]["time_s"]), 0.6, delta=0.01)
+
     def check_masses(self, run, metrics):
         frames = metrics["frames"]
         with h5py.File(run / "record.h5", "r") as f:
@@ -91,6 +102,7 @@ class Report(RunTest):
         self.assertEqual((rows, spheres), (summary["coupling"]["syncs"] + 1, summary["dem"]["particles"]))
 
     def check_tables(self, run, metrics):
+        self.assertEqual(metrics["dipper"]["cavity"]["max_m"], [4.0, 2.0, 1.5], "up to the lip, without the heap")
         for name in ("frames", "phases", "pile", "sizes", "passes"):
             rows = self.read_csv(run / f"report/{name}.csv")
             table = metrics[name]

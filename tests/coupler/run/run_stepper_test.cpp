@@ -44,7 +44,14 @@ TEST_F(Stepping, CallsEveryObserverForEveryWindowAndOfTheEnd) {
   EXPECT_TRUE(stepper.run([] { return false; }));
   EXPECT_THAT(pages, ElementsAre("a0", "b0", "a1", "b1", "a2", "b2", "a3", "b3", "a end", "b end"));
   EXPECT_EQ(coupling.state().dem_step, 10);  // the last window is the shorter one
-  EXPECT_EQ(stepper.last().step_index, 3);
+}
+
+TEST_F(Stepping, AfterAnEndWithinAWindowTheNextEndsWhereItWouldHave) {
+  stepper.start();
+  stepper.run([] { return false; });  // to 10, within the third window
+  Stepper longer{coupling, 4, 20};
+  longer.run([this] { return coupling.state().dem_step == 12; });
+  EXPECT_EQ(coupling.state().dem_step, 12);
 }
 
 TEST_F(Stepping, StopsBetweenWindowsAndEndsInOrder) {
