@@ -39,8 +39,8 @@ struct RunData {
   rock::LoadRegions regions;
   rock::PoseTrack dipper;                            ///< empty: not known
   std::map<std::string, mesh::TriangleMesh> meshes;  ///< in their own frames: dipper, door, truck
-  mesh::TriangleMesh vessel;      ///< dipper with its door shut, in B
-  double struck_given_m3 = 0;     ///< by the file beside the mesh; 0: not known
+  mesh::TriangleMesh vessel;                         ///< dipper with its door shut, in B
+  double struck_given_m3 = 0;                        ///< by the file beside the mesh; 0: not known
   double bulk_density_kg_m3 = 0;  ///< of the settled pile, from the case; 0: not known
 
   /// A number of the case: throws InputError naming a key that it lacks. Or a text without its

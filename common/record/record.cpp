@@ -106,10 +106,11 @@ std::size_t Record::add(const std::string& name, const std::string& unit, const 
     if (H5Sget_simple_extent_dims(space_of(H5Dget_space(dataset.id())).id(), held, nullptr) != rank)
       fail("read the size of '" + name + "' in");
     if (held[0] < rows_)  // to extend it would fill it with zeros
-      throw InputError({{file_, 0, name,
-                         "has " + std::to_string(held[0]) + " rows, the checkpoint " +
-                             std::to_string(rows_) + "; remove this checkpoint, to continue from "
-                             "the one before it"}});
+      throw InputError(
+          {{file_, 0, name,
+            "has " + std::to_string(held[0]) + " rows, the checkpoint " + std::to_string(rows_) +
+                "; remove this checkpoint, to continue from "
+                "the one before it"}});
     if (H5Dset_extent(dataset.id(), size) < 0) fail("continue dataset '" + name + "' in");
   } else {
     const hsize_t size[2] = {0, columns};

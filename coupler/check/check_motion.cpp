@@ -208,8 +208,7 @@ void check_windows(const cases::Case& c, std::int64_t start_ns, std::int64_t end
         fmt::format(
             "a sync step of {} DEM steps takes {:g} s, longer than the {:g} s simulated; write at "
             "most {:.0f}",
-            c.coupling.sync_steps, window_s, end_s,
-            std::floor(end_s / c.dem.timestep_s))));
+            c.coupling.sync_steps, window_s, end_s, std::floor(end_s / c.dem.timestep_s))));
   }
 }
 

@@ -130,9 +130,10 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
   reporter.line(c.name + " is sound: " + summary(c));
   const bool plans = c.machine.operated_by == cases::OperatorKind::plan && c.op.passes > 1;
   reporter.line(to_string(cost_estimate(c)) +
-                (plans ? fmt::format("; of the motion's one pass, where the operator makes up to {}",
-                                     c.op.passes)
-                       : ""));
+                (plans
+                     ? fmt::format("; of the motion's one pass, where the operator makes up to {}",
+                                   c.op.passes)
+                     : ""));
   if (c.machine.kind == cases::MachineKind::shovel) report_digs(c, reporter);
   for (const Finding& warning : warnings(c)) reporter.line("warning: " + to_string(warning));
   return c;

@@ -155,7 +155,8 @@ Command add_motion_command(CLI::App& app, Reporter& reporter) {
       "  dipper motion cases/aitik\n  dipper motion cases/quick docs/data/path.csv --out mine.csv");
   sub->add_option("CASE", o->folder, "a folder with a case.yaml")->required();
   auto* path = sub->add_option("PATH", o->path, "CSV of points of the teeth with speeds");
-  sub->add_option("--plan", o->plan, "the plan (default: machine.plan, else plan.yaml in the case's folder)")
+  sub->add_option("--plan", o->plan,
+                  "the plan (default: machine.plan, else plan.yaml in the case's folder)")
       ->excludes(path);
   sub->add_option("--out", o->out, "the file to write (default: the case's machine.motion)");
   sub->add_option("--page", o->page, "the page (default: NAME-motion.html)");

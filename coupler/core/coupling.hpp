@@ -16,11 +16,11 @@ enum class Scheme {
 
 /// The result of one window.
 struct Window {
-  std::int64_t step_index = 0;   ///< windows completed, this one included; 0: the start
-  MachineState machine;          ///< at the window's end, after its correction
-  RockState rock;                ///< at the window's end
-  double rock_work_J = 0;        ///< by the rock on the walls, by the rock side's wrench
-  double machine_work_J = 0;     ///< by the held wrench on the machine's bodies
+  std::int64_t step_index = 0;  ///< windows completed, this one included; 0: the start
+  MachineState machine;         ///< at the window's end, after its correction
+  RockState rock;               ///< at the window's end
+  double rock_work_J = 0;       ///< by the rock on the walls, by the rock side's wrench
+  double machine_work_J = 0;    ///< by the held wrench on the machine's bodies
 };
 
 /// A wall at the end of a window.

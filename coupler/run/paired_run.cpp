@@ -73,10 +73,11 @@ void begin_again(const cases::Case& c, const result::RunFolder& folder, Reporter
   const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
   const double every_s = c.output.checkpoint_every_s;
   if (recorded_s > (every_s > 0 ? every_s + window_s : 0))
-    throw InputError({{folder.checkpoints(), 0, "",
-                       fmt::format("holds no checkpoint of this run, which came to t = {:.3f} s and "
-                                   "would begin again; run the case into another --out",
-                                   recorded_s)}});
+    throw InputError(
+        {{folder.checkpoints(), 0, "",
+          fmt::format("holds no checkpoint of this run, which came to t = {:.3f} s and "
+                      "would begin again; run the case into another --out",
+                      recorded_s)}});
   reporter.line("no checkpoint yet: the run begins again");
   for (const auto& left : {folder.dumps(), folder.faces(), folder.decisions()})
     for (const auto& entry : std::filesystem::exists(left)

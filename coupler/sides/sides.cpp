@@ -95,8 +95,8 @@ Sides::~Sides() = default;  // ends the processes
 
 void Sides::watch() {
   if (dem_->ended())
-    throw transport::PeerError(
-        "dem", launch::failure_message(*dem_, log_of("dem"), setup_.dem_screen));
+    throw transport::PeerError("dem",
+                               launch::failure_message(*dem_, log_of("dem"), setup_.dem_screen));
   if (mbs_->ended())
     throw transport::PeerError("mbs", launch::failure_message(*mbs_, log_of("mbs")));
   if (launch::interrupts() > 1) throw launch::Interrupted();
