@@ -66,13 +66,14 @@ void require_outputs(const MotionOptions& o, const cases::Case& c, const fs::pat
 
 std::string planned_rows(const MotionOptions& o, const cases::Case& c,
                          const machine::MachineData& data, const machine::ShovelKinematics& shovel,
-                         const fs::path& out, Reporter& reporter) {
+                         const fs::path& out, const fs::path& page, Reporter& reporter) {
   const fs::path file = plan_of(o, c);
   const machine::PlanFile plan =
       machine::read_plan(file, data, shovel, [&](const std::string& name, double heading_rad) {
         if (name == "pile") return deck::bench_along_boom(c, heading_rad);
         const fs::path section = file.parent_path() / name;
         require_output(out, "--out", {section});
+        require_output(page, "--page", {section});
         return cases::read_outline(section);
       });
   return fmt::format(
@@ -119,7 +120,7 @@ int motion_command(const MotionOptions& o, Reporter& reporter) {
 
   std::string text;
   if (o.path.empty()) {
-    text = planned_rows(o, c, data, shovel, out, reporter);
+    text = planned_rows(o, c, data, shovel, out, page, reporter);
   } else {
     const machine::TimedPath path = machine::read_timed_path(o.path);
     report_times(path, reporter);

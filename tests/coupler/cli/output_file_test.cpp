@@ -75,10 +75,11 @@ TEST(OutputFile, AMotionDoesNotReplaceASectionOfItsPlan) {
     fs::copy_file(test::source() / "cases/aitik_coarse" / name, scratch.root / name);
   const fs::path section = scratch.root / "face_2.csv";
   const std::string before = test::read_text(section);
-  EXPECT_THAT(refused(add_motion_command,
-                      {"motion", scratch.folder().string(), "--plan",
-                       (scratch.root / "plan.yaml").string(), "--out", section.string()}),
-              HasSubstr("face_2.csv: --out: is an input"));
+  for (const std::string option : {"--out", "--page"})
+    EXPECT_THAT(refused(add_motion_command,
+                        {"motion", scratch.folder().string(), "--plan",
+                         (scratch.root / "plan.yaml").string(), option, section.string()}),
+                HasSubstr("face_2.csv: " + option + ": is an input"));
   EXPECT_EQ(test::read_text(section), before);
 }
 
