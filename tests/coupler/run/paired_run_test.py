@@ -226,6 +226,7 @@ class PairedRun(RunTest):
         self.assertEqual(self.summary(run)["passes"][0]["payload_kg"],
                          self.summary(worn)["passes"][0]["payload_kg"])
         plain = self.observed("observe", run)
+        (self.folder / "observed/profile.csv").write_text("pass,x_m,z_m,after\n")  # of an earlier run with a dump
         again = self.observed("replay", run, "--side", "mbs")
         np.testing.assert_allclose(again, plain, rtol=0, atol=1e-6)
         replayed = self.observed("replay", run, "--side", "mbs", "--set", "effects.crowd_friction=100")
@@ -233,8 +234,9 @@ class PairedRun(RunTest):
         # The crowd moves out from 1 s on; its force is 100 kN more, the hoist's the same.
         np.testing.assert_allclose(replayed[5:, 5] - plain[5:, 5], 100, atol=0.5)
         np.testing.assert_allclose(replayed[:, 4], plain[:, 4], rtol=1e-9)
-        files = {p.name for p in (run / "observed").iterdir()}
-        self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})  # no pass has dumped: no sections
+        for place in (run / "observed", self.folder / "observed"):
+            files = {p.name for p in place.iterdir()}
+            self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})  # no pass has dumped: no sections
         face = json.loads((run / "faces" / "face_0.json").read_text())
         self.assertEqual((face["t_s"], face["axis_m"]), (0, [0, 0]))
         heights = np.array(face["z_cm"]).reshape(face["nx"], face["ny"]) / 100
