@@ -9,13 +9,10 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-import yaml
-
 from dipper_run import run_cache
-from dipper_run.findings import BadInput, Findings
+from dipper_run.findings import BadInput
 from dipper_run.out_folder import check_writable, make_cache, out_folder
-from dipper_run.program import ProgramFailed, program
-from dipper_run.text_file import read_text
+from dipper_run.program import ProgramFailed, check_json, program
 
 from .answer import write_answer
 from .forecast import as_lines, forecast, write_forecast
@@ -43,18 +40,16 @@ def arguments(words):
     return parser.parse_args(words)
 
 
-def read_case(folder):
-    """What case.yaml holds; the program has checked it."""
-    found = Findings()
-    text = read_text(folder / "case.yaml", found)
-    found.raise_if_any()
-    data = yaml.safe_load(text)
-    if data.get("effects"):
-        raise BadInput([f"{folder / 'case.yaml'}: effects: the case has some already; give the case without them"])
-    if data.get("machine", {}).get("operator") == "plan":
-        raise BadInput([f"{folder / 'case.yaml'}: machine.operator: is plan, so each run digs where its operator "
-                        "chooses; give the case the measured motion, and motion here"])
-    return data
+def read_values(case):
+    """{key: value} of a sound case, with what it includes; throws BadInput where it cannot be analysed."""
+    told, file = check_json(case), case / "case.yaml"
+    if told["effects"]:
+        raise BadInput([f"{file}: effects: the case has some already ({', '.join(told['effects'])}); give the case "
+                        "without them"])
+    if told["values"]["machine.operator"] == "plan":
+        raise BadInput([f"{file}: machine.operator: is plan, so each run digs where its operator chooses; give the "
+                        "case the measured motion, and motion here"])
+    return told["values"]
 
 
 def usable(catalogue, simulator):
@@ -105,9 +100,9 @@ def main(words=None):
         print(bad, file=sys.stderr)
         return 2
     try:
-        data = read_case(args.case)
+        values = read_values(args.case)
         catalogue = read_catalogue(args.case)
-        measured, before = (None, None) if args.plan else readings(args, data)
+        measured, before = (None, None) if args.plan else readings(args, values)
         channels = planned_channels(args) if args.plan else {}
         fidelity = usable_fidelity(args.case, bool(before))
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
@@ -118,7 +113,7 @@ def main(words=None):
         return 2
     for number in (signal.SIGINT, signal.SIGTERM):  # also where the shell has them ignored, as after nohup &
         signal.signal(number, signal.default_int_handler)
-    first_seed = int(data.get("seed", 1))
+    first_seed = values["seed"]
     try:
         simulator = DipperSimulator(args.case, catalogue, program(), run_cache.cache_folder("gap"), args.jobs)
         catalogue, left_out = usable(catalogue, simulator)
@@ -151,7 +146,7 @@ def main(words=None):
     return 0
 
 
-def readings(args, data):
+def readings(args, values):
     """The mine's folder, and that of its earlier trucks or None; asks what is doubtful, throws BadInput."""
     if not args.measured:
         raise BadInput(["--measured: not given; a folder with channels.yaml and passes.csv, or --plan for what such "
@@ -161,7 +156,7 @@ def readings(args, data):
         raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; "
                         "masses alone are seldom enough to name an effect: give a force, or ask for that with "
                         "--masses-only"])
-    questions = [*measured.questions(), *compare_motion(measured, read_motion(args.case, data))]
+    questions = [*measured.questions(), *compare_motion(measured, read_motion(args.case, values))]
     before = read_measured(args.reference, NEED_PASSES) if args.reference else None
     if before:
         questions += check_reference(measured, before)

@@ -16,15 +16,18 @@ from dipper_run.program import program
 ANALYSIS = Path(__file__).resolve().parents[3] / "analysis"
 SLOW = """#!/usr/bin/python3
 import os, pathlib, sys, time
-if sys.argv[1] in ("effects", "phases"): os.execv("REAL", sys.argv)
-if "--json" in sys.argv:
-    print('{"case_hash": "c", "source_hash": "s", "cost": {"settle_cpu_s": 1, "dig_cpu_s": 4}}')
+if sys.argv[1] in ("check", "effects", "phases") and "--set" not in sys.argv: os.execv("REAL", sys.argv)
 if sys.argv[1] == "run":
     folder = pathlib.Path(__file__).parent / "started"
     folder.mkdir(exist_ok=True)
-    (folder / str(time.monotonic_ns())).touch()
+    (folder / str(time.monotonic_ns())).write_text(sys.argv[sys.argv.index("--seed") + 1])
     try: time.sleep(60)
     except KeyboardInterrupt: sys.exit(4)
+"""
+CASE = f"""format: 1
+title: the mine
+include: {ANALYSIS.parent}/cases/screening/case.yaml
+machine: {{motion: motion.csv}}
 """
 
 
@@ -34,7 +37,7 @@ def words(tmp_path):
     slow.write_text(SLOW.replace("REAL", program()))
     slow.chmod(0o755)
     (tmp_path / "case").mkdir()
-    (tmp_path / "case" / "case.yaml").write_text("seed: 1\nmachine: {motion: motion.csv}\n")
+    (tmp_path / "case" / "case.yaml").write_text(CASE)
     shutil.copy(synthetic.MOTION, tmp_path / "case/motion.csv")
     write_measured(synthetic.with_noise(synthetic.run({}, seed=1), 1), tmp_path / "mine")
     return [sys.executable, "-B", "-m", "dipper_gap", str(tmp_path / "case"), "--measured", str(tmp_path / "mine"),
@@ -113,7 +116,7 @@ def test_a_case_that_is_no_utf8_is_reported_with_its_line(words, tmp_path):
     case.write_bytes(case.read_bytes() + b"title: caf\xe9\n")
     gap = start(words, tmp_path)
     _, err = gap.communicate(timeout=60)
-    assert gap.returncode == 2 and f"{case}:3: encoding: byte 0xE9 is not UTF-8" in err and "Traceback" not in err
+    assert gap.returncode == 2 and f"{case}:5: holds a byte that is not UTF-8" in err and "Traceback" not in err
 
 
 def test_an_out_that_is_a_file_starts_nothing(words, tmp_path):
@@ -171,8 +174,40 @@ def test_masses_alone_are_refused_before_a_run_unless_asked_for(words, tmp_path)
     assert gap.returncode == 4
 
 
+def with_base(folder, *lines):
+    """The case, with these lines in a file between it and the one it includes."""
+    (folder / "case/base.yaml").write_text("\n".join((*CASE.splitlines()[:3], "machine: {motion: motion.csv}", *lines)))
+    (folder / "case/case.yaml").write_text("format: 1\ntitle: the mine\ninclude: base.yaml\n")
+
+
+@pytest.mark.parametrize("line, said", [
+    ("effects: {fines: 0.1}", "case.yaml: effects: the case has some already (fines)"),
+    ("observation: {rate_Hz: 5}", "a reading every 1 s, and the case's every 0.2 s")])
+def test_what_a_case_includes_is_seen(words, tmp_path, line, said):
+    with_base(tmp_path, line)
+    (tmp_path / "file").write_text("in the way")
+    gap = start([*words, "--out", str(tmp_path / "file")], tmp_path)
+    out, err = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and said in out + err and "Traceback" not in err
+    assert not (tmp_path / "started").exists()
+
+
+def test_the_seed_and_motion_of_what_a_case_includes_are_taken(words, tmp_path):
+    with_base(tmp_path, "seed: 5")
+    shutil.move(tmp_path / "case/base.yaml", tmp_path / "base.yaml")
+    shutil.move(tmp_path / "case/motion.csv", tmp_path / "motion.csv")
+    (tmp_path / "case/case.yaml").write_text("format: 1\ntitle: the mine\ninclude: ../base.yaml\n")
+    gap = start(words, tmp_path)
+    wait_for_runs(gap, tmp_path, 2)
+    gap.send_signal(signal.SIGINT)
+    gap.communicate(timeout=20)
+    assert gap.returncode == 4
+    assert sorted(f.read_text() for f in tmp_path.glob("started/*")) == ["5", "6"]
+
+
 def test_a_case_whose_operator_plans_is_refused(words, tmp_path):
-    (tmp_path / "case" / "case.yaml").write_text("seed: 1\nmachine: {motion: motion.csv, operator: plan}\n")
+    case = ANALYSIS.parent / "cases/quick/case.yaml"
+    (tmp_path / "case/case.yaml").write_text(f"format: 1\ntitle: the mine\ninclude: {case}\n")
     gap = start(words, tmp_path)
     _, err = gap.communicate(timeout=60)
     assert gap.returncode == 2 and "machine.operator: is plan" in err

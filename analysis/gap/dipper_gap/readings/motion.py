@@ -29,18 +29,18 @@ class PlannedMotion:
     step_s: float        # from one reading of a run to the next
 
 
-def read_motion(case, data):
-    """The motion of a case folder whose case.yaml holds `data`; the program has checked both."""
+def read_motion(case, values):
+    """The motion of a case folder; `values` {key: value} and the motion are as `dipper check` found them."""
     found = Findings()
-    table, _ = read_table(Path(case) / data["machine"]["motion"], COLUMNS, found)
+    table, _ = read_table(Path(case) / values["machine.motion"], COLUMNS, found)
     found.raise_if_any()
-    end = float(data.get("end_s") or np.inf)
+    end = float(values["end_s"] or np.inf)
     time, door = table["time_s"], np.radians(table["door_deg"])
     drives = {"hoist_m": table["hoist_m"], "crowd_m": table["crowd_m"], "swing_rad": np.radians(table["swing_deg"])}
     end = min(end, time[-1])
     run = np.append(time[time < end], end)
-    rate = float((data.get("observation") or {}).get("rate_Hz", 1))
-    return PlannedMotion(time, drives, planned_passes(run, np.interp(run, time, door)), 1 / rate)
+    return PlannedMotion(time, drives, planned_passes(run, np.interp(run, time, door)),
+                         1 / values["observation.rate_Hz"])
 
 
 def compare_motion(measured, plan):

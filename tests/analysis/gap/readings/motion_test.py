@@ -3,13 +3,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-import yaml
 
 import synthetic
 from dipper_gap.readings.measured import read_measured
 from dipper_gap.readings.motion import PlannedMotion, compare_motion, read_motion
+from dipper_run.program import check_json
 
-ROOT = Path(__file__).resolve().parents[4]
+CASE = Path(__file__).resolve().parents[4] / "cases/screening"
+VALUES = {"machine.motion": "motion.csv", "end_s": 0, "observation.rate_Hz": 1}
+BLIND = Path(__file__).resolve().parents[1] / "blind/measured"
 
 
 def asked(rate_hz, planned_hz=1.0):
@@ -27,22 +29,19 @@ def test_another_rate_than_the_runs_is_asked_about_once(rate_hz, step):
 
 
 def test_a_hole_in_a_pass_is_asked_about():
-    m, plan = synthetic.run(), read_motion(ROOT / "cases/screening", {"machine": {"motion": "motion.csv"}})
+    m, plan = synthetic.run(), read_motion(CASE, VALUES)
     there = [i for i, t in enumerate(m.time_s) if not 60 < t < 70]
     m = replace(m, time_s=m.time_s[there], signals={n: v[there] for n, v in m.signals.items()})
     assert "10 s without a reading in pass 2 of truck 1" in compare_motion(m, plan)
 
 
 def test_the_runs_rate_is_the_cases():
-    data = {"machine": {"motion": "motion.csv"}}
-    steps = [read_motion(ROOT / "cases/screening", {**data, **more}).step_s
-             for more in ({}, {"observation": None}, {"observation": {"rate_Hz": 5}})]
-    assert steps == [1.0, 1.0, 0.2]
+    steps = [read_motion(CASE, {**VALUES, "observation.rate_Hz": rate}).step_s for rate in (1, 5)]
+    assert steps == [1.0, 0.2]
 
 
 def test_the_sealed_set_has_the_runs_rate_and_no_holes():
-    case = ROOT / "cases/screening"
-    plan = read_motion(case, yaml.safe_load((case / "case.yaml").read_text()))
-    folders = sorted((ROOT / "tests/analysis/gap/blind/measured").iterdir())
+    plan = read_motion(CASE, check_json(CASE)["values"])
+    folders = sorted(BLIND.iterdir())
     lines = [line for f in folders for line in compare_motion(read_measured(f), plan)]
     assert len(folders) == 52 and not [line for line in lines if "reading" in line]
