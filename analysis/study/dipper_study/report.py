@@ -49,39 +49,48 @@ def _chart(parameter, study, rows, columns):
 
 
 def _trends(parameter, study, rows, columns):
-    """Slope of each column against a parameter that is a number: over seeds, and over the others' values."""
+    """Slope of each column against a parameter that is a number: over seeds, of each the mean over the others' values.
+    """
     if any(v.number is None for v in parameter.values) or len({v.number for v in parameter.values}) < 2:
         return
     number = {v.name: v.number for v in parameter.values}
     for column in columns:
-        slopes = []
-        for group in _groups(rows, parameter.name, study.names).values():
+        slopes = {}
+        for key, group in _groups(rows, parameter.name, study.names).items():
             x, y = np.array([(number[r[parameter.name]], r[column]) for r in group]).T
             if len(x) == len(number) and np.isfinite(y).all():
-                slopes.append(np.polyfit(x, y, 1)[0])
+                slopes[key] = np.polyfit(x, y, 1)[0]
         if slopes:
-            yield {"parameter": parameter.name, "column": column, **vars(summary(slopes))}
+            yield {"parameter": parameter.name, "column": column, **vars(summary(_means_by_seed(slopes).values()))}
 
 
 def comparisons(parameter, names, rows, columns):
-    """Every value of a parameter against its first, with paired seeds."""
+    """Every value of a parameter against its first, with paired seeds: of each the mean over the others' values that
+    both have."""
     first = parameter.values[0].name
     for value in parameter.values[1:]:
         for column in columns:
-            a, b = ({(r["seed"], *(r[n] for n in names if n != parameter.name)): r[column]
-                     for r in rows if r[parameter.name] == name and np.isfinite(r[column])}
-                    for name in (first, value.name))
-            c = compare(a, b)
+            a, b = ({key: r[column] for key, group in _groups(rows, parameter.name, names).items() for r in group
+                     if r[parameter.name] == name and np.isfinite(r[column])} for name in (first, value.name))
+            c = compare(*(_means_by_seed({key: side[key] for key in a.keys() & b.keys()}) for side in (a, b)))
             yield {"parameter": parameter.name, "value": value.name, "against": first, "column": column,
                    "confidence": c.confidence, "shown": c.shown, **vars(c.difference)}
 
 
 def _groups(rows, name, names):
-    """{seed and the other parameters: its rows}."""
+    """{(seed, the other parameters): its rows}."""
     found = {}
     for r in rows:
         found.setdefault((r["seed"], *(r[n] for n in names if n != name)), []).append(r)
     return found
+
+
+def _means_by_seed(values):
+    """{seed: mean} of {(seed, the other parameters): value}: runs of one seed are not independent."""
+    found = {}
+    for (seed, *_), value in values.items():
+        found.setdefault(seed, []).append(value)
+    return {seed: float(np.mean(of_seed)) for seed, of_seed in found.items()}
 
 
 def _points(names, rows, columns):

@@ -1,8 +1,12 @@
 """Mean, interval and paired comparison against known values."""
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from dipper_study.report import _trends, comparisons
 from dipper_study.statistics import compare, summary
+from dipper_study.study_file import Parameter, Value
 
 
 def test_a_summary_is_students():
@@ -33,3 +37,36 @@ def test_pairs_cancel_what_the_seeds_share():
     assert c.difference.n == 5 and c.shown and c.difference.mean == pytest.approx(1, abs=0.2) and c.confidence > 0.99
     same = compare({1: 2.0, 2: 3.0}, {1: 2.0, 2: 3.0})
     assert not same.shown and same.confidence == 0.5
+
+
+RAKE = Parameter("rake", tuple(Value(str(v), (), float(v)) for v in (58, 60, 62)))
+STUDIES, SEEDS = 300, 4
+
+
+def study_rows(rng, names, slope=0.0):
+    """Rows of a study in which each seed has its own payload at each rake, and `names` of the other parameter change
+    nothing."""
+    payload = {(s, v.name): rng.normal(60, 5) + slope * v.number for s in range(SEEDS) for v in RAKE.values}
+    return [{"seed": s, "rake": v.name, "other": n, "payload_t": payload[s, v.name]}
+            for s in range(SEEDS) for v in RAKE.values for n in names]
+
+
+@pytest.mark.parametrize("names", [("a",), ("a", "b", "c", "d", "e")])
+def test_runs_of_one_seed_do_not_count_as_several(names):
+    rng, shown, rises = np.random.default_rng(4), 0, 0
+    for _ in range(STUDIES):
+        rows = study_rows(rng, names)
+        shown += next(comparisons(RAKE, ["rake", "other"], rows, ["payload_t"]))["shown"]
+        trend, = _trends(RAKE, SimpleNamespace(names=["rake", "other"]), rows, ["payload_t"])
+        rises += trend["low"] > 0 or trend["high"] < 0
+        assert trend["n"] == SEEDS
+    assert shown / STUDIES < 0.14 and rises / STUDIES < 0.14  # 0.10 is meant
+
+
+def test_a_seed_is_compared_where_both_values_have_a_run():
+    rows = study_rows(np.random.default_rng(5), ("a", "b"), slope=10.0)
+    rows = [r for r in rows if (r["seed"], r["rake"], r["other"]) != (0, "60", "b")]
+    rows.append({"seed": 9, "rake": "60", "other": "a", "payload_t": 1000.0})
+    whole, part = (next(comparisons(RAKE, ["rake", "other"], some, ["payload_t"]))
+                   for some in ([r for r in rows if r["other"] == "a" and r["seed"] < 9], rows))
+    assert part["n"] == SEEDS and part["mean"] == pytest.approx(whole["mean"]) and part["shown"]
