@@ -17,6 +17,7 @@ from dipper_run.findings import Findings
 
 from .channels import FACE, KNOWN, MASS, MOTION, RESPONSE, channels_in
 from .face import LEAST_POINTS
+from .face_warnings import face_warnings
 from .force_warnings import force_warnings
 from .mass_warnings import mass_warnings
 from .number_table import read_table
@@ -48,12 +49,14 @@ class Measured:
     folder: str = ""
     profiles: dict = field(default_factory=dict)  # {(truck, pass): (x, z)}, x rising: the face before that pass
     left: dict = field(default_factory=dict)      # likewise what that pass left in the same plane, where it is given
+    apart: dict = field(default_factory=dict)     # {(truck, pass, after): (x, m)}: heights at one x, farthest apart
 
     def seen_by(self, channels):
         """The same as a mine with these channels would have it: what it does not log is left out."""
         signals = {n: v for n, v in self.signals.items() if n in channels}
+        faces = {} if FACE in channels else {"profiles": {}, "left": {}}
         return replace(self, channels={n: c for n, c in self.channels.items() if n in channels}, signals=signals,
-                       time_s=self.time_s if signals else np.zeros(0))
+                       time_s=self.time_s if signals else np.zeros(0), **faces)
 
     def trucks(self):
         """The passes of each truck, and the readings about them, as a folder of their own, in order."""
@@ -71,7 +74,7 @@ class Measured:
         return (*(f"{c.name}: sigma is 0: no instrument reads without an error of its own, and what it errs will be "
                   "taken for a gap" for c in self.channels.values() if c.role == RESPONSE and c.sigma == 0),
                 *(mass_warnings(self.passes) if MASS in self.channels else ()),
-                *force_warnings(self.time_s, self.signals))
+                *force_warnings(self.time_s, self.signals), *face_warnings(self))
 
     def responses(self):
         """Names of the signals that answer to the rock, in a fixed order."""
@@ -97,12 +100,12 @@ def read_measured(folder, need_passes=1, simulated=False):
     if simulated and signals:
         passes = [p for p in passes if _readings(time_s, p) >= LEAST_SAMPLES]
     _optional_table(folder / "pile_angle.csv", ("pile", "angle_deg"), found)
-    profiles, left = read_profiles(folder / "profile.csv", found)
+    profiles, left, apart = _profiles(folder / "profile.csv", found)
     if FACE in channels and not profiles:
         found.add(folder / "profile.csv", 0, FACE, "declared in channels.yaml, but there are no faces",
                   "pass,x_m,z_m[,after][,truck]")
     found.raise_if_any()
-    return Measured(channels, tuple(passes), time_s, signals, str(folder), profiles, left)
+    return Measured(channels, tuple(passes), time_s, signals, str(folder), profiles, left, apart)
 
 
 def _passes(file, channels, need_passes, found):
@@ -187,15 +190,14 @@ def _readings(time, p):
     return int(np.sum((time >= p.t_start_s) & (time <= p.t_end_s)))
 
 
-def read_profiles(file, found):
-    """{(truck, pass): (x, z)} of the faces before passes, and of what passes left, of a profile.csv; each with x
-    rising; {} where there is none."""
-    out, left = {}, {}
+def _profiles(file, found):
+    """profiles, left and apart of Measured, of a profile.csv; {} where there is none. Of heights at one x the mean."""
+    out, left, apart = {}, {}, {}
     if not file.is_file():
-        return out, left
+        return out, left, apart
     table, lines = read_table(file, ("pass", "x_m", "z_m"), found, PROFILE_COLUMNS)
     if not lines or any(name not in table for name in ("pass", "x_m", "z_m")):
-        return out, left
+        return out, left, apart
     found.add_rows(file, [(line, name, f"is {value:g}", f"within {most:g} m of the swing axis at ground level: in the "
                            "mine's coordinates, or in mm, perhaps?")
                           for name, most in FARTHEST_M.items() for line, value in zip(lines, table[name])
@@ -209,11 +211,23 @@ def read_profiles(file, found):
             found.add(file, line, "pass", f"is {number:g} of truck {truck:g}", "whole numbers from 1")
     for *key, is_after in dict.fromkeys(zip(trucks.tolist(), table["pass"].tolist(), after.tolist())):
         at = np.flatnonzero((trucks == key[0]) & (table["pass"] == key[1]) & (after == is_after))
-        x, first = np.unique(table["x_m"][at], return_index=True)
+        x, column = np.unique(table["x_m"][at], return_inverse=True)
         if len(at) and len(x) < LEAST_POINTS:
             found.add(file, lines[at[0]], "x_m", f"{len(x)} points of pass {key[1]:g}", f"{LEAST_POINTS} or more")
-        (left if is_after else out)[tuple(int(k) if np.isfinite(k) else 0 for k in key)] = (x, table["z_m"][at][first])
-    return out, left
+        truck, number = (int(k) if np.isfinite(k) else 0 for k in key)
+        z, height = np.bincount(column, table["z_m"][at]) / np.bincount(column), _heights(column, table["z_m"][at])
+        (left if is_after else out)[truck, number] = x, z
+        if height.any():
+            apart[truck, number, int(is_after == 1)] = float(x[height.argmax()]), float(height.max())
+    return out, left, apart
+
+
+def _heights(column, z):
+    """From the lowest z of each column to its highest."""
+    low, high = np.full((2, column.max() + 1), [[np.inf], [-np.inf]])
+    np.minimum.at(low, column, z)
+    np.maximum.at(high, column, z)
+    return high - low
 
 
 def _optional_table(file, columns, found):
