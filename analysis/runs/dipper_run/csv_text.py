@@ -25,6 +25,7 @@ OTHER_NAMES = {name: unit for unit, names in {  # of units, in small letters
 OTHER_NAMES.update({"short tons": "short ton", "long tons": "long ton"})
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d.*", re.ASCII)
 FIRST_STAMP_S = 10 * 365 * 86400  # seconds since 1970: a clock that began at 0 has not run for ten years
+LAST_STAMP_S = 253402300800       # the year 10000: milliseconds, more likely
 SHEET_ERROR = re.compile(r"\s*#(N/A|VALUE!|DIV/0!|REF!|NUM!|NULL!|NAME\?)\s*([;\t|,]|$)", re.IGNORECASE)
 SEPARATOR = re.compile(r"sep=.", re.IGNORECASE)  # a spreadsheet's first line, which is no header
 LONGEST_QUOTE = 20  # lines: a quote that is still open then is a slip
@@ -165,6 +166,6 @@ def stamp_seconds(stamp):
 
 def stamp_text(seconds):
     """Seconds since 1970 as an ISO 8601 stamp in UTC; a clock that began at 0 stays in seconds."""
-    if seconds < FIRST_STAMP_S:
+    if not FIRST_STAMP_S <= seconds < LAST_STAMP_S:
         return f"{seconds:g} s"
     return datetime.fromtimestamp(seconds, timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")

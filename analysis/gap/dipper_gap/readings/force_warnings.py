@@ -1,6 +1,8 @@
 """What is legal in the forces of signals.csv and hardly ever meant."""
 import numpy as np
 
+from dipper_run.csv_text import stamp_text
+
 from .suspect import falls, pushes, sentinels, stuck
 
 MOST_KN = 20000.0  # strokes of mines made by another code go up to 13000
@@ -27,9 +29,9 @@ def _of_force(name, force, time_s, signals):
                "readings?")
     if {"hoist_m", "crowd_m"} <= signals.keys() and (found := stuck(force, signals["hoist_m"], signals["crowd_m"])):
         a, b, count, way, _ = found
-        yield (f"{force[a]:g} kN in all {count} readings from {time_s[a]:.5g} to {time_s[b]:.5g} s, while hoist and "
-               f"crowd move by {way:.3g} m: is the instrument stuck, or at the end of its range?")
+        yield (f"{force[a]:g} kN in all {count} readings from {stamp_text(time_s[a])} to {stamp_text(time_s[b])}, "
+               f"while hoist and crowd move by {way:.3g} m: is the instrument stuck, or at the end of its range?")
 
 
 def _readings(rows, time_s):
-    return f"{len(rows)} reading{'s' if len(rows) > 1 else ''} from {time_s[rows[0]]:.5g} s"
+    return f"{len(rows)} reading{'s' if len(rows) > 1 else ''} from {stamp_text(time_s[rows[0]])}"

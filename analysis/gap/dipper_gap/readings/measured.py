@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from dipper_run.csv_text import stamp_text
 from dipper_run.findings import Findings
 
 from .channels import FACE, KNOWN, MASS, MOTION, RESPONSE, channels_in
@@ -92,8 +93,10 @@ def read_measured(folder, need_passes=1, simulated=False):
         found.add(folder, 0, "folder", "not there", "name a folder with channels.yaml and passes.csv")
         found.raise_if_any()
     channels = channels_in(folder / "channels.yaml", found)
-    passes = _passes(folder / "passes.csv", channels, need_passes, found)
-    time_s, signals = _signals(folder / "signals.csv", channels, [] if simulated else passes, found)
+    zones = {}  # {(file, column of stamps): whether they have one}
+    passes = _passes(folder / "passes.csv", channels, need_passes, zones, found)
+    time_s, signals = _signals(folder / "signals.csv", channels, [] if simulated else passes, zones, found)
+    _check_zones(zones, found)
     if not simulated and passes and all(p.truck_mass_t == 0 for p in passes):
         found.add(folder / "passes.csv", 0, MASS, "is 0 for every pass", "what each pass brought; of a shovel's own "
                   "monitor dipper import reads it with reads: dipper")
@@ -108,12 +111,13 @@ def read_measured(folder, need_passes=1, simulated=False):
     return Measured(channels, tuple(passes), time_s, signals, str(folder), profiles, left, apart)
 
 
-def _passes(file, channels, need_passes, found):
+def _passes(file, channels, need_passes, zones, found):
     if not file.is_file():
         found.add(file, 0, "file", "not there", ",".join(PASS_COLUMNS))
         return []
     need = PASS_COLUMNS if MASS in channels else PASS_COLUMNS[:3]
-    table, lines = read_table(file, need, found, (*PASS_COLUMNS, TRUCK))
+    table, lines, zoned = read_table(file, need, found, (*PASS_COLUMNS, TRUCK))
+    zones.update({(file, name): zone for name, zone in zoned.items()})
     if not all(name in table for name in need):
         return []
     masses = table.get(MASS, np.full(len(lines), math.nan))
@@ -131,10 +135,10 @@ def _passes(file, channels, need_passes, found):
             found.add(file, line, "pass", f"is {index:g}", "whole numbers that rise, from 1"
                       + ("" if TRUCK in table else f"; a column {TRUCK} tells loads apart"))
         if not end > start:
-            found.add(file, line, "t_end_s", f"is {end:g}", f"after t_start_s, {start:g}")
+            found.add(file, line, "t_end_s", f"is {stamp_text(end)}", f"after t_start_s, {stamp_text(start)}")
         if start < last_end:
-            found.add(file, line, "t_start_s", f"is {start:g}, before the last pass's end",
-                      f"{last_end:g} or later: passes must not overlap")
+            found.add(file, line, "t_start_s", f"is {stamp_text(start)}, before the last pass's end",
+                      f"{stamp_text(last_end)} or later: passes must not overlap")
         if mass < 0:
             found.add(file, line, MASS, f"is {mass:g}", "0 or more")
         passes.append(Pass(int(index), float(start), float(end), float(mass), int(truck)))
@@ -154,15 +158,18 @@ def _list(numbers):
     return ", ".join(map(str, numbers))
 
 
-def _signals(file, channels, passes, found):
+def _signals(file, channels, passes, zones, found):
     declared = [n for n in channels if n not in (MASS, FACE)]
     if not file.is_file():
         if declared:
             found.add(file, 0, "file", "not there, but channels.yaml declares " + ", ".join(declared),
                       "time_s," + ",".join(declared))
         return np.zeros(0), {}
-    table, lines = read_table(file, ["time_s"] + declared, found, ("time_s", *declared),
-                              "declare it in channels.yaml, as one of " + ", ".join(KNOWN))
+    table, lines, zoned = read_table(file, ["time_s"] + declared, found, ("time_s", *declared),
+                                     "declare it in channels.yaml, as one of " + ", ".join(KNOWN))
+    zones.update({(file, name): zone for name, zone in zoned.items()})
+    if len(set(zones.values())) > 1:
+        passes = []  # hours apart: what that leads to is no fault of its own
     if "time_s" not in table or not lines:
         return np.zeros(0), {}
     for name in MOTION:
@@ -171,19 +178,29 @@ def _signals(file, channels, passes, found):
                       "the phases of a pass are found from hoist, crowd and swing")
     time = table["time_s"]
     back = np.flatnonzero(np.diff(time) <= 0)  # no time at all has been reported
-    found.add_rows(file, [(lines[k + 1], "time_s", f"is {time[k + 1]:g} after {time[k]:g}", "later times only")
+    found.add_rows(file, [(lines[k + 1], "time_s", f"is {stamp_text(time[k + 1])} after {stamp_text(time[k])}",
+                           "later times only")
                           for k in back])
     if passes and np.isfinite(time).all() and not any(_readings(time, p) for p in passes[1:] or passes):
-        found.add(file, 0, "time_s", f"goes from {min(time):.10g} to {max(time):.10g} s, and passes.csv from "
-                  f"{passes[0].t_start_s:.10g} to {passes[-1].t_end_s:.10g} s",
+        found.add(file, 0, "time_s", f"goes from {stamp_text(min(time))} to {stamp_text(max(time))}, and passes.csv "
+                  f"from {stamp_text(passes[0].t_start_s)} to {stamp_text(passes[-1].t_end_s)}",
                   "seconds, or time stamps, of one clock in both files")
         passes = []
     for p in passes:
         inside = _readings(time, p)
         if inside < LEAST_SAMPLES:
             found.add(file, 0, "time_s", f"{inside} readings within pass {p.number} "
-                      f"({p.t_start_s:g} to {p.t_end_s:g} s)", f"{LEAST_SAMPLES} or more")
+                      f"({stamp_text(p.t_start_s)} to {stamp_text(p.t_end_s)})", f"{LEAST_SAMPLES} or more")
     return time, {n: table[n] for n in declared if n in table}
+
+
+def _check_zones(zones, found):
+    """Stamps without a zone count as UTC: beside others with one they may be hours off."""
+    with_zone, without = ([key for key, zone in zones.items() if zone == has] for has in (True, False))
+    if with_zone and without:
+        (file, column), (other, name) = without[0], with_zone[0]
+        found.add(file, 0, column, f"has stamps without a zone, and {name} of {other.name} has stamps with one",
+                  "a zone, such as Z or +02:00, in all or in none")
 
 
 def _readings(time, p):
@@ -195,7 +212,7 @@ def _profiles(file, found):
     out, left, apart = {}, {}, {}
     if not file.is_file():
         return out, left, apart
-    table, lines = read_table(file, ("pass", "x_m", "z_m"), found, PROFILE_COLUMNS)
+    table, lines, _ = read_table(file, ("pass", "x_m", "z_m"), found, PROFILE_COLUMNS)
     if not lines or any(name not in table for name in ("pass", "x_m", "z_m")):
         return out, left, apart
     found.add_rows(file, [(line, name, f"is {value:g}", f"within {most:g} m of the swing axis at ground level: in the "

@@ -32,7 +32,7 @@ class PlannedMotion:
 def read_motion(case, values):
     """The motion of a case folder; `values` {key: value} and the motion are as `dipper check` found them."""
     found = Findings()
-    table, _ = read_table(Path(case) / values["machine.motion"], COLUMNS, found)
+    table, *_ = read_table(Path(case) / values["machine.motion"], COLUMNS, found)
     found.raise_if_any()
     end = float(values["end_s"] or np.inf)
     time, door = table["time_s"], np.radians(table["door_deg"])

@@ -32,7 +32,8 @@ def _rows(file, found):
 
 
 def read_table(file, need, found, allowed=None, right=None):
-    """Columns of numbers by name, and the line of each row; unreadable cells are findings.
+    """Columns of numbers by name, the line of each row, and {column of stamps: whether they have a zone}; unreadable
+    cells are findings.
 
     Columns parted by semicolons or tabs may have decimal commas, and numbers their unit behind them. A column of TIMES
     may hold ISO 8601 stamps: they become seconds since 1970. Columns that are not `allowed` are findings, `right`
@@ -40,7 +41,7 @@ def read_table(file, need, found, allowed=None, right=None):
     """
     header_line, header, rows, delimiter = _rows(file, found)
     if not header:
-        return {}, []
+        return {}, [], {}
     for name in need:
         if name not in header:
             found.add(file, header_line, name, "column missing", "header: " + ",".join(need))
@@ -48,7 +49,7 @@ def read_table(file, need, found, allowed=None, right=None):
     for name in twice:
         found.add(file, header_line, name, "column given twice", "keep one")
     if twice:
-        return {}, []
+        return {}, [], {}
     for name in header:
         if allowed is not None and name not in allowed:
             like = nearest(name, allowed)
@@ -64,14 +65,16 @@ def read_table(file, need, found, allowed=None, right=None):
         line, name = next((i, n) for i, row in zip(lines, rows) for n, cell in zip(header, row) if cell == doubtful)
         faults.append((line, name, f"is '{doubtful}', and every comma in the file has three digits after it: it may "
                        "part thousands", "write decimals with a point, and nothing between thousands"))
-    values = {}
+    values, zones = {}, {}
     for name, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
-        read = _stamps if name in TIMES and cells and read_stamp(cells[0]) else _numbers
-        values[name] = read(name, cells, lines, decimal, faults)
+        stamp = read_stamp(cells[0]) if name in TIMES and cells else None
+        if stamp:
+            zones[name] = stamp.tzinfo is not None
+        values[name] = (_stamps if stamp else _numbers)(name, cells, lines, decimal, faults)
     broken = {line for line, what, _, _ in faults if what == "row"}  # what stands in their cells means nothing
     faults = [f for f in faults if f[1] == "row" or f[0] not in broken]
     found.add_rows(file, faults)
-    return values, lines
+    return values, lines, zones
 
 
 def _unit_of(name):

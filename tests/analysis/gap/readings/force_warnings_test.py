@@ -34,7 +34,7 @@ def test_sound_forces_raise_no_question():
     (lambda force: 0 * force, "0 kN at most, less than an empty dipper takes: is it in kN, and is the instrument on?"),
     (lambda force: 1e-3 * force, "kN at most, less than an empty dipper takes: is it in kN"),
     (lambda force: -force, "its largest forces are negative, and a rope only pulls: is its sign right?"),
-    (with_rows(812.5, slice(4, 30)), "812.5 kN in all 26 readings from 4 to 29 s, while hoist and crowd move by ")])
+    (with_rows(812.5, slice(4, 30)), "812.5 kN in all 26 readings from 4 s to 29 s, while hoist and crowd move by ")])
 def test_others_do(change, said):
     found = force_warnings(*signals(change=change))
     assert len(found) == 1 and found[0].startswith("hoist_force_kN: ") and said in found[0], found
@@ -42,3 +42,8 @@ def test_others_do(change, said):
 
 def test_a_handle_pulls_and_pushes():
     assert force_warnings(*signals("crowd_force_kN", lambda force: -force)) == []
+
+
+def test_a_reading_of_a_day_is_named_by_its_stamp():
+    time_s, found = signals(change=with_rows(-9999))
+    assert "4 readings from 2026-03-14T06:00:30Z such as -9999 kN" in force_warnings(1773468000 + time_s, found)[0]

@@ -80,7 +80,7 @@ def test_what_spreadsheets_leave_in_tables(folder, end):
     ("signals.csv", "hoist_force_kN", "hoist_force_N", 1,
      "hoist_force_N: unknown column; hoist_force_kN, perhaps? declare it in channels.yaml"),
     ("passes.csv", ",truck\n", ",Truck\n", 1, "Truck: unknown column; truck, perhaps? one of pass, t_start_s, t_end_s"),
-    ("signals.csv", "\n7.000,", "\n5.500,", 9, "time_s: is 5.5 after 6; later times only"),
+    ("signals.csv", "\n7.000,", "\n5.500,", 9, "time_s: is 5.5 s after 6 s; later times only"),
     ("signals.csv", "\n9.000,", "\n9.000,nan,", 11, "row: 7 values; 6"),
 ])
 def test_fault_is_found_at_its_line(folder, file, old, new, where, what):
@@ -257,15 +257,40 @@ def test_marks_of_thousands_are_named(folder):
 
 
 @pytest.mark.parametrize("change_of, goes", [
-    (lambda t: f"{1000 * float(t):g}", "from 0 to 144000 s"), (lambda t: f"{float(t) + 1000:g}", "from 1000 to 1144 s"),
+    (lambda t: f"{1000 * float(t):g}", "from 0 s to 144000 s"),
+    (lambda t: f"{float(t) + 1000:g}", "from 1000 s to 1144 s"),
     (lambda t: datetime.fromtimestamp(1773468000 + float(t), timezone.utc).isoformat(),
-     "from 1773468000 to 1773468144 s")])
+     "from 2026-03-14T06:00:00Z to 2026-03-14T06:02:24Z")])
 def test_passes_of_another_clock_or_unit_are_one_fault(folder, change_of, goes):
     header, *rows = [line.split(",") for line in (folder / "passes.csv").read_text().splitlines()]
     (folder / "passes.csv").write_text("\n".join([",".join(header), *(
         ",".join([r[0], change_of(r[1]), change_of(r[2]), *r[3:]]) for r in rows)]))
     found = findings(folder)
     assert len(found) == 1 and f"and passes.csv {goes}; seconds, or time stamps, of one clock in both files" in found[0]
+
+
+@pytest.mark.parametrize("with_zone", ["signals.csv", "t_start_s"])
+def test_stamps_with_a_zone_beside_others_without_are_one_fault(folder, with_zone):
+    """Of one clock by their looks, and two hours apart."""
+    for file, columns in (("passes.csv", (1, 2)), ("signals.csv", (0,))):
+        header, *rows = [line.split(",") for line in (folder / file).read_text().splitlines()]
+        for row, k in ((row, k) for row in rows for k in columns):
+            zone = "+02:00" if with_zone in (file, header[k]) else ""
+            row[k] = (datetime(2026, 3, 14, 6) + timedelta(seconds=float(row[k]))).isoformat() + zone
+        (folder / file).write_text("\n".join(",".join(r) for r in [header] + rows))
+    column, other = ("t_start_s", "time_s of signals.csv") if with_zone == "signals.csv" else ("t_end_s", "t_start_s")
+    found = [f for f in findings(folder) if "without a zone" in f]
+    assert found[0].startswith(f"{folder / 'passes.csv'}: {column}: has stamps without a zone, and {other} ")
+    assert len(found) == 1 and found[0].endswith("; a zone, such as Z or +02:00, in all or in none")
+    assert not [f for f in findings(folder) if "signals.csv:" in f]
+
+
+@pytest.mark.parametrize("value", ["1773468000000", "nan"])
+def test_an_end_that_is_no_time_is_a_finding(folder, value):
+    rows = [line.split(",") for line in (folder / "passes.csv").read_text().splitlines()]
+    rows[1][2], rows[2][1] = value, "5"
+    (folder / "passes.csv").write_text("\n".join(",".join(r) for r in rows))
+    assert any("passes.csv:" in f for f in findings(folder))
 
 
 def test_iso_time_stamps(folder):
