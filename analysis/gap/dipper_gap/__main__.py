@@ -14,7 +14,7 @@ from dipper_run.findings import BadInput
 from dipper_run.out_folder import check_writable, make_cache, out_folder
 from dipper_run.program import ProgramFailed, check_json, program
 
-from .answer import write_answer
+from .answer import check_answer_folder, write_answer
 from .forecast import as_lines, forecast, write_forecast
 from .readings.before import check_reference
 from .readings.channels import ASSUMED, read_channels
@@ -107,6 +107,8 @@ def main(words=None):
         fidelity = usable_fidelity(args.case, bool(before))
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
+        if not args.plan:
+            check_answer_folder(args.case, folder)
         make_cache(run_cache.cache_folder("gap"))
     except BadInput as e:
         print(e.counted(), file=sys.stderr)
@@ -132,6 +134,7 @@ def main(words=None):
             return 0
         out = analyse(measured, simulator, catalogue, first_seed, say, before)
         out = replace(out, warnings=(*left_out, *out.warnings))
+        files = write_answer(out, catalogue, simulator, args.measured, folder, args.reference)
     except KeyboardInterrupt:
         print("gap: interrupted; the same command continues from the finished runs", file=sys.stderr)
         return 4
@@ -141,7 +144,6 @@ def main(words=None):
     except ValueError as e:
         print(f"gap: {e}", file=sys.stderr)
         return 2
-    files = write_answer(out, catalogue, simulator, args.measured, folder, args.reference)
     say(f"gap: {', '.join(map(str, files))}")
     return 0
 

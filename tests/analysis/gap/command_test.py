@@ -127,6 +127,14 @@ def test_an_out_that_is_a_file_starts_nothing(words, tmp_path):
     assert not (tmp_path / "started").exists() and (tmp_path / "file").read_text() == "in the way"
 
 
+def test_an_out_that_holds_the_case_starts_nothing(words, tmp_path):
+    before = (tmp_path / "case/case.yaml").read_text()
+    gap = start([*words, "--out", str(tmp_path)], tmp_path)
+    _, err = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and f"--out: {tmp_path / 'case/case.yaml'} is the case; choose another --out" in err
+    assert not (tmp_path / "started").exists() and (tmp_path / "case/case.yaml").read_text() == before
+
+
 def test_bad_measurements_start_nothing(words, tmp_path):
     passes = tmp_path / "mine" / "passes.csv"
     passes.write_text(passes.read_text().replace("\n2,", "\n2,-"))

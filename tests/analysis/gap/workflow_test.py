@@ -9,6 +9,7 @@ import pytest
 
 import fake_mine
 import synthetic
+from dipper_gap.answer import write_answer
 from dipper_gap.gap_json import as_json, write_json
 from dipper_gap.history import within_the_shift
 from dipper_gap.readings.measured import write_measured
@@ -18,6 +19,7 @@ from dipper_gap.readings.vectors import Vectors
 from dipper_gap.simulation.plan import LEAST_SEEDS, make_plan, statement
 from dipper_gap.report import page
 from dipper_gap.workflow import Runner, analyse, changing, conclude
+from dipper_run.findings import BadInput
 from trucks import in_a_row
 
 # Fewer effects than the whole catalogue: a test needs seconds, not a minute.
@@ -71,6 +73,31 @@ def test_a_hidden_effect_is_found_named_added_and_confirmed(fines):
     assert a["gap"]["after"] < 0.5 * a["gap"]["before"]
     assert a["patch"] == {"effects.fines": pytest.approx(a["parameter"]["estimate"], rel=1e-5)}
     assert any(d["channel"] == "truck_mass_t" for d in a["disagreement"])
+
+
+def test_the_case_of_an_earlier_answer_does_not_stay_beside_a_new_one(fines, tmp_path):
+    mine = mine_with({}, 3)
+    write_measured(mine, tmp_path / "measured")
+    (tmp_path / "one").mkdir()
+    (tmp_path / "one/case.yaml").write_text("seed: 1\n")
+    (tmp_path / "out/case").mkdir(parents=True)
+    (tmp_path / "out/case/case.yaml").write_text("seed: 2\n")
+    simulator = fake_mine.FakeSimulator()
+    simulator.case = tmp_path / "one"
+
+    def written(out):
+        return write_answer(out, SMALL, simulator, tmp_path / "measured", tmp_path / "out")
+
+    with pytest.raises(BadInput, match="out/case is there, and no earlier answer's; choose another --out"):
+        written(fines[0])
+    (tmp_path / "out/case/case.yaml").unlink()
+    (tmp_path / "out/case").rmdir()
+    assert tmp_path / "out/case" in written(fines[0]) and "fines: " in (tmp_path / "out/case/case.yaml").read_text()
+    assert tmp_path / "out/case" in written(fines[0])
+    (tmp_path / "out/case/notes.txt").write_text("mine")
+    none = judge(mine)[0]
+    assert none.look.verdict.verdict == "no-gap" and tmp_path / "out/case" not in written(none)
+    assert [f.name for f in (tmp_path / "out/case").iterdir()] == ["notes.txt"]
 
 
 def test_the_json_is_the_contract(fines, tmp_path):

@@ -7,6 +7,8 @@ import yaml
 
 from dipper_run.findings import BadInput
 
+MARK = "# added by dipper gap"
+
 
 def overlay(effects):
     """{case key: value}; each is a `--set KEY=VALUE` of `dipper run`."""
@@ -26,7 +28,7 @@ def write_patched_case(case, effects, out, files=None):
     for start, end, value in reversed(_paths(text, case)):
         text = text[:start] + os.path.relpath(case / value, out) + text[end:]
     if effects:
-        text = text.rstrip("\n") + "\n\neffects:                     # added by dipper gap\n"
+        text = _without_effects(text).rstrip("\n") + f"\n\neffects:                     {MARK}\n"
         text += "".join(f"  {name}: {strength:.6g}\n" for name, strength in effects.items())
     out.mkdir(parents=True, exist_ok=True)
     (out / "case.yaml").write_text(text)
@@ -38,6 +40,30 @@ def write_patched_case(case, effects, out, files=None):
         (out / "effects").mkdir(exist_ok=True)
         (out / "effects" / f"{name}.yaml").write_text(effect_text)
     return out
+
+
+def is_patched_case(folder):
+    """Whether `write_patched_case` has written it, with effects."""
+    file = folder / "case.yaml"
+    return file.is_file() and not folder.is_symlink() and MARK in file.read_text(errors="replace")
+
+
+def remove_patched_case(folder):
+    """Removes what `write_patched_case` has written; what else lies in the folder stays."""
+    if is_patched_case(folder):
+        (folder / "case.yaml").unlink()
+        shutil.rmtree(folder / "effects", ignore_errors=True)
+        if not any(folder.iterdir()):
+            folder.rmdir()
+
+
+def _without_effects(text):
+    """The text without an empty map of effects: a key may be given once."""
+    root = yaml.compose(text)
+    spans = [(key.start_mark.index, value.end_mark.index) for key, value in root.value if key.value == "effects"]
+    for start, end in spans:
+        text = text[:start] + text[end:]
+    return text
 
 
 def _paths(text, case):

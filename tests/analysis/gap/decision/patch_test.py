@@ -36,3 +36,14 @@ def test_the_patched_case_takes_the_cases_own_effect_along(case, tmp_path):
     out = write_patched_case(case, {"mine": 0.1, "fines": 0.2}, tmp_path / "out" / "case")
     assert [f.name for f in (out / "effects").iterdir()] == ["mine.yaml"]
     assert read_catalogue(out)["mine"].title == "Fines"
+
+
+@pytest.mark.parametrize("empty", ["effects: {}", "effects: {}  # none", "effects:"])
+def test_an_empty_map_of_effects_is_replaced(case, tmp_path, empty):
+    text = (case / "case.yaml").read_text()
+    (case / "case.yaml").write_text(f"{empty}\n{text}")
+    out = write_patched_case(case, {"fines": 0.2}, tmp_path / "out" / "case")
+    keys = [key.value for key, _ in yaml.compose((out / "case.yaml").read_text()).value]
+    assert keys == ["seed", "rock", "effects"] and "# kept" in (out / "case.yaml").read_text()
+    assert os.path.samefile(out / yaml.safe_load((out / "case.yaml").read_text())["rock"]["mesh"],
+                            tmp_path / "cases" / "rock.stl")
