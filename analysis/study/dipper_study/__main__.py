@@ -13,7 +13,7 @@ from pathlib import Path
 import dipper_run
 from dipper_run.findings import BadInput
 from dipper_run.out_folder import check_writable, make_cache, out_folder
-from dipper_run.page_data import plain
+from dipper_run.page_data import finite
 from dipper_run.program import ProgramFailed, program
 from dipper_run.run_cache import cache_folder
 
@@ -71,16 +71,18 @@ class Session:
         return row_of(run, self.study.names, facts, self.failed.get(run.job.folder))
 
     def write(self, answer=None):
-        """study.csv, study.h5, report.html and links to the runs; returns the rows."""
+        """study.csv, study.h5, report.html, links to the runs and the answer, in place of earlier ones; returns the
+        rows."""
         self.out.mkdir(parents=True, exist_ok=True)
         rows, names = [self._row(r) for r in self.runs.values()], self.study.names
         write_csv(rows, names, self.out / "study.csv")
         write_hdf5(rows, names, self.out / "study.h5", self.study.file.read_text())
-        for run, row in zip(self.runs.values(), rows):
-            if row["status"] in ("complete", "unfinished"):
-                _link(self.out / "runs" / run.name, run.folder)
+        _link_all(self.out / "runs", {run.name: run.folder for run, row in zip(self.runs.values(), rows)
+                                      if row["status"] in ("complete", "unfinished")})
         if answer:
-            (self.out / "optimum.json").write_text(json.dumps(plain(answer), indent=1) + "\n")
+            (self.out / "optimum.json").write_text(json.dumps(finite(answer), indent=1) + "\n")
+        else:
+            (self.out / "optimum.json").unlink(missing_ok=True)
         title = next((self.planner.checked(r.point)["values"].get("title") for r in self.runs.values()), None)
         write_page(self.study, rows, self.failures(), answer, self.out / "report.html", self.warnings(rows), title)
         return rows
@@ -99,11 +101,15 @@ class Session:
         return first + [f"in {n} of {len(made)} runs: {text}" for text, n in said]
 
 
-def _link(link, to):
-    link.parent.mkdir(exist_ok=True)
-    if not link.is_symlink() or os.readlink(link) != str(to):
-        link.unlink(missing_ok=True)
-        link.symlink_to(to)
+def _link_all(folder, runs):
+    """Links to the runs {name: folder}, and no others: an earlier study's may be there."""
+    folder.mkdir(exist_ok=True)
+    for link in folder.iterdir():
+        if link.is_symlink() and runs.get(link.name) != Path(os.readlink(link)):
+            link.unlink()
+    for name, to in runs.items():
+        if not (folder / name).is_symlink():
+            (folder / name).symlink_to(to)
 
 
 def main(words=None):

@@ -53,6 +53,16 @@ def test_nothing_is_run_twice(world):
     assert len(world.calls()) == 15 + 3  # 62.0 is said otherwise; the stand-in's hash sees it
 
 
+def test_nothing_of_an_earlier_study_stays_in_its_folder(world):
+    world.study(STUDY.replace("[1, 2, 3]", "[1, 2]"))
+    (world.out / "optimum.json").write_text("{}")
+    (world.out / "runs/notes.txt").write_text("mine")
+    before = (world.out / "runs/60_s1").readlink()
+    world.study(STUDY.replace("[1, 2, 3]", "[1]").replace("[60, 62, 64]", "[60, 66]"))
+    assert sorted(f.name for f in (world.out / "runs").iterdir()) == ["60_s1", "66_s1", "notes.txt"]
+    assert (world.out / "runs/60_s1").readlink() == before and not (world.out / "optimum.json").exists()
+
+
 def test_what_is_kept_is_a_setting_and_more_is_made_again(world):
     study = STUDY.replace("[60, 62, 64]", "[60]")
     world.study("keep: summary\n" + study)

@@ -163,6 +163,8 @@ def test_the_command_searches_goes_on_and_says_what_it_found(tmp_path):
     assert made == 8 * 3 + 2 * 6
     answer = json.loads((world.out / "optimum.json").read_text())
     assert answer["points"] == 8 and answer["base_at"] == [60, 0] and len(world.rows()) == made
+    run = [[r["machine.rake_angle_deg"], r["pile.toe_x_m"]] for r in world.rows()]
+    assert [f"{x:.6g}" for x in answer["best"]] in run and '"mean": NaN' not in (world.out / "optimum.json").read_text()
     world.study(study)
     assert len(world.calls()) == made and json.loads((world.out / "optimum.json").read_text()) == answer
     said = world.study(study.replace("low: 58, high: 70", "low: 62, high: 70"), status=2)
