@@ -9,6 +9,7 @@
 import csv
 import functools
 import gzip
+import io
 import json
 import re
 import zlib
@@ -102,7 +103,10 @@ class Run:
         """{column: array} of report/NAME.csv: frames, passes, phases, stages, pile, sizes. Text stays text."""
         file = self._file(f"report/{name}.csv", f"`dipper report {self.folder}` writes it")
         with open(file, newline="") as f:
-            header, *rows = csv.reader(f)
+            text = f.read()
+        header, *rows = csv.reader(io.StringIO(text)) if text else [[]]
+        if not (header and text.endswith("\n")) or any(len(row) != len(header) for row in rows):
+            raise NotARun(f"{file}: cut short; `dipper report {self.folder}` writes it again")
         return {column: _values(cells) for column, cells in zip(header, zip(*rows) if rows else [()] * len(header))}
 
     @functools.cached_property

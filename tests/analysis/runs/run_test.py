@@ -59,6 +59,21 @@ def test_everything_is_an_array(folder):
     np.testing.assert_array_equal(run.frames[0].rocks["radius"], [0.2, 0.3])
 
 
+@pytest.mark.parametrize("text", ["", "\n", "phase,t_start_s", "phase,t_start_s\nfill,2.5\ndu",
+                                  "phase,t_start_s\nfill,2.5\ndump\n", "phase,t_start_s\nfill,2.5\ndump,3.",
+                                  "phase,t_start_s\nfill,2.5,1\n"])
+def test_a_table_that_was_cut_short_is_reported(folder, text):
+    (folder / "report/phases.csv").write_text(text)
+    with pytest.raises(dipper_run.NotARun, match="report/phases.csv: cut short; `dipper report"):
+        dipper_run.read(folder).table("phases")
+
+
+def test_a_table_may_be_without_rows(folder):
+    (folder / "report/phases.csv").write_text("phase,t_start_s\n")
+    assert {name: len(cells) for name, cells in dipper_run.read(folder).table("phases").items()} == {
+        "phase": 0, "t_start_s": 0}
+
+
 @pytest.mark.parametrize("ends", ["1 1 0 0 0.5 0.2\n", "0.5 0.3\n", " 0.3\n", "\n", "ITEM: ATOMS"])
 def test_a_dump_that_was_cut_short_is_reported(folder, ends):
     (folder / "dumps/rocks_5.dump").write_text(DUMP[:DUMP.index(ends)])
