@@ -5,6 +5,7 @@
 C holds instruments, seeds and nuisances; V_k is the signature's own uncertainty, taken at the best
 strengths. What remains is linear and Gaussian, so the integral over the box is exact.
 """
+import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +13,13 @@ from scipy.linalg import cho_factor, cho_solve
 from scipy.optimize import lsq_linear
 from scipy.special import log_ndtr
 from scipy.stats import multivariate_normal
+
+ABSOLUTE, RELATIVE = 1e-6, 1e-4       # error of a share of the box
+ORDERS = 16, 32, 64, 128, 256, 512    # of Gauss and Legendre's rule, until the next differs by less
+FAR = 8.5                             # sd: beyond is 1e-17
+TINY = 1e-12                          # variance of one effect given another, at least
+
+leggauss = functools.lru_cache(maxsize=None)(np.polynomial.legendre.leggauss)
 
 
 @dataclass(frozen=True)
@@ -85,10 +93,39 @@ def _log_box(mean, cov, low, high):
             u, v = -v, -u
         return float(log_ndtr(v) + np.log1p(-np.exp(min(log_ndtr(u) - log_ndtr(v), -1e-16))))
     sd = np.sqrt(np.diag(cov))
-    corr = cov / np.outer(sd, sd)
-    share = multivariate_normal.cdf((high - mean) / sd, cov=corr, lower_limit=(low - mean) / sd,
-                                    allow_singular=True, abseps=1e-6, releps=1e-4)
+    share = (_share_of_three if len(mean) == 3 else _share_of_two)((low - mean) / sd, (high - mean) / sd,
+                                                                   cov / np.outer(sd, sd))
     return float(np.log(max(share, 1e-300)))
+
+
+def _share_of_two(low, high, corr):
+    """Share of a unit Gaussian of two within boxes (..., 2)."""
+    low, high = np.clip([low, high], -FAR, FAR)
+    return multivariate_normal.cdf(high, cov=corr, lower_limit=low, allow_singular=True)
+
+
+def _share_of_three(low, high, corr):
+    """Likewise of three: over the one that is least like the others, of the exact share of those two given it.
+
+    scipy's own is Monte Carlo in three dimensions, with a state that cannot be set: another answer at each call.
+    """
+    k = int(np.abs(corr - np.eye(3)).max(axis=0).argmin())
+    two = [j for j in range(3) if j != k]
+    slope = corr[two, k]
+    left = corr[np.ix_(two, two)] - np.outer(slope, slope)
+    sd = np.sqrt(np.maximum(np.diag(left), TINY))
+    left = np.clip(left / np.outer(sd, sd), -1, 1)
+    start, end = np.clip([low[k], high[k]], -FAR, FAR)
+    last = np.inf
+    for points in ORDERS:
+        x, weight = leggauss(points)
+        x = (start + end) / 2 + (end - start) / 2 * x
+        given = _share_of_two(*((limit[two] - x[:, None] * slope) / sd for limit in (low, high)), left)
+        share = (end - start) / 2 * np.sum(weight * np.exp(-x * x / 2) * given) / np.sqrt(2 * np.pi)
+        if abs(share - last) < max(ABSOLUTE, RELATIVE * share):
+            break
+        last = share
+    return share
 
 
 def sample(f, signatures, count, rng):

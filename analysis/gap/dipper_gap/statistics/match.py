@@ -27,11 +27,12 @@ class Match:
 
     def presence(self, name):
         """Probability that the effect is there, alone or with others."""
-        return sum(p for key, p in self.probability.items() if isinstance(key, tuple) and name in key)
+        return self.any_of((name,))
 
     def any_of(self, names):
-        return sum(p for key, p in self.probability.items()
-                   if isinstance(key, tuple) and set(names) & set(key))
+        """Probability that at least one of the effects is there."""
+        total = sum(p for key, p in self.probability.items() if isinstance(key, tuple) and set(names) & set(key))
+        return min(1.0, total)  # rounding
 
     def best_with(self, name):
         """The most probable set of effects that holds `name`."""
@@ -60,8 +61,10 @@ def match(residual, covariance, signatures, baseline, largest=3, known=None):
             log_weight[names] = fits[names].log_evidence + np.log(PRIOR[size] / len(sets))
     log_weight["none"] = evidence.log_gaussian(residual, factor) + np.log(PRIOR["none"])
     log_weight["unknown"] = unknown_evidence(residual, covariance, baseline, signatures) + np.log(PRIOR["unknown"])
-    total = logsumexp(list(log_weight.values()))
-    return Match(fits, {k: float(np.exp(w - total)) for k, w in log_weight.items()}, log_weight)
+    weights = np.array(list(log_weight.values()))
+    probability = np.exp(weights - weights.max())
+    probability /= probability.sum()
+    return Match(fits, dict(zip(log_weight, probability.tolist())), log_weight)
 
 
 def unknown_evidence(residual, covariance, baseline, signatures=()):

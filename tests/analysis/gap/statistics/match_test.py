@@ -50,6 +50,15 @@ def test_evidence_of_two_effects_is_the_integral():
     assert f.log_evidence == pytest.approx(np.log(total), abs=5e-3)
 
 
+@pytest.mark.parametrize("a, b, c", [(0.0, 0.0, 0.0), (0.6, 0.3, 0.5), (-0.4, -0.4, 0.9), (0.98, 0.97, 0.98)])
+def test_the_share_of_three_in_a_corner_is_the_known_one(a, b, c):
+    corr = np.array([[1, a, b], [a, 1, c], [b, c, 1]])
+    corner = 1 / 8 + (np.arcsin(a) + np.arcsin(b) + np.arcsin(c)) / (4 * np.pi)
+    sd = np.array([1.0, 20.0, 0.3])
+    share = evidence._log_box(np.zeros(3), corr * np.outer(sd, sd), np.zeros(3), np.full(3, np.inf))
+    assert np.exp(share) == pytest.approx(corner, rel=2e-4)
+
+
 class Case:
     """A world with what every decision in it needs."""
 
@@ -95,6 +104,20 @@ def test_weak_effects_are_not_named_wrongly(case):
     for n, x in list(case.limits.items())[::2]:
         v = case.decide(case.w.residual({n: 0.3 * x}, 60))
         assert v.verdict in ("no-gap", "unknown", "class") or v.effect == n
+
+
+def test_the_same_residual_judged_twice_is_the_same_and_no_probability_is_above_1(case):
+    w = case.w
+    s = next(s for s in w.signatures if s.name == "fines")
+    once, twice = (match(0.3 * s.g, w.covariance, w.signatures[:6] + [s] * (s not in w.signatures[:6]), w.baseline)
+                   for _ in range(2))
+    assert once.probability == twice.probability and max(map(len, once.fits)) == 3
+    assert sum(once.probability.values()) == pytest.approx(1, abs=1e-12) and once.presence("fines") <= 1
+
+
+def test_rounding_makes_no_probability_above_1():
+    m = Match({}, {(n,): 0.1 for n in "abcdefghij"} | {("a", "b"): 1e-15}, {})
+    assert m.any_of("abcdefghij") == 1 and m.presence("a") == pytest.approx(0.1)
 
 
 def test_nothing_hidden_nothing_named(case):
