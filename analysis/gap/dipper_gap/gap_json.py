@@ -67,7 +67,7 @@ def _fidelity(known):
 
 
 def _reference(out):
-    return {"trucks": out.reference, "model_gap": out.fidelity} if out.reference else None
+    return {"trucks": out.reference, "model_gap": out.model_gap} if out.reference else None
 
 
 def _history(out, catalogue):

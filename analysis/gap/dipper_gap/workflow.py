@@ -99,7 +99,7 @@ class Outcome:
     early: bool = False     # it ended before the runs of effects, as there is no gap
     trucks: int = 1
     reference: int = 0      # trucks of the reference
-    fidelity: float = None  # mean z^2 by which the reference differs from the model, in the model's own spread
+    model_gap: float = None  # mean z^2 by which the reference differs from the model, in the model's own spread
     history: History = None  # truck by truck since the reference
     laws: tuple = ()        # decision.law.Law, one a force, where the catalogue has no name and the hold-out confirms
     added: object = None    # the Effect that they are
@@ -167,7 +167,7 @@ def conclude(model, prediction, measured, runner, before=None):
     if before:
         reference = prediction.baseline.reference
         names = list(out.effects) or [n for n in out.look.verdict.members[:1]]
-        out = replace(out, reference=reference.trucks, fidelity=fidelity(prediction.baseline),
+        out = replace(out, reference=reference.trucks, model_gap=model_gap(prediction.baseline),
                       faces=compare_faces(measured, before))
         out = replace(out, warnings=(*out.warnings, *other_faces(out.faces)))
         if out.look.verdict.verdict != "no-gap":
@@ -211,7 +211,7 @@ def with_laws(out, model, prediction, measured, runner, before):
                    seeds={**out.seeds, "fresh": fresh.seeds}), fresh.folders
 
 
-def fidelity(b):
+def model_gap(b):
     """Mean square of what the reference differs by from the model, in the sd that the difference should have."""
     plain = replace(b, reference=None, scatter=1.0, trucks=b.reference.trucks, own=b.reference.own)
     return float(np.mean((b.reference.shift / plain.sd) ** 2))

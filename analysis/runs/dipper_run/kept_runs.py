@@ -110,7 +110,7 @@ class KeptRuns:
         folder, run = job.folder, job.run
         self._sound.pop(folder, None)
         folder.mkdir(exist_ok=True)
-        (folder / run_cache.MANIFEST).unlink(missing_ok=True)  # of a run that kept less than is wanted
+        (folder / run_cache.ENTRY_MANIFEST).unlink(missing_ok=True)  # of a run that kept less than is wanted
         words = [self.program, "run", *job.words, "--out", str(run)]
         began = time.monotonic()
         status = self._call(words + ["--resume"], folder, lock) if job.begun else None

@@ -20,7 +20,7 @@ import numpy as np
 
 from .file_hash import sha256_of
 
-MANIFEST = "manifest.sha256"
+RUN_MANIFEST = "manifest.sha256"
 FRAME = re.compile(r"rocks_(\d+)\.dump(\.gz)?")
 
 
@@ -135,13 +135,13 @@ class Run:
         if not file.is_file():
             raise NotARun(f"{file}: is not there; {makes}")
         if name in self._damaged:
-            raise NotARun(f"{file}: is not what the run wrote ({MANIFEST})")
+            raise NotARun(f"{file}: is not what the run wrote ({RUN_MANIFEST})")
         return file
 
     @functools.cached_property
     def _damaged(self):
         """Names in the manifest whose files are there and have other sums."""
-        manifest = self.folder / MANIFEST
+        manifest = self.folder / RUN_MANIFEST
         rows = [line.split(None, 1) for line in manifest.read_text().splitlines()] if manifest.is_file() else []
         return {name for listed, name in rows
                 if (self.folder / name).is_file() and sha256_of(self.folder / name) != listed}

@@ -17,7 +17,7 @@ from pathlib import Path
 from .file_hash import sha256_of
 from .findings import BadInput
 
-MANIFEST = "manifest.json"
+ENTRY_MANIFEST = "manifest.json"
 # flock's errors on a file system without locks (Lustre without -o flock, NFS without lockd; common/file_lock.cpp).
 NO_LOCKS = (errno.ENOSYS, errno.ENOLCK, errno.EOPNOTSUPP, errno.EINVAL)
 WAIT_S = 0.5  # between looks at an entry that another process makes
@@ -98,17 +98,17 @@ def seal(entry, facts):
     for file in _files(entry):
         sums[str(file.relative_to(entry))] = sha256_of(file)
         _to_disk(file)
-    part = entry / (MANIFEST + ".part")
+    part = entry / (ENTRY_MANIFEST + ".part")
     part.write_text(json.dumps({**facts, "sha256": sums}, indent=1) + "\n")
     _to_disk(part)
-    os.replace(part, entry / MANIFEST)
+    os.replace(part, entry / ENTRY_MANIFEST)
     _to_disk(entry)
 
 
 def facts(entry):
     """What was said of a sound entry; None where there is none. A damaged one is moved aside."""
     try:
-        text = (entry / MANIFEST).read_text()
+        text = (entry / ENTRY_MANIFEST).read_text()
     except FileNotFoundError:
         return None
     except (OSError, UnicodeDecodeError):
@@ -117,7 +117,7 @@ def facts(entry):
         kept = json.loads(text)
         sums = dict(kept["sha256"])
     except (ValueError, KeyError, TypeError):
-        return _move_aside(entry, MANIFEST)
+        return _move_aside(entry, ENTRY_MANIFEST)
     there = {str(file.relative_to(entry)) for file in _files(entry)}
     for name, expected in sums.items():
         if name not in there or sha256_of(entry / name) != expected:
@@ -138,7 +138,7 @@ def _move_aside(entry, name):
 
 
 def _files(entry):
-    return [f for f in sorted(entry.rglob("*")) if f.is_file() and not f.name.startswith(MANIFEST)]
+    return [f for f in sorted(entry.rglob("*")) if f.is_file() and not f.name.startswith(ENTRY_MANIFEST)]
 
 
 def _to_disk(path):

@@ -16,7 +16,7 @@ from .results import FIGURES
 KEEPS = ("summary", "record", "all")
 EXECUTORS = ("local", "slurm")
 MOST_RANKS = 100_000
-COLUMNS = ("run", "seed", "status", *FIGURES)  # of study.csv, beside the parameters
+TABLE_COLUMNS = ("run", "seed", "status", *FIGURES)  # of study.csv, beside the parameters
 
 
 @dataclass(frozen=True)
@@ -189,8 +189,9 @@ def _parameter(section, name):
     if isinstance(section.get(name), yaml.MappingNode):
         inner = section.filled(name, "named values, each some keys: {wide: {bodies.dipper: wide.stl}}")
         values = [_named(inner, key) for key in inner.keys()]
-        if name in COLUMNS or "/" in name or not name.strip(". "):
-            section.wrong(name, "cannot name a column of study.csv", f"a name without /, none of {', '.join(COLUMNS)}")
+        if name in TABLE_COLUMNS or "/" in name or not name.strip(". "):
+            section.wrong(name, "cannot name a column of study.csv",
+                          f"a name without /, none of {', '.join(TABLE_COLUMNS)}")
     else:
         values = []
         for node in section.items(name, "values"):
