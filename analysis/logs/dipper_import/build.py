@@ -5,20 +5,15 @@ import numpy as np
 
 from dipper_gap.readings.channels import DRIVEN, KNOWN, MASS, MOTION, RESPONSE, Channel
 from dipper_gap.readings.measured import LEAST_SAMPLES, Measured, Pass
-from dipper_gap.readings.phases import find_phases, planned_passes
+from dipper_gap.readings.phases import planned_passes
 
 from .warn import warn_of_readings, warn_of_masses
 from .warn_drives import warn_of_drives
 from .fit import fit_drive
+from .masses import truck_masses
 from .phrases import some_rows
 from .readings import held_readings, row_gaps, sound_readings
 from .units import CHANNELS, DRIVES, FORCES, TRUCK_MASS
-
-WEIGHED_S = 1.0  # readings of the truck's scale that are averaged
-TARE = 0.05      # of a load: more in a dipper that comes back empty is none
-SIGMAS = 3       # of the scale: as far below zero the mass of a pass that loads nothing may be
-WAYS_TO_READ = ("reads: total is a scale that goes up with each pass, reads: pass shows what the last pass brought, "
-                "reads: dipper the load in the dipper, until it is dumped")
 
 
 @dataclass(frozen=True)
@@ -87,7 +82,7 @@ def _measured(rows, readings, fits, grid, spans, what, path, found, notes):
     _check_readings(rows, whole, spans, path, found)
     masses = [np.nan] * len(spans)
     if TRUCK_MASS in what.channels:
-        masses = _masses(rows, fits, grid, spans, what.channels[TRUCK_MASS], path, found, notes)
+        masses = truck_masses(rows, fits, grid, spans, what, path, found, notes)
         warn_of_masses(masses, what, notes)
     channels = {}
     for n in (*names, *([TRUCK_MASS] if TRUCK_MASS in what.channels else [])):
@@ -122,69 +117,3 @@ def _check_readings(rows, whole, spans, path, found):
                       f"{LEAST_SAMPLES} or more: rows more often; held: true for channels that are "
                       "written only as they change; or a map of their own for times of their own (channels.NAME.time)")
             return
-
-
-def _masses(rows, fits, grid, spans, channel, path, found, notes):
-    """What each pass brought to the truck, t, by its scale; 0 where it reads less, within the scale's error."""
-    mass, there = rows.values[TRUCK_MASS], np.isfinite(rows.values[TRUCK_MASS])
-    phases = find_phases(grid, fits["crowd"].value, np.radians(fits["swing"].value), spans)
-    out, least = [], -SIGMAS * channel.sigma
-    for number, ((start, end), found_phases) in enumerate(zip(spans, phases), 1):
-        dump = found_phases.get("dump", (end, end))[0]
-        empty = max(start, dump - WEIGHED_S)
-        if channel.reads == "dipper":
-            after, before = _scale(rows.time_s, mass, there, empty, dump), 0.0
-            _warn_of_tare(number, _scale(rows.time_s, mass, there, start, start + WEIGHED_S), after, channel, notes)
-        else:
-            after = _scale(rows.time_s, mass, there, end - WEIGHED_S, end)
-            before = 0.0 if channel.reads == "pass" else _scale(rows.time_s, mass, there, empty, dump)
-        if after is None or before is None or after - before < least:
-            line = int(rows.lines[np.searchsorted(rows.time_s, end, side="right") - 1])
-            found.add(path, line, channel.column,
-                      f"pass {number} ({start:.4g} to {end:.4g} s) "
-                      + ("has no reading before or after its dump" if after is None or before is None
-                         else f"brings {after - before:.4g} t"),
-                      f"0 t or more, down to {least:.3g} t where it loads nothing ({SIGMAS} sigma); {WAYS_TO_READ}"
-                      + ("" if channel.held or after is not None and before is not None else
-                         "; held: true, if it is written once a dump"))
-            return [np.nan] * len(spans)
-        if after < before:
-            notes.append(f"pass {number} ({start:.4g} to {end:.4g} s) brings {after - before:.4g} t, within {SIGMAS} "
-                         f"sigma of the scale ({-least:.3g} t): taken as 0")
-        out.append(max(0.0, after - before))
-    if channel.reads == "pass" and any(out):
-        dumps = [found_phases.get("dump", span)[0] for span, found_phases in zip(spans, phases)]
-        _warn_of_late(rows.time_s, mass, there, spans, [*dumps[1:], rows.time_s[-1]], channel, notes)
-    if not any(out):
-        found.add(path, int(rows.lines[0]), channel.column,
-                  f"no pass brings anything with reads: {channel.reads}; the readings "
-                  f"go up to {mass[there].max():.4g} t",
-                  WAYS_TO_READ)
-    return out
-
-
-def _warn_of_tare(number, empty, full, channel, notes):
-    """Warns of a payload monitor that shows a load as its pass begins."""
-    if None not in (empty, full) and empty > max(SIGMAS * channel.sigma, TARE * full):
-        notes.append(f"warning: truck_mass: as pass {number} begins, {empty:.4g} t are in the dipper: its own weight "
-                     "(offset), or what the last pass brought (reads: pass)?")
-
-
-def _warn_of_late(time, mass, there, spans, until, channel, notes):
-    """Warns of a scale that shows a pass only after its end: each mass is then that of the pass before."""
-    for number, ((_, end), next_dump) in enumerate(zip(spans, until), 1):
-        at_end = _scale(time, mass, there, end - WEIGHED_S, end)
-        later = _scale(time, mass, there, max(end, next_dump - WEIGHED_S), next_dump)
-        if None not in (at_end, later) and later > SIGMAS * channel.sigma < abs(later - at_end):
-            notes.append(f"warning: truck_mass: {at_end:.4g} t as pass {number} ends, and {later:.4g} t before the "
-                         "next dump: does the scale show a pass only then? Its masses are those of the passes before")
-            return
-
-
-def _scale(time, mass, there, start, end):
-    """Median of the readings between two times; the last one before them where there is none; None without any."""
-    inside = there & (time >= start) & (time <= end)
-    if inside.any():
-        return float(np.median(mass[inside]))
-    earlier = np.flatnonzero(there & (time < start))
-    return float(mass[earlier[-1]]) if len(earlier) else None

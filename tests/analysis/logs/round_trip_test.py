@@ -148,7 +148,8 @@ def test_a_pass_that_loads_nothing_counts_as_0_within_the_error_of_the_scale(log
     made, _, said = read(log, map_file)
     assert [p.truck_mass_t for p in made.measured.passes] == pytest.approx([40, 0, 40], abs=0.6)
     assert made.measured.passes[1].truck_mass_t == 0
-    assert any("pass 2 (" in s and "within 3 sigma of the scale (1.36 t): taken as 0" in s for s in said), said
+    assert any(s.startswith("warning: truck_mass: pass 2 (") and "within 3 sigma of the scale (1.36 t): taken as 0" in s
+               for s in said), said
 
 
 @pytest.mark.parametrize("sample_s", [0.1, 0.005, 1 / 3])
@@ -236,6 +237,56 @@ def test_a_payload_monitor_is_read_before_the_dump(tmp_path, plain_map):
     change(plain_map, "reads: total", "reads: dipper")
     made, _, _ = read(log, plain_map)
     assert [p.truck_mass_t for p in made.measured.passes] == pytest.approx(loads)
+
+
+def cut_at(truth, start):
+    there = truth.time_s >= start
+    return ugly_log.Truth(truth.time_s[there] - truth.time_s[there][0],
+                          {name: value[there] for name, value in truth.channels.items()})
+
+
+def masses(log, map_file):
+    made, _, said = read(log, map_file)
+    return [p.truck_mass_t for p in made.measured.passes], [s for s in said if s.startswith("warning: ")]
+
+
+@pytest.mark.parametrize("start", [12, 14, 16])
+def test_a_log_that_begins_within_a_pass_is_refused(tmp_path, plain_map, start):
+    truth, log = cut_at(known(), start), tmp_path / "plain.csv"
+    log.write_text(plain(truth, truth.channels["truck_mass"]))
+    found = findings(log, plain_map)
+    assert len(found) == 1 and "plain.csv:2: passes: pass 1 (0 to " in found[0] and \
+        "the log begins within a pass; a time.from before its dig, or after its end" in found[0], found
+    change(plain_map, "{column: t}", "{column: t, from: 12}")
+    truth = cut_at(known(), 9)
+    log.write_text(plain(truth, truth.channels["truck_mass"]))
+    assert masses(log, plain_map)[0] == pytest.approx([40, 40], abs=0.1)
+
+
+@pytest.mark.parametrize("late_s", [0.0, 4.0, 6.0])
+@pytest.mark.parametrize("changed_s", [None, 60.0])
+def test_a_scale_that_shows_a_pass_after_its_end(tmp_path, plain_map, late_s, changed_s):
+    """What the passes bring is the scale's rise; a truck that is changed takes away what had come."""
+    truth, log = known(loads=(69, 77, 68)), tmp_path / "plain.csv"
+    mass = np.interp(truth.time_s - late_s, truth.time_s, truth.channels["truck_mass"])
+    mass[truth.time_s > (changed_s or np.inf)] -= 69 + 77
+    log.write_text(plain(truth, mass + 0.1 * np.random.default_rng(2).standard_normal(len(mass))))
+    found, warnings = masses(log, plain_map)
+    assert found == pytest.approx([69, 77, 68], abs=0.5)
+    assert not warnings if not late_s else len(warnings) == 1 and "t as pass 1 ends, and 69" in warnings[0] and \
+        "the scale shows a pass late; so in 3 passes" in warnings[0]
+
+
+@pytest.mark.parametrize("empty, known_masses", [((30, 50), None), ((28, 36), [69, 77, 68]), ((64, 99), None)])
+def test_a_scale_without_readings_has_no_stale_ones(tmp_path, plain_map, empty, known_masses):
+    truth, log = known(loads=(69, 77, 68)), tmp_path / "plain.csv"
+    mass = truth.channels["truck_mass"]
+    mass[(truth.time_s > empty[0]) & (truth.time_s < empty[1])] = np.nan
+    log.write_text(plain(truth, mass).replace("nan", ""))
+    if known_masses:
+        assert masses(log, plain_map)[0] == pytest.approx(known_masses, abs=0.1)
+    else:
+        assert "has no reading before or after its dump" in findings(log, plain_map)[0]
 
 
 def test_a_channel_that_is_written_only_as_it_changes(tmp_path, plain_map):

@@ -4,13 +4,17 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from dipper_import.build import _warn_of_tare, _masses
+from dipper_import.masses import _warn_of_tare, truck_masses
 from dipper_import.warn import (_warn_of_empty, _warn_of_falls, _warn_of_scale, _warn_of_sign, _warn_of_size,
                                 _warn_of_stuck, warn_of_masses)
 from dipper_run.findings import Findings
 
-SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5)
+SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5, held=False)
 TIME = 0.2 * np.arange(300)
+
+
+def of(scale):
+    return SimpleNamespace(channels={"truck_mass": scale}, longest_gap_s=2.0)
 
 
 @pytest.mark.parametrize("masses, warns", [
@@ -38,13 +42,13 @@ def test_a_payload_monitor_that_shows_a_load_as_a_pass_begins(empty, warns):
 
 @pytest.mark.parametrize("late_s, masses, warns", [(0, [60.0, 70.0], False), (10, [55.0, 60.0], True)])
 def test_a_scale_that_shows_a_pass_after_its_end(monkeypatch, late_s, masses, warns):
-    monkeypatch.setattr("dipper_import.build.find_phases", lambda *_: [{"dump": (25.0, 28.0)}, {"dump": (50.0, 53.0)}])
+    monkeypatch.setattr("dipper_import.masses.find_phases", lambda *_: [{"dump": (25.0, 28.0)}, {"dump": (50.0, 53.0)}])
     mass = np.where(TIME < 26 + late_s, 55.0, np.where(TIME < 51 + late_s, 60.0, 70.0))
     rows = SimpleNamespace(time_s=TIME, lines=2 + np.arange(300), values={"truck_mass": mass})
     fits = {n: SimpleNamespace(value=TIME) for n in ("crowd", "swing")}
     notes, found = [], Findings()
-    scale = SimpleNamespace(column="Truck", reads="pass", sigma=0.5)
-    assert _masses(rows, fits, TIME, [(0, 30), (30, 55)], scale, "log.csv", found, notes) == masses
+    scale = SimpleNamespace(column="Truck", reads="pass", sigma=0.5, held=False)
+    assert truck_masses(rows, fits, TIME, [(0, 30), (30, 55)], of(scale), "log.csv", found, notes) == masses
     assert not found.all and bool(notes) == warns
     assert not warns or notes[0].startswith("warning: truck_mass: 55 t as pass 1 ends, and 60 t before the next dump")
 
@@ -76,12 +80,12 @@ def test_a_rope_that_pushes(sign, offset):
 
 def test_it_is_looked_at_in_every_pass(monkeypatch):
     """Of a monitor that keeps the last pass's 60 t until the next is weighed at 20 s."""
-    monkeypatch.setattr("dipper_import.build.find_phases", lambda *_: [{"dump": (25.0, 28.0)}, {"dump": (55.0, 58.0)}])
+    monkeypatch.setattr("dipper_import.masses.find_phases", lambda *_: [{"dump": (25.0, 28.0)}, {"dump": (55.0, 58.0)}])
     mass = np.where(TIME < 20, 0.0, np.where(TIME < 50, 60.0, 70.0))
     rows = SimpleNamespace(time_s=TIME, lines=2 + np.arange(300), values={"truck_mass": mass})
     fits = {n: SimpleNamespace(value=TIME) for n in ("crowd", "swing")}
     notes, found = [], Findings()
-    assert _masses(rows, fits, TIME, [(0, 30), (30, 59.8)], SCALE, "log.csv", found, notes) == [60.0, 70.0]
+    assert truck_masses(rows, fits, TIME, [(0, 30), (30, 59.8)], of(SCALE), "log.csv", found, notes) == [60.0, 70.0]
     assert not found.all and len(notes) == 1 and "as pass 2 begins, 60 t are in the dipper" in notes[0]
 
 
