@@ -513,6 +513,15 @@ def test_a_swing_that_begins_anew_after_a_turn_goes_on(read, unit, turn):
     assert notes == ["swing: 1 step (line 6) of a whole turn: it goes on from there, without them"]
 
 
+def test_a_swing_that_begins_anew_within_a_hole_of_the_log(read):
+    """20 deg/s over the 1.8 s that may be missing."""
+    swing = [*range(10, 4, -2), *range(330, 312, -2)]
+    body = [[stamp(k + 8 * (k > 2)), *row[1:3], str(s), *row[4:]] for k, (row, s) in enumerate(zip(rows(), swing))]
+    log, found, notes = read(text(body))
+    assert not found and np.allclose(log.values["swing"], [s - 360 * (s > 180) for s in swing])
+    assert notes == ["swing: 1 step (line 5) of a whole turn: it goes on from there, without them"]
+
+
 def test_a_time_to_the_right_of_each_reading(read):
     body = [[c for j in range(1, 6) for c in (row[j], stamp(k, 10 * (j - 1)))] for k, row in enumerate(rows())]
     log, found, notes = read(text(body, names=[c for n in NAMES[1:] for c in (n, "Time")]))
