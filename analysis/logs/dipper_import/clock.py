@@ -1,5 +1,5 @@
 """The rows of a log in order: what came late is sorted in, what came twice goes, a clock that was set is undone."""
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -35,9 +35,10 @@ class Rows:
 
 def order_rows(log, what, path, found, notes):
     """As the map `what` says. None after a finding."""
-    index, stamp = _downwards(log, notes)
-    if what.time.spread:
-        stamp = _spread(stamp)
+    index = downwards(log.stamp_s)
+    stamp = log.stamp_s[index]
+    if index[0] > 0:
+        notes.append("the newest row stands first: read from the bottom up")
     steps = np.diff(stamp)
     if not (steps > 0).any():
         found.add(path, int(log.lines[0]), "time", "does not rise", "rows at two times or more")
@@ -52,11 +53,11 @@ def order_rows(log, what, path, found, notes):
                   f"{mean:.3g} s: its steps differ by that much in turn",
                   f"stamps to {COARSE * mean:.2g} s or better: more decimals, from the logger's own file")
         return None
-    if not log.has_date:
-        stamp = stamp + DAY_S * np.cumsum(np.append(0, steps < -DAY_S / 2))
     if _first_is_last(log, index, stamp, what, path, found):
         return None
-    time = _merge(log, index, stamp, interval, what, notes)
+    time = _merge(log, index, stamp, interval, what, path, found, notes)
+    if found.all:
+        return None
     order = np.argsort(time, kind="stable")
     late = index[time < np.maximum.accumulate(time)]
     kept = _each_time_once(log, index[order], time[order], path, found, notes)
@@ -100,14 +101,17 @@ def _other_unit(interval, what, unit):
     return f"; another unit of numbers in time.format, perhaps? {', '.join(better)}" if better else ""
 
 
-def _downwards(log, notes):
-    """Row numbers and stamps, turned round where the newest row stands first."""
-    index = np.arange(len(log.stamp_s))
-    steps = np.diff(log.stamp_s)
-    if (steps < 0).sum() > (steps > 0).sum():
-        notes.append("the newest row stands first: read from the bottom up")
-        index = index[::-1]
-    return index, log.stamp_s[index]
+def downwards(stamp):
+    """Row numbers, turned round where the newest row stands first."""
+    index, steps = np.arange(len(stamp)), np.diff(stamp)
+    return index[::-1] if (steps < 0).sum() > (steps > 0).sum() else index
+
+
+def spread_stamps(log):
+    """The log with the rows of one stamp spread up to the next."""
+    index, stamp = downwards(log.stamp_s), np.empty_like(log.stamp_s)
+    stamp[index] = _spread(log.stamp_s[index])
+    return replace(log, stamp_s=stamp)
 
 
 def _spread(stamp):
@@ -149,7 +153,7 @@ def goes_on(values, drives, rows, intervals=np.inf):
     return moves
 
 
-def _merge(log, index, stamp, interval, what, notes):
+def _merge(log, index, stamp, interval, what, path, found, notes):
     """The time of each row when every setting of the clock is undone.
 
     Where the stamps step back, either rows come late, and fit between those before them; or the clock was set back.
@@ -173,6 +177,12 @@ def _merge(log, index, stamp, interval, what, notes):
             set_back = new[0] < last and _doubled(log, index, known, new, last, interval)
         if declared or set_back:
             by = last + interval - new[0]
+            if log.joined:
+                was = log.stamps[index[np.argmax(known)]]
+                found.add(path, int(line[start]), "time", f"the clock is set {'back' if by > 0 else 'forward'}, and "
+                          "channels have times of their own, which are joined by their stamps",
+                          f"a part of the log: time.to before '{log.stamps[index[start]]}', or time.from after '{was}'")
+                break
             notes.append(f"the clock is set {'back' if by > 0 else 'forward'} by {abs(by):.6g} s at line {line[start]}"
                          f"{' (clock_set_at)' if declared else ''}: that row is taken to follow the one before by "
                          f"{interval:.3g} s")

@@ -1,4 +1,6 @@
 """Channels that were logged at times of their own, brought to those of one drive."""
+from dataclasses import replace
+
 import numpy as np
 
 from .readings import before_first
@@ -20,8 +22,7 @@ def join(logs, what, notes):
     notes.append(f"{joined}: logged at times of their own, taken at those of "
                  + next(n for n in base.values if n in DRIVES))
     order = [n for n in what.channels if n in values]
-    return type(base)(base.lines, base.stamp_s, base.stamps, {n: values[n] for n in order}, base.has_date,
-                      base.unit)
+    return replace(base, values={n: values[n] for n in order}, joined=True)
 
 
 def _at(times, stamp_s, value, channel, longest_gap_s):

@@ -8,8 +8,10 @@ from dipper_run.csv_text import DELIMITERS, LINE_END, cells_of, find_delimiter, 
 from dipper_run.text_file import read_bytes, text_of
 
 from .cells import CellReader
+from .clock import spread_stamps
 from .join import join
 from .layout import find_layout, unnamed_qualities
+from .part import cut, times_of
 from .phrases import LONGEST_SHOWN, some_rows
 from .stamps import find_clock, has_date, unit_of_time, warn_of_row_numbers
 
@@ -24,8 +26,8 @@ class Log:
     stamp_s: np.ndarray  # by the logger's clock, from any zero
     stamps: list         # as written
     values: dict         # {channel: array}
-    has_date: bool       # else the clock begins anew at midnight
     unit: str = None     # of numbers, a key of NUMBER_FORMATS; None: stamps
+    joined: bool = False  # whether channels had times of their own
 
 
 def read_log(path, what, found, notes):
@@ -61,21 +63,23 @@ def read_log(path, what, found, notes):
     reader = CellReader(what, [cell for g in groups for column in g.cells.values() for cell in column], path, found)
     if found.all:
         return None
+    dated = has_date(what.time.format)
+    parts = cut(path, what, clock, dated, groups, times_of(groups, clock, dated), found, notes)
+    if parts is None:
+        return None
     faults, logs = [], []
-    for group in groups:
-        cut = _cut(path, what, clock, group, found)
-        stamp_s = np.array([np.nan if t is None else t for t in map(clock, cut.stamps)], float)
+    for group, stamp_s in zip(*parts):
         for k in np.flatnonzero(np.isnan(stamp_s)):
-            faults.append((cut.lines[k], "time", f"is '{cut.stamps[k][:LONGEST_SHOWN]}'",
-                           f"as in the first row, '{group.stamps[0]}'"))
-        values = {name: reader.values(name, cut, faults, notes) for name in cut.cells}
-        logs.append(Log(np.array(cut.lines, int), stamp_s, cut.stamps, values, has_date(what.time.format),
-                        unit_of_time(what.time.format, cut.stamps)))
+            faults.append((group.lines[k], "time", f"is '{group.stamps[k][:LONGEST_SHOWN]}'",
+                           f"as in the first row, '{groups[0].stamps[0]}'"))
+        values = {name: reader.values(name, group, faults, notes) for name in group.cells}
+        logs.append(Log(np.array(group.lines, int), stamp_s, group.stamps, values,
+                        unit_of_time(what.time.format, group.stamps)))
     found.add_rows(path, faults)
     if found.all:
         return None
     warn_of_row_numbers(what, groups[0].stamps, notes)
-    return join(logs, what, notes)
+    return join([spread_stamps(log) for log in logs] if what.time.spread else logs, what, notes)
 
 
 def _text(path, encoding, found):
@@ -167,24 +171,3 @@ def _rows(path, rows, names, delimiter, found, notes):
     if repeated:
         notes.append(f"{some_rows(repeated)}: the header again, left out")
     return sound
-
-
-def _cut(path, what, clock, group, found):
-    """The rows within time.from and time.to."""
-    ends = []
-    for key, stamp, open_end in (("from", what.time.first, -np.inf), ("to", what.time.last, np.inf)):
-        at = open_end if stamp is None else clock(stamp)
-        if at is None:
-            found.add(what.path, what.time.line, f"time.{key}", f"is '{stamp}'",
-                      f"a stamp as in the log, '{group.stamps[0]}'")
-            return group
-        ends.append(at)
-    if ends == [-np.inf, np.inf]:
-        return group
-    times = list(map(clock, group.stamps))
-    cut = group.only([k for k, t in enumerate(times) if t is None or ends[0] <= t <= ends[1]])
-    if not cut.lines:
-        found.add(what.path, what.time.line, "time.from", f"no row of {path.name} is within from and to",
-                  f"stamps from '{group.stamps[0]}' to '{group.stamps[-1]}'")
-        return group
-    return cut

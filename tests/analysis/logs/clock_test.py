@@ -270,6 +270,20 @@ def test_a_part_of_the_log(tmp_path):
     assert "no row of log.csv is within" in Read(tmp_path, iso(), first="2027-01-01T00:00:00").found.all[0]
 
 
+@pytest.mark.parametrize("ends, kept", [
+    ({"first": "23:59:57.000000"}, slice(20, N)), ({"last": "00:00:05.000000"}, slice(0, 101)),
+    ({"first": "23:59:57.000000", "last": "00:00:05.000000"}, slice(20, 101)),
+    ({"first": "00:00:05.000000"}, slice(100, N)), ({"first": "23:59:00.000000"}, slice(0, N)),
+    ({"last": "23:59:57.000000"}, slice(0, 21)), ({"last": "00:10:00.000000"}, slice(0, N))])
+@pytest.mark.parametrize("newest_first", [False, True])
+def test_a_part_of_a_log_without_dates_goes_on_after_midnight(tmp_path, ends, kept, newest_first):
+    order = reversed(range(N)) if newest_first else None
+    read = Read(tmp_path, local("%H:%M:%S.%f"), order, format="%H:%M:%S.%f", **ends)
+    assert not read.found.all and np.allclose(read.rows.values["hoist"], HOIST[kept], atol=1e-5)
+    cut = " and ".join(f"time.{'from' if key == 'first' else 'to'}" for key in ends)
+    assert read.notes[0] == f"{cut}: {N - len(HOIST[kept])} of {N} rows left out"
+
+
 def test_a_file_that_is_none(tmp_path):
     read = Read(tmp_path, seconds(), [])
     assert "no rows after the header" in read.found.all[0]

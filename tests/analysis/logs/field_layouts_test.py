@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from dipper_import.build import _check_readings
-from dipper_import.clock import Rows
+from dipper_import.clock import Rows, order_rows
 from dipper_import.import_map import read_map
 from dipper_import.log_file import read_log
 from dipper_import.readings import held_readings
@@ -477,6 +477,46 @@ def test_a_time_beside_each_reading(read):
         log, found, notes = read(log, map_text=map_text)
         assert not found and notes[0] == "5 columns of time, each for the readings beside it"
         assert np.allclose(log.values["crowd"][1:], 0.1 * np.arange(N)[1:] - 0.005)
+
+
+def test_a_clock_that_is_set_back_with_times_of_their_own_is_refused(read, tmp_path):
+    """Channels are joined by stamps that say two moments."""
+    at = lambda k, j: stamp(k, 10 * j) if k < 8 else stamp(k - 4, 50 + 10 * j)
+    body = [[c for j in range(1, 6) for c in (at(k, j), row[j])] for k, row in enumerate(rows())]
+    log, found, notes = read(text(body, names=[c for n in NAMES[1:] for c in ("Time", n)]))
+    assert not found and notes[0] == "5 columns of time, each for the readings beside it"
+    what = read_map(tmp_path / "map.yaml")
+    assert order_rows(log, what, "log.csv", refused := Findings(), []) is None
+    assert refused.all == [
+        "log.csv:10: time: the clock is set back, and channels have times of their own, which are joined by their "
+        "stamps; a part of the log: time.to before '2026-03-14 06:12:00.860', or time.from after "
+        "'2026-03-14 06:12:01.410'"]
+
+
+def test_whole_seconds_are_spread_for_each_channel_before_they_are_joined(read):
+    """One that lacks a row has times of its own within that second alone."""
+    body = [[name, at[:-4], *rest] for name, at, *rest in long(rows())]
+    body.remove(["Crowd", *[r[1:] for r in body if r[0] == "Crowd"][7]])
+    log, found, notes = read(text(body, names=["Tag", "Time", "Value", "Quality"]),
+                             map_text=MAP.replace("{column: Time}", "{column: Time, same_stamp: spread}"))
+    assert not found and notes[1] == "crowd: logged at times of their own, taken at those of hoist"
+    assert np.allclose(log.stamp_s - log.stamp_s[0], 0.2 * np.arange(N))
+    crowd = 0.1 * np.arange(N)
+    assert np.allclose(log.values["crowd"][[*range(5), 10]], crowd[[*range(5), 10]])
+    assert np.nanmax(np.abs(log.values["crowd"] - crowd)) < 0.1
+
+
+def test_channels_of_a_clock_without_a_date_are_joined_over_midnight(read):
+    """Also one that is first written after midnight."""
+    def at(k, late_ms):
+        ms = (86399000 + 200 * k + late_ms) % 86400000
+        return f"{ms // 3600000:02d}:{ms // 60000 % 60:02d}:{ms // 1000 % 60:02d}.{ms % 1000:03d}"
+    body = [[n, at(k, 10 * j), row[j]] for k, row in enumerate(rows()) for j, n in enumerate(NAMES) if j]
+    body = [r for r in body if r[0] != "Door" or r[1] < "12"]
+    log, found, _ = read(text(body, names=["Tag", "Time", "Value"]),
+                         map_text=MAP.replace("{column: Time}", "{column: Time, format: '%H:%M:%S.%f'}"))
+    assert not found and np.allclose(log.values["crowd"][1:], 0.1 * np.arange(N)[1:] - 0.005)
+    assert np.isfinite(log.values["door"]).tolist() == [k > 5 for k in range(N)]
 
 
 @pytest.mark.parametrize("late_ms", [0, 100])
