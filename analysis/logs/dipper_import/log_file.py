@@ -49,6 +49,8 @@ def read_log(path, what, found, notes):
     from_line = max(header_line + 1, what.file.data_line or 0)
     cells = [(i, cells_of(line, delimiter)) for i, line in lines if i > header_line]
     rows = _rows(path, [row for row in cells if row[0] >= from_line], names, delimiter, found, notes)
+    if rows and rows[-1][0] == lines[-1][0] and text.endswith(lines[-1][1]) and text[-1] not in ' \t"':
+        rows = _without_open_end(rows, names, what, notes)
     between = [row for row in cells if row[0] < from_line]
     groups = find_layout(what, path, header_line, names, between, rows, found, notes)
     if groups is None or found.all:
@@ -171,3 +173,14 @@ def _rows(path, rows, names, delimiter, found, notes):
     if repeated:
         notes.append(f"{some_rows(repeated)}: the header again, left out")
     return sound
+
+
+def _without_open_end(rows, names, what, notes):
+    """The rows of a file without a line end: the digits of its last cell may be cut short."""
+    line, cells = rows[-1]
+    if not cells[-1]:
+        return rows
+    times = {*what.time.columns, *(channel.time for channel in what.channels.values())}
+    left = "it" if names[-1] in times else "its last cell"
+    notes.append(f"line {line}, the last, has no line end, and may be cut short: {left} is left out")
+    return rows[:-1] if left == "it" else [*rows[:-1], (line, [*cells[:-1], ""])]

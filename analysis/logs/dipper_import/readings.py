@@ -98,13 +98,12 @@ def _too_fast(time, value, speed):
 
 
 def _out_of_reach(time, value, speed):
-    """Whether a reading is further from the median of its neighbours than the drive can have gone."""
-    pad = NEIGHBOURS
-    padded = np.pad(value, pad, mode="edge")
-    window = np.lib.stride_tricks.sliding_window_view(padded, 2 * pad + 1)
-    times = np.lib.stride_tricks.sliding_window_view(np.pad(time, pad, mode="edge"), 2 * pad + 1)
-    reach = speed * (times[:, -1] - times[:, 0])
-    return np.abs(value - np.median(window, axis=1)) > reach
+    """Whether a reading is further from the median of its neighbours than the drive can have gone; those at the ends
+    have theirs to one side."""
+    first = np.clip(np.arange(len(value)) - NEIGHBOURS, 0, max(0, len(value) - 2 * NEIGHBOURS - 1))
+    at = np.minimum(first[:, None] + np.arange(2 * NEIGHBOURS + 1), len(value) - 1)
+    reach = speed * (time[at[:, -1]] - time[at[:, 0]])
+    return np.abs(value - np.median(value[at], axis=1)) > reach
 
 
 def _tell(which, rows, name, value, why, notes):

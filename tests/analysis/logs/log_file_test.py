@@ -7,6 +7,7 @@ import pytest
 
 from dipper_import.import_map import read_map
 from dipper_import.log_file import read_log
+from dipper_import.readings import _out_of_reach
 from dipper_run.csv_text import decimal_number, find_decimal
 from dipper_run.findings import Findings
 
@@ -85,7 +86,9 @@ def test_tables_of_the_field_are_read_as_the_program_reads_them(tmp_path, table)
     assert not found.all
     time, *rest = zip(*table["rows"])
     assert [s - log.stamp_s[0] for s in log.stamp_s] == [t - time[0] for t in time]
-    assert [log.values[n].tolist() for n in ("hoist", "crowd", "swing", "door")] == [list(c) for c in rest]
+    if table["kind"] == "no line end at the end":  # a logger that was switched off may have cut its last cell
+        rest[-1] = [*rest[-1][:-1], np.nan]
+    assert np.array_equal([log.values[n] for n in ("hoist", "crowd", "swing", "door")], rest, equal_nan=True)
 
 
 @pytest.mark.parametrize("encoding", ["punycode", "undefined"])
@@ -119,6 +122,31 @@ def test_lines_that_are_no_readings(read):
     assert notes == ["line 13, the last, is cut short: left out", "1 row (line 8): the header again, left out"]
     _, found, _ = read("\r\n".join(text))
     assert "log.csv:5: time: is 's', neither ISO 8601 nor a number" in found[0]
+
+
+@pytest.mark.parametrize("names, cut", [("thcsd", "1.5"), ("thcsd", "1"), ("hcsdt", "2.")])
+def test_a_last_cell_that_may_be_cut_short_is_no_reading(read, names, cut):
+    """Of a time the whole row goes."""
+    order = ["thcsd".index(name) for name in names]
+    text = joined([[[*row[:4], "1.5" if k else row[4]][i] for i in order] for k, row in enumerate(ROWS)], ";")
+    whole, found, notes = read(text)
+    assert not found and not notes and len(whole.lines) == 6 and (whole.values["door"] == 1.5).all()
+    log, found, notes = read(text.rstrip("\n")[:-3] + cut)
+    left = "its last cell" if names[-1] == "d" else "it"
+    assert not found and notes == [f"line 7, the last, has no line end, and may be cut short: {left} is left out"]
+    assert len(log.lines) == (6 if names[-1] == "d" else 5) and np.isfinite(log.values["door"][:5]).all()
+    assert not np.isfinite(log.values["door"][5:]).any()
+
+
+@pytest.mark.parametrize("at", [0, 1, 2, 10, 37, 38, 39])
+@pytest.mark.parametrize("off", [9.0, -9.0])
+def test_a_reading_that_is_out_of_reach_of_its_neighbours(at, off):
+    """Also one at the end, which has them to one side."""
+    time = 0.2 * np.arange(40)
+    value = 4 * np.sin(time / 3)  # 1.3 m/s
+    assert not _out_of_reach(time, value, 1.8).any()
+    value[at] += off
+    assert np.flatnonzero(_out_of_reach(time, value, 1.8)).tolist() == [at]
 
 
 def test_empty_cells_at_the_end_of_rows(read):
