@@ -4,6 +4,7 @@ import numpy as np
 from dipper_gap.readings.suspect import stretches
 
 from .phrases import leave_out, longest_of
+from .readings import FASTEST
 from .units import CHANNELS, PERCENT, SWITCH, UNITS
 
 DOOR_DEG = 5.0       # a door whose largest angle is less is never seen to open
@@ -11,7 +12,8 @@ OPEN = 0.5           # of its largest angle, and of the log: a door is shut whil
 FEW = 3              # readings
 JUMP = 1.2           # times what a drive can do from one reading to the next, for a clock that errs,
 NOISE = 6            # and times the readings' scatter
-FASTEST = {"hoist": 3.0, "crowd": 2.0, "swing": 40.0}  # m/s, m/s, deg/s, far beyond any shovel's, without limits
+FAR_OFF = {"hoist": 0.3, "crowd": 0.3, "swing": 3.0}   # m, m, deg, of a reading off its curve,
+TIMES_RMS = 10       # and so many times the root mean square of what all are off
 SELDOM = 0.1         # of the steps: a drive that jumps more often is logged in steps
 LITTLE = 0.02        # of a drive's range: passes take most of it
 USUAL_RANGE = {"hoist": 12.0, "crowd": 5.0, "swing": 180.0}  # m, m, deg, of a drive without limits
@@ -20,7 +22,10 @@ USUAL_RANGE = {"hoist": 12.0, "crowd": 5.0, "swing": 180.0}  # m, m, deg, of a d
 def warn_of_drives(readings, fits, spans, what, notes):
     _warn_of_door(fits["door"].value, what.channels["door"], notes)
     for name in USUAL_RANGE:
+        said = len(notes)
         _warn_of_jumps(name, readings[name], what, notes)
+        if len(notes) == said:
+            _warn_of_far_off(name, readings[name], fits[name].change, what.channels[name], notes)
         if spans:
             _warn_of_little(name, readings[name].value, what, notes)
 
@@ -57,6 +62,17 @@ def _warn_of_jumps(name, readings, what, notes):
     notes.append(f"warning: {name}: {value[a]:.6g} {unit} in all {b - a + 1} rows from line {readings.lines[a]} to "
                  f"{readings.lines[b]}, beside readings that the drive cannot reach from there at {limit:.4g} {unit}/s"
                  f"{longest_of(odd.sum())}: no readings, or stuck ones? {leave_out(name)}")
+
+
+def _warn_of_far_off(name, readings, change, channel, notes):
+    """Of a reading that the curve leaves far aside: too few for a stretch, and too near for the drive's speed."""
+    worst = int(np.abs(change).argmax())
+    off, rms = abs(change[worst]), np.sqrt(np.mean(change ** 2))
+    if channel.held or off <= max(FAR_OFF[name], TIMES_RMS * rms):
+        return
+    unit = CHANNELS[name].unit
+    notes.append(f"warning: {name}: {readings.value[worst]:.6g} {unit} at line {readings.lines[worst]} is {off:.3g} "
+                 f"{unit} off the curve, and all are {rms:.2g} {unit} off it (rms): no reading? {leave_out(name)}")
 
 
 def _warn_of_little(name, value, what, notes):

@@ -5,9 +5,11 @@ import numpy as np
 import pytest
 
 import ugly_log
+from dipper_import.clock import Rows
 from dipper_import.import_map import Limits
-from dipper_import.readings import Readings
-from dipper_import.warn_drives import _warn_of_door, _warn_of_jumps, _warn_of_little
+from dipper_import.readings import Readings, sound_readings
+from dipper_import.warn_drives import _warn_of_door, _warn_of_far_off, _warn_of_jumps, _warn_of_little
+from dipper_run.findings import Findings
 
 SPEED = {"hoist": 1.8, "crowd": 1.0, "swing": 20.0}
 
@@ -62,6 +64,30 @@ def test_a_drive_that_drops_to_one_value_or_is_stuck_there(rows, value, speed):
     assert len(notes) == 1 and f"in all {rows.stop - rows.start} rows from line {rows.start + 2} to {rows.stop + 1}, " \
         "beside readings that the drive cannot reach from there" in notes[0]
     assert not jumps("hoist", hoist, 5, held=True)
+
+
+@pytest.mark.parametrize("name, wrong, off", [("crowd", 0.0, 1.2), ("swing", -0.8, 4.0)])
+def test_a_reading_or_two_far_off_the_curve(name, wrong, off):
+    channel, change = SimpleNamespace(held=False), 0.01 * np.random.default_rng(1).standard_normal(400)
+    readings = Readings(0.2 * np.arange(400), np.zeros(400), 2 + np.arange(400), np.ones(400, bool))
+    _warn_of_far_off(name, readings, change, channel, notes := [])
+    assert not notes
+    change[100:102] = off
+    readings.value[100] = wrong
+    _warn_of_far_off(name, readings, change, channel, notes)
+    assert len(notes) == 1 and f"warning: {name}: {wrong:g} " in notes[0] and f"at line 102 is {off:g} " in notes[0]
+
+
+@pytest.mark.parametrize("speed", [20.0, np.inf])
+def test_a_wrong_reading_of_a_drive_without_limits_is_left_out(speed):
+    time, swing = 0.2 * np.arange(376), logged("swing", 5)
+    at = int(swing.argmax())
+    swing[at:at + 2] = 0.0
+    rows = Rows(time, 2 + np.arange(376), {"swing": swing}, 0.2, "", "")
+    kept = sound_readings(rows, "swing", SimpleNamespace(column="s", switch=False), Limits(speed=speed),
+                          SimpleNamespace(longest_gap_s=2.0), "log.csv", found := Findings(), notes := [])
+    assert not found.all and np.flatnonzero(~kept.kept).tolist() == [at, at + 1]
+    assert f"out of reach of their neighbours at {min(speed, 40):g} deg/s, left out; the first is 0" in notes[0]
 
 
 def test_a_drive_that_is_logged_in_steps():
