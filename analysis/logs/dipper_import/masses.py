@@ -82,7 +82,7 @@ def _dump_within(rows, dumps, spans, path, found):
                       f"pass {number} ({start:.4g} to {end:.4g} s) has no dump that takes {WEIGHED_S:g} s"
                       + (": the log begins within a pass" if number == 1 else ""),
                       "a time.from before its dig, or after its end" if number == 1 else
-                      "a swing to the truck before the door opens: channels.swing, channels.door")
+                      "a swing to the truck before the door opens: channels.swing; or wrong readings of channels.door")
             return False
     return True
 

@@ -10,6 +10,7 @@ from .units import CHANNELS
 BEYOND = 0.1        # of a drive's range: a reading further outside is no reading
 MOSTLY = 0.05       # of the readings: where more are outside, it is not the readings that are wrong
 HOLE = 2.5          # intervals: from so many on there is a gap
+TRIP_S = 1.0        # in less no door opens, empties the dipper and shuts
 SPELL_S = 0.5       # over which a speed is looked at
 NEIGHBOURS = 2      # rows to each side that a reading must agree with
 FASTEST = {"hoist": 3.0, "crowd": 2.0, "swing": 40.0}  # m/s, m/s, deg/s, far beyond any shovel's, without limits
@@ -79,6 +80,12 @@ def sound_readings(rows, name, channel, limits, what, path, found, notes):
         if np.isfinite(limits.speed) or jumps.sum() <= MOSTLY * len(at):
             _tell(jumps, rows, name, value, f"out of reach of their neighbours at {speed:.4g} {unit}/s", notes)
             kept &= ~jumps
+    if name == "door":
+        lone = np.zeros(len(value), bool)
+        at = np.flatnonzero(kept)
+        lone[at[_lone(rows.time_s[at], value[at])]] = True
+        _tell(lone, rows, name, value, "more than half the stroke off both beside them", notes)
+        kept &= ~lone
     out = Readings(rows.time_s[kept], value[kept], rows.lines[kept], kept)
     _find_gaps(out, rows, name, what, path, found, notes)
     return out
@@ -107,6 +114,16 @@ def _out_of_reach(time, value, speed):
     at = np.minimum(first[:, None] + np.arange(2 * NEIGHBOURS + 1), len(value) - 1)
     reach = speed * (time[at[:, -1]] - time[at[:, 0]])
     return np.abs(value - np.median(value[at], axis=1)) > reach
+
+
+def _lone(time, value):
+    """Whether a door's reading is more than half the stroke off both beside it. Where most openings are such, the log
+    has the pulse that trips the door."""
+    steps, odd = np.diff(value), np.zeros(len(value), bool)
+    far = np.abs(steps) > np.ptp(value) / 2
+    odd[1:-1] = far[:-1] & far[1:] & (steps[:-1] * steps[1:] < 0) & (time[2:] - time[:-2] < TRIP_S)
+    is_open = value[~odd] > (value[~odd].min() + value[~odd].max()) / 2
+    return odd & (odd.sum() <= np.sum(is_open[1:] & ~is_open[:-1]))
 
 
 def _tell(which, rows, name, value, why, notes):

@@ -10,6 +10,7 @@ from .units import CHANNELS, FORCES, TRUCK_MASS
 LARGEST = {"hoist_force": 8000.0, "crowd_force": 8000.0, TRUCK_MASS: 700.0}  # kN, kN, t
 BEYOND_STALL = 1.5         # times what a drive can pull: strokes of the rope, errors of the instrument
 PASS_S = (5.0, 300.0)      # of one pass; 20 to 60 s are usual
+SHORT = 0.5                # of the usual pass: no pass of its own
 LEAST_LOAD_T = 2.0         # the fullest of all passes: less than a boulder
 BEYOND_RATED = 1.3         # times the dipper's rated load: more than a heaped dipper's
 MOSTLY_EMPTY = 0.5         # of the rows without a reading
@@ -35,6 +36,12 @@ def warn_of_readings(rows, spans, what, notes):
     if lengths and not (PASS_S[0] <= np.median(lengths) <= PASS_S[1]):
         notes.append(f"warning: a pass takes {np.median(lengths):.4g} s, where 20 to 60 s are usual: is "
                      "time.format right?")
+    short = [k for k, length in enumerate(lengths) if length < SHORT * np.median(lengths)]
+    if short:
+        start, end = spans[short[0]]
+        more = f"; {len(short)} such passes" if len(short) > 1 else ""
+        notes.append(f"warning: pass {short[0] + 1} ({start:.4g} to {end:.4g} s) takes less than half of the usual "
+                     f"{np.median(lengths):.4g} s: does the log begin within it, or the door open twice?{more}")
 
 
 def warn_of_masses(masses, what, notes):

@@ -35,6 +35,29 @@ def test_a_door_that_stays_shut(value):
     assert not notes
 
 
+def door_kept(value, rate_hz=5):
+    n = len(value)
+    rows = Rows(np.arange(n) / rate_hz, 2 + np.arange(n), {"door": value}, 1 / rate_hz, "", "")
+    kept = sound_readings(rows, "door", SimpleNamespace(column="d", switch=True), Limits(),
+                          SimpleNamespace(longest_gap_s=2.0), "log.csv", Findings(), notes := [])
+    return np.flatnonzero(~kept.kept).tolist(), notes
+
+
+@pytest.mark.parametrize("stroke", [1.0, 75.0])
+def test_a_wrong_reading_of_a_door_is_no_opening(stroke):
+    sound = np.where(np.arange(300) % 100 < 90, 0.0, stroke)
+    assert door_kept(sound) == ([], []) and door_kept(logged("door", 5)) == ([], [])
+    wrong = sound.copy()
+    wrong[[40, 94]] = stroke - wrong[[40, 94]]
+    out, notes = door_kept(wrong)
+    assert out == [40, 94] and "door: 2 readings (lines 42, 96) more than half the stroke off both beside" in notes[0]
+    assert door_kept(wrong, rate_hz=1) == ([], [])  # it may open and shut from one row to the next but one
+
+
+def test_a_door_that_is_logged_as_a_pulse_opens():
+    assert door_kept(np.where(np.arange(300) % 100 == 90, 1.0, 0.0)) == ([], [])
+
+
 def jumps(name, value, rate_hz, speed=None, held=False):
     what = SimpleNamespace(channels={name: SimpleNamespace(held=held)},
                            limits={name: Limits(speed=speed or SPEED[name])})

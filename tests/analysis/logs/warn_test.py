@@ -6,7 +6,7 @@ import pytest
 
 from dipper_import.masses import _warn_of_tare, truck_masses
 from dipper_import.warn import (_warn_of_empty, _warn_of_falls, _warn_of_scale, _warn_of_sign, _warn_of_size,
-                                _warn_of_stuck, warn_of_masses)
+                                _warn_of_stuck, warn_of_masses, warn_of_readings)
 from dipper_run.findings import Findings
 
 SCALE = SimpleNamespace(column="Truck", reads="dipper", sigma=0.5, held=False)
@@ -67,6 +67,15 @@ def test_a_total_that_falls_and_is_back_at_once(low, until, back, warns):
     scale.reads = "dipper"
     _warn_of_scale(rows, [(0, 20), (20, 45)], scale, none := [])
     assert not none
+
+
+@pytest.mark.parametrize("spans, warns", [
+    ([(0, 25), (25, 50), (50, 70)], None), ([(0, 25), (25, 30), (30, 55)], "pass 2 (25 to 30 s) takes less than half "),
+    ([(0, 8), (8, 33), (33, 200)], "pass 1 (0 to 8 s) takes less than half of the usual 25 s: does the log begin")])
+def test_a_pass_that_is_short_among_others(spans, warns):
+    rows = SimpleNamespace(time_s=TIME, lines=2 + np.arange(300), values={})
+    warn_of_readings(rows, spans, SimpleNamespace(channels={}), notes := [])
+    assert not notes if warns is None else len(notes) == 1 and notes[0].startswith(f"warning: {warns}")
 
 
 @pytest.mark.parametrize("sign, offset", [(1, 900), (1, 0), (-1, 900)])
