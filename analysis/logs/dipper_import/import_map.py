@@ -66,6 +66,7 @@ class Channel:
     common_sigma: float
     reads: str                 # of a scale: one of READS
     line: int
+    scaled: bool = False       # whether the map has a scale
 
 
 @dataclass(frozen=True)
@@ -238,8 +239,8 @@ def _channel(channels, name):
     quality, time = _column(s, "quality"), _column(s, "time")
     s.end()
     return Channel(one_blank(column), unit, per_unit * sign * scale, low + per_unit * offset, unit == SWITCH, held,
-                   quality, time,
-                   None if sigma is None else sigma * abs(per_unit), common * abs(per_unit), reads, s.line)
+                   quality, time, None if sigma is None else sigma * abs(per_unit),
+                   common * abs(per_unit), reads, s.line, "scale" in s)
 
 
 def _limits(top, path):

@@ -20,9 +20,12 @@ PERCENT = "%"      # of a range, given beside it
 SWITCH = "switch"  # 0 or 1 for the ends of a range
 OWN = {"length": "m", "angle": "deg", "force": "kN", "mass": "t"}
 NO_UNITS = {"dm": ("length", 0.1), "km": ("length", 1e3), "gon": ("angle", 0.9), "daN": ("force", 1e-2),
-            "tonf": ("force", 8.896443230521)}  # that a log may name, and a map writes as a scale
+            "tonf": ("force", 8.896443230521),  # that a log may name, and a map writes as a scale
+            "ton": ("mass", 0.90718474)}        # short, or a tonne: the map says
 BY_NAME = {u.lower(): u for u in (*UNITS, *NO_UNITS, PERCENT)}
 AS_FORCE = {"t": "tf", "kg": "kgf", "lb": "lbf", "klb": "kip", "short ton": "tonf"}  # as forces are often written
+TONS = {"mass": "short tons (0.907 t) or tonnes? unit: short ton, or scale: 1, in the map",
+        "force": "short tons (8.896 kN) or tonnes? unit: kN, scale: 8.896, or unit: tf, scale: 1, in the map"}
 IN_NAME = re.compile(r"[(\[]([^()\[\]]+)[)\]]$")  # Pull (kip), Mass [short ton]
 
 
@@ -61,6 +64,8 @@ def other_unit(unit, name, channel):
     unit = AS_FORCE.get(unit, unit) if quantity == "force" else unit
     if unit is None or channel.switch or unit == channel.unit:
         return None
+    if unit == "ton" and quantity in TONS:
+        return None if channel.scaled or channel.unit in ("short ton", "long ton") else (unit, TONS[quantity])
     stated, size = {**UNITS, **NO_UNITS}.get(unit, (quantity, None))
     if size is None or stated != quantity:  # only the map can say how much of the quantity it is
         scaled = abs(channel.slope) != UNITS.get(channel.unit, (quantity, None))[1]

@@ -19,10 +19,12 @@ OTHER_NAMES = {name: unit for unit, names in {  # of units, in small letters
     "m": "metre metres meter meters", "mm": "millimetre millimetres", "cm": "centimetre centimetres",
     "ft": "feet foot", "in": "inch inches", "yd": "yard yards", "deg": "° º degree degrees", "rad": "radian radians",
     "rev": "revs revolutions turns", "kn": "kilonewton kilonewtons", "n": "newton newtons",
-    "kip": "kips klbf kipf", "lbf": "lbsf", "tf": "tonnef", "kgf": "kp", "t": "tonne tonnes mt", "kg": "kgs",
+    "kip": "kips klbf kipf", "lbf": "lbsf", "tf": "tonnef", "kgf": "kp", "t": "tonne tonnes mt", "ton": "tons tn",
+    "kg": "kgs",
     "lb": "lbs pound pounds", "klb": "klbs", "short ton": "short_ton short-ton short_tons ston stons st",
     "long ton": "long_ton long-ton long_tons", "%": "percent pct"}.items() for name in names.split()}
-OTHER_NAMES.update({"short tons": "short ton", "long tons": "long ton"})
+OTHER_NAMES.update({"short tons": "short ton", "us ton": "short ton", "us tons": "short ton", "long tons": "long ton",
+                    "metric ton": "t", "metric tons": "t"})
 STAMP = re.compile(r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d.*", re.ASCII)
 FIRST_STAMP_S = 10 * 365 * 86400  # seconds since 1970: a clock that began at 0 has not run for ten years
 LAST_STAMP_S = 253402300800       # the year 10000: milliseconds, more likely

@@ -5,6 +5,7 @@ import pytest
 
 import ugly_log
 from dipper_import.import_map import read_map
+from dipper_import.units import other_unit, unit_in_name
 from dipper_run.findings import BadInput
 
 SOUND = """\
@@ -90,3 +91,22 @@ def test_thousands_and_decimals_have_marks_of_their_own(sound):
     with pytest.raises(BadInput) as e:
         read_map(sound)
     assert "file.thousands: is ,, as file.decimal; another mark than the decimal one" in e.value.findings[0]
+
+
+@pytest.mark.parametrize("quantity, said, unit, right", [
+    ("truck_mass", "tons", "unit: t", "short tons (0.907 t) or tonnes? unit: short ton, or scale: 1"),
+    ("truck_mass", "ton", "unit: kg", "short tons (0.907 t) or tonnes?"),
+    ("truck_mass", "tons", "unit: t, scale: 1", None),
+    ("truck_mass", "Tn", "unit: t", "short tons (0.907 t) or tonnes?"), ("truck_mass", "tons", "unit: short ton", None),
+    ("truck_mass", "tons", "unit: long ton", None), ("truck_mass", "US tons", "unit: t", "unit: short ton"),
+    ("truck_mass", "us ton", "unit: short ton", None), ("truck_mass", "metric tons", "unit: t", None),
+    ("truck_mass", "metric ton", "unit: short ton", "unit: t"), ("hoist_force", "tons", "unit: tf, scale: 1", None),
+    ("hoist_force", "ton", "unit: tf", "short tons (8.896 kN) or tonnes? unit: kN, scale: 8.896")])
+def test_tons_are_short_or_metric(sound, quantity, said, unit, right):
+    reads = ", reads: total" if quantity == "truck_mass" else ""
+    more = f"  {quantity}: {{column: F, {unit}, sigma: 1{reads}}}\n"
+    sigmas = SOUND.replace("sign: -1", "sigma: 1").replace("range: [-", "sigma: 1, range: [-").replace(
+        "unit: rad", "unit: rad, sigma: 1").replace("MACHINE", str(ugly_log.ROOT / "mbs/bucyrus495.yaml"))
+    sound.write_text(sigmas.replace("limits:\n", more + "limits:\n"))
+    other = other_unit(unit_in_name(f"F ({said})"), quantity, read_map(sound).channels[quantity])
+    assert other is None if right is None else other[1].startswith(right)
