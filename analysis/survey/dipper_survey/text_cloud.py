@@ -10,12 +10,16 @@ from dipper_run.text_file import BOM, number
 
 PART = 1 << 23           # bytes
 HEAD = 1 << 16           # bytes in which the first point is looked for
-NAMES = {"x": ("x", "e", "east", "easting", "rechtswert", "utmx"),
-         "y": ("y", "n", "north", "northing", "hochwert", "utmy"),
-         "z": ("z", "h", "height", "elev", "elevation", "rl", "level", "altitude", "alt", "hoehe")}
+EAST, NORTH = ("east", "easting", "rechtswert", "utmx"), ("north", "northing", "hochwert", "utmy")
+HEIGHT = ("z", "h", "height", "elev", "elevation", "rl", "level", "altitude", "alt", "hoehe")
+# Names of x, y and z. The first three that are all there count: beside X,Y,Z a column N is a number.
+FAMILIES = ((("x",), ("y",), ("z",)), (EAST, NORTH, HEIGHT), (("e",), ("n",), HEIGHT),
+            (("x", "e", *EAST), ("y", "n", *NORTH), HEIGHT))
 NONE = ("nan", "-nan", "inf", "-inf", "+inf")  # as scanners write that nothing came back
 OTHER_UNITS = ("ft", "feet", "foot", "usft", "ftus", "us-ft", "ft-us", "mm", "cm", "km", "in", "inch", "deg", "dd")
 UNIT = re.compile(r"[(\[]\s*([a-z-]+)\.?\s*[)\]]|_([a-z-]+)$|\s([a-z-]+)$")  # E (ft), east_ft, Elev ft
+FEET = re.compile(r"(?<![a-z])(ft|feet|foot)(?![a-z])")
+BRACKETS = re.compile(r"[(\[](.*)[)\]]")
 DEGREES = ("lon", "long", "longitude", "lat", "latitude")
 PARTED = re.compile(r"[+-]?\d{1,3}([,'\u2019\u00a0 ]\d{3})+(\.\d+)?", re.ASCII)  # thousands
 SHOWN = 60
@@ -58,7 +62,7 @@ def _find_table(path, found):
         delimiter, cells = _split(bare)
         comment = line.lstrip().startswith(("#", "//"))
         if comment or sum(map(_is_number, cells)) < min(3, len(cells)):
-            if len(cells) >= 3 and None not in _columns(cells):
+            if len(cells) >= 3 and _columns(cells):
                 header = (i, cells)
             elif len(cells) >= 3 and not comment:
                 words = (i, cells)
@@ -94,13 +98,19 @@ def _table_from(path, lines, first, delimiter, cells, names, returns, found):
     columns = [0, 1, 2]
     if names:
         line, words = names
-        columns = _columns(words)
-        if None in columns:
+        places = _columns(words)
+        if places is None:
             degrees = any(w.lower().split("(")[0].strip() in DEGREES for w in words)
             found.add(path, line, "header", "has " + ", ".join(f"'{w[:20]}'" for w in words[:8]),
                       "columns called x, y, z, or easting, northing, elevation" +
                       (", in metres of the mine's grid: project the degrees to it" if degrees else ""))
             return None
+        for axis, of_axis in zip("xyz", places):
+            if len(of_axis) > 1:
+                found.add(path, line, "header", f"has {len(of_axis)} columns for {axis}: "
+                          + ", ".join(f"'{words[c][:20]}'" for c in of_axis), "one: give the others other names")
+                return None
+        columns = [of_axis[0] for of_axis in places]
         units = [cells_in(text.strip(), delimiter) for text in lines[line:first - 1]]
         for at, row in [(line, words), *enumerate(units, line + 1)]:
             other = next((unit for c in columns if c < len(row) and (unit := _other_unit(row[c], row is words))), None)
@@ -122,6 +132,9 @@ def _table_from(path, lines, first, delimiter, cells, names, returns, found):
 def _other_unit(text, in_name):
     """The unit in a column's name, or in the row below it, where that is not the metre; None else."""
     text = text.lower().strip()
+    inside = BRACKETS.search(text)
+    if feet := FEET.search(inside[1] if inside else "" if in_name else text):
+        return feet[0]
     named = UNIT.search(text)
     unit = next(filter(None, named.groups()), "") if named else "" if in_name else text
     return unit if unit in OTHER_UNITS else None
@@ -138,10 +151,11 @@ def _counts_up(lines, delimiter):
 
 
 def _columns(words):
-    """Where x, y and z stand among the names of a header; None for one that does not."""
-    plain = ["".join(ch for ch in w.lower().split("(")[0].split("[")[0] if ch.isalpha() or ch == "_").removesuffix("_m")
+    """Where x, y and z stand among the names of a header, a list each; None where they do not."""
+    plain = ["".join(ch for ch in w.lower().split("(")[0].split("[")[0] if ch.isalnum() or ch == "_").removesuffix("_m")
              for w in words]
-    return [next((i for i, w in enumerate(plain) if w in NAMES[axis]), None) for axis in "xyz"]
+    found = ([[i for i, w in enumerate(plain) if w in names] for names in family] for family in FAMILIES)
+    return next(filter(all, found), None)
 
 
 def _split(line):

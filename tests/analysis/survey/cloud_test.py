@@ -53,6 +53,20 @@ def test_text(tmp_path, content, monkeypatch):
     np.testing.assert_allclose(read(text(tmp_path, content)), POINTS, rtol=0, atol=6e-4)
 
 
+@pytest.mark.parametrize("before, after", [
+    ("N,X,Y,Z", ""), ("n,x,y,z", ""), ("E,X,Y,Z", ""), ("H,X,Y,Z", ""), ("Level,X,Y,Z", ""), ("No,E,N,RL", ""),
+    ("N,Easting,Northing,Elevation", ""), ("X1,Y1,Z1,X,Y,Z", ""), ("E,N,X,Y,Z", ""), ("X,Y,Z", ",N,E,H"),
+    ("x,y,h", ""), ("Easting,N,Z", ""), ("E,N,Z,X", "")])
+def test_columns_are_taken_as_a_whole(tmp_path, before, after):
+    """Point numbers, echoes and levels beside them are none of x, y and z, nor is a second set with digits."""
+    names = before.split(",")
+    first = len(names) - 3 if names[-1] != "X" else 0
+    lines = (",".join([*(str(i % 5) for i in range(first)), *row.split(","), *["7"] * (len(names) - first - 3),
+                       *["3"] * after.count(",")]) for row in rows(",").splitlines())
+    cloud = read(text(tmp_path, before + after + "\n" + "\n".join(lines) + "\n"))
+    np.testing.assert_allclose(cloud, POINTS, rtol=0, atol=6e-4)
+
+
 def test_rows_without_a_return_are_kept_as_such(tmp_path):
     points = read(text(tmp_path, rows() + "nan nan nan\n"))
     assert np.isnan(points[-1]).all() and len(points) == len(POINTS) + 1
@@ -85,6 +99,12 @@ def test_rows_without_a_return_are_kept_as_such(tmp_path):
     ("lon,lat,z\n" + rows(","), "in metres of the mine's grid: project the degrees to it"),
     ("E (ft),N (ft),Z (ft)\n" + rows(","), ":1: header: says 'ft'; coordinates in metres: convert them"),
     ("x,y,z\nm,m,ft\n" + rows(","), ":2: header: says 'ft'"),
+    ("x (m),y (m),z (US Survey Feet)\n" + rows(","), ":1: header: says 'feet'"),
+    ("x (m),y (m),z [intl. ft]\n" + rows(","), ":1: header: says 'ft'"),
+    ("x,y,z\nm,m,US survey foot\n" + rows(","), ":2: header: says 'foot'"),
+    ("E,N,Z,RL\n" + rows(",", more=("1",)), ":1: header: has 2 columns for z: 'Z', 'RL'; one: give the others other"),
+    ("X,Y,Z,X\n" + rows(",", more=("1",)), ":1: header: has 2 columns for x: 'X', 'X'"),
+    ("X1,Y1,Z1\n" + rows(","), ":1: header: has 'X1', 'Y1', 'Z1'; columns called x, y, z"),
     ("".join(f"{i} {line}\n" for i, line in enumerate(rows().splitlines(), 1)), ":1: point: the first column counts"),
     ("".join(f"{101 + i},{line},CREST\n" for i, line in enumerate(rows(",").splitlines())),
      ":1: point: the first column counts")])
