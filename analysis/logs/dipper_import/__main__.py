@@ -6,6 +6,7 @@ import argparse
 import shutil
 import sys
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 
 from dipper_gap.readings.measured import read_measured, write_measured
@@ -15,6 +16,7 @@ from dipper_run.out_folder import check_not_over, check_writable
 
 from .build import build, motion_text
 from .clock import order_rows
+from .earlier import copy_faces, with_earlier
 from .import_map import read_map
 from .log_file import read_log
 from .report import plot, words
@@ -61,6 +63,7 @@ def write(made, what, said, log, out, dry):
         folder = Path(folder)
         if made.measured:
             write_measured(made.measured, folder / "measured")
+            copy_faces(out / "measured", folder / "measured")
             try:
                 read_measured(folder / "measured")
             except BadInput as e:
@@ -90,6 +93,7 @@ def run(args):
     check_not_over({"the log": args.log, "the map": args.map}, [out / name for name in WRITTEN])
     check_writable(out)
     made, what, said = read(args.log, args.map)
+    made = replace(made, measured=with_earlier(made.measured, out / "measured", said)) if not args.dry else made
     print("\n".join(said), flush=True)
     write(made, what, said, args.log, out, args.dry)
 

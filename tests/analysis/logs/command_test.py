@@ -1,5 +1,6 @@
 """`dipper import` as a command: what it writes, when it writes nothing, and that the case it makes is sound."""
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -58,6 +59,42 @@ def test_dry_writes_the_plot_alone(tmp_path):
     said = dipper("import", LOG, "--map", MAP, "--out", tmp_path / "out", "--dry")
     assert files(tmp_path) == ["out/import.png"] and str(tmp_path / "out/import.png") in said
     assert "gap of 1 s" in said
+
+
+def without_measures(folder):
+    """The tutorial's map without forces and masses."""
+    file = folder / "motion.yaml"
+    lines, measures = MAP.read_text().replace("../../..", str(ROOT)).splitlines(), ("hoist_f", "crowd_f", "truck_")
+    file.write_text("\n".join(line for line in lines if not line.lstrip().startswith(measures)))
+    return file
+
+
+def test_a_measured_folder_of_an_earlier_log_is_not_left_beside_a_new_motion(tmp_path, capsys):
+    out, map_file = tmp_path / "out", without_measures(tmp_path)
+    assert main([str(LOG), "--map", str(map_file), "--out", str(out)]) == 0
+    assert main([str(LOG), "--map", str(MAP), "--out", str(out)]) == 0
+    before = {name: (out / name).read_bytes() for name in files(out)}
+    assert main([str(LOG), "--map", str(map_file), "--out", str(out)]) == 2
+    assert f"{out}/measured: is of an earlier log, and this one has no forces and no masses by its map; remove it, or " \
+        "choose another --out" in capsys.readouterr().err
+    assert before == {name: (out / name).read_bytes() for name in files(out)}
+    assert main([str(LOG), "--map", str(map_file), "--out", str(out), "--dry"]) == 0
+
+
+def test_what_users_add_to_channels_is_kept(tmp_path, capsys):
+    out = tmp_path / "out"
+    assert main([str(LOG), "--map", str(MAP), "--out", str(out)]) == 0
+    file = out / "measured/channels.yaml"
+    added = "face_m: {unit: m, role: response, sigma: 0.05, common_sigma: 0.03}\n"
+    sound = re.sub("(truck_mass_t: .*)}", r"\1, drift_sigma: 0.01}", file.read_text()) + added
+    file.write_text(sound)
+    (out / "measured/profile.csv").write_text("pass,x_m,z_m\n" + "".join(f"1,{x},{x - 10}\n" for x in range(10, 16)))
+    faces = (out / "measured/profile.csv").read_bytes()
+    capsys.readouterr()
+    assert main([str(LOG), "--map", str(MAP), "--out", str(out)]) == 0
+    note = "measured/channels.yaml: truck_mass_t.drift_sigma, face_m kept, as an earlier one had them"
+    assert note in capsys.readouterr().out and note in (out / "import.txt").read_text()
+    assert file.read_text() == sound and (out / "measured/profile.csv").read_bytes() == faces
 
 
 def test_bad_input_writes_nothing(tmp_path):
