@@ -9,6 +9,7 @@ from .units import DRIVES
 
 DAY_S = 86400.0
 SHORTEST_S = 1e-3  # between two rows
+TOGETHER_S = 5e-4  # between rows of one time: half of that, for a clock that errs
 SLOWEST_S = 5.0    # between two rows in which a pass of 20 to 60 s is still seen,
 ROOM = 1.5         # and of the interval, for the next row that comes late
 DOUBLED = 1.5      # rows for each interval of the log: from so many on, two stretches lie over one another
@@ -220,7 +221,7 @@ def _far_apart(log, index, keep, first, other):
 
 def _each_time_once(log, index, time, path, found, notes):
     """(index, time) without rows whose time has been seen; None after a finding."""
-    keep = np.append(True, np.diff(time) > 1e-9)
+    keep = np.append(True, np.diff(time) > TOGETHER_S)
     first = np.maximum.accumulate(np.where(keep, np.arange(len(time)), 0))
     again = np.flatnonzero(~keep)
     same = [k for k in again if _same(log, index[first[k]], index[k])]

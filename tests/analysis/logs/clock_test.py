@@ -1,9 +1,11 @@
 """A log's rows in order: what came late or twice, a clock that was set, stamps of every kind."""
 from datetime import datetime, timedelta, timezone
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from dipper_gap.readings.measured import Measured, write_measured
 from dipper_import.clock import order_rows
 from dipper_import.import_map import Channel, FileFormat, ImportMap, Limits, TimeFormat
 from dipper_import.log_file import read_log
@@ -261,6 +263,21 @@ def test_stamps_too_coarse_for_the_interval(tmp_path, stamps, form, digit):
 def test_whole_seconds_with_lost_rows_are_read(tmp_path, lost):
     kept = np.flatnonzero(np.random.default_rng(3).random(N) > lost)
     assert not Read(tmp_path, [f"{k}" for k in range(N)], kept, longest_gap_s=9).found.all
+
+
+@pytest.mark.parametrize("apart, kept", [(0.0003, False), (0.0007, True)])
+def test_rows_closer_than_a_logger_writes_are_of_one_time(tmp_path, apart, kept):
+    """What is kept has times of its own in signals.csv."""
+    stamps = [f"{t:.4f}" for t in TIME]
+    stamps[31] = f"{TIME[30] + apart:.4f}"
+    read = Read(tmp_path, stamps)
+    told = ["1 row (line 33): at the time of another row, with other readings, left out"]
+    assert not read.found.all and read.notes == ([] if kept else told)
+    hoist = SimpleNamespace(name="hoist_m", unit="m", role="driven", sigma=1, common_sigma=0, drift_sigma=None)
+    signals = {"hoist_m": read.rows.values["hoist"]}
+    write_measured(Measured({"hoist_m": hoist}, (), read.rows.time_s, signals), tmp_path / "out")
+    time = [float(row.split(",")[0]) for row in (tmp_path / "out/signals.csv").read_text().splitlines()[1:]]
+    assert np.diff(time).min() > 0 and len(time) == N - (not kept)
 
 
 def test_a_part_of_the_log(tmp_path):

@@ -75,8 +75,8 @@ def test_a_measured_folder_of_an_earlier_log_is_not_left_beside_a_new_motion(tmp
     assert main([str(LOG), "--map", str(MAP), "--out", str(out)]) == 0
     before = {name: (out / name).read_bytes() for name in files(out)}
     assert main([str(LOG), "--map", str(map_file), "--out", str(out)]) == 2
-    assert f"{out}/measured: is of an earlier log, and this one has no forces and no masses by its map; remove it, or " \
-        "choose another --out" in capsys.readouterr().err
+    assert f"{out}/measured: is of an earlier log, and this one has no forces and no masses by its map; remove it, " \
+        "or choose another --out" in capsys.readouterr().err
     assert before == {name: (out / name).read_bytes() for name in files(out)}
     assert main([str(LOG), "--map", str(map_file), "--out", str(out), "--dry"]) == 0
 
@@ -88,13 +88,14 @@ def test_what_users_add_to_channels_is_kept(tmp_path, capsys):
     added = "face_m: {unit: m, role: response, sigma: 0.05, common_sigma: 0.03}\n"
     sound = re.sub("(truck_mass_t: .*)}", r"\1, drift_sigma: 0.01}", file.read_text()) + added
     file.write_text(sound)
-    (out / "measured/profile.csv").write_text("pass,x_m,z_m\n" + "".join(f"1,{x},{x - 10}\n" for x in range(10, 16)))
-    faces = (out / "measured/profile.csv").read_bytes()
+    profile = out / "measured/profile.csv"
+    profile.write_text("pass,x_m,z_m\n" + "".join(f"1,{x},{x - 10}\n" for x in range(10, 16)))
+    faces = profile.read_bytes()
     capsys.readouterr()
     assert main([str(LOG), "--map", str(MAP), "--out", str(out)]) == 0
     note = "measured/channels.yaml: truck_mass_t.drift_sigma, face_m kept, as an earlier one had them"
     assert note in capsys.readouterr().out and note in (out / "import.txt").read_text()
-    assert file.read_text() == sound and (out / "measured/profile.csv").read_bytes() == faces
+    assert file.read_text() == sound and profile.read_bytes() == faces
 
 
 def test_bad_input_writes_nothing(tmp_path):

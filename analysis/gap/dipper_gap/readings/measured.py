@@ -277,4 +277,4 @@ def write_measured(m, folder):
         with open(folder / "signals.csv", "w") as f:
             f.write(",".join(["time_s"] + list(m.signals)) + "\n")
             for k, t in enumerate(m.time_s):
-                f.write(",".join([f"{t:.3f}"] + [f"{v[k]:.4f}" for v in m.signals.values()]) + "\n")
+                f.write(",".join([f"{t:.6f}".removesuffix("000")] + [f"{v[k]:.4f}" for v in m.signals.values()]) + "\n")
