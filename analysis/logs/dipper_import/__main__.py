@@ -1,6 +1,6 @@
 """dipper import LOG --map MAP.yaml [--out DIR] [--dry]
 
-Exit status: 0 done; 2 bad input, nothing written.
+Exit status: 0 done; 2 bad input, nothing written; 4 interrupted.
 """
 import argparse
 import shutil
@@ -9,8 +9,12 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
+from dipper_run.exit_status import end_interrupted, exit_status
+
+if __name__ == "__main__":  # the imports below take a second
+    end_interrupted("import")
+
 from dipper_gap.readings.measured import read_measured, write_measured
-from dipper_run.exit_status import exit_status
 from dipper_run.findings import BadInput, Findings
 from dipper_run.out_folder import check_not_over, check_writable
 

@@ -9,8 +9,8 @@ from .program import ProgramFailed
 
 
 def exit_status(command, work):
-    """Calls `work()`. 0: done; 2: bad input or a file that cannot be used; 3: `dipper` itself failed; what a shell says
-    of a program that SIGPIPE ends, where nobody reads its output to the end."""
+    """Calls `work()`. 0: done; 2: bad input or a file that cannot be used; 3: `dipper` itself failed; 4: interrupted;
+    what a shell says of a program that SIGPIPE ends, where nobody reads its output to the end."""
     try:
         work()
         sys.stdout.flush()
@@ -25,7 +25,25 @@ def exit_status(command, work):
     except ProgramFailed as e:
         print(f"{command}: {e}", file=sys.stderr)
         return 3
+    except KeyboardInterrupt:
+        return _interrupted(command)
     return 0
+
+
+def end_interrupted(command):
+    """From here on an interrupt ends the process with status 4 outside of exit_status, too: while it is imported."""
+    def hook(kind, value, trace):
+        if not issubclass(kind, KeyboardInterrupt):
+            sys.__excepthook__(kind, value, trace)
+            return
+        os._exit(_interrupted(command))
+
+    sys.excepthook = hook
+
+
+def _interrupted(command):
+    print(f"{command}: interrupted; the same command starts anew", file=sys.stderr, flush=True)
+    return 4
 
 
 def _output_is_closed():

@@ -1,6 +1,6 @@
 """dipper survey CLOUD --case CASE [--origin E,N,Z] [--azimuth DEG] [--rear X] [--out FILE]
 
-Exit status: 0 done; 2 bad input, nothing written.
+Exit status: 0 done; 2 bad input, nothing written; 4 interrupted.
 """
 import argparse
 import math
@@ -8,7 +8,11 @@ import os
 import sys
 from pathlib import Path
 
-from dipper_run.exit_status import exit_status
+from dipper_run.exit_status import end_interrupted, exit_status
+
+if __name__ == "__main__":  # the imports below take a second
+    end_interrupted("survey")
+
 from dipper_run.findings import BadInput
 from dipper_run.out_folder import check_not_over
 from dipper_run.program import check_json
