@@ -80,10 +80,8 @@ void begin_again(const cases::Case& c, const result::RunFolder& folder, Reporter
                       recorded_s)}});
   reporter.line("no checkpoint yet: the run begins again");
   for (const auto& left : {folder.dumps(), folder.faces(), folder.decisions()})
-    for (const auto& entry : std::filesystem::exists(left)
-                                 ? std::filesystem::directory_iterator(left)
-                                 : std::filesystem::directory_iterator())
-      std::filesystem::remove_all(entry.path());
+    std::filesystem::remove_all(left);
+  std::filesystem::create_directory(folder.dumps());
 }
 
 /// Closes the session, then writes summary and observed signals from the closed record.
