@@ -16,6 +16,7 @@
 #include "common/mesh/stl.hpp"
 #include "common/record/record.hpp"
 #include "common/text_file.hpp"
+#include "common/warn.hpp"
 #include "common/yaml_section.hpp"
 
 namespace dipper::analysis::run {
@@ -57,8 +58,14 @@ void read_scales(RunData& run) {
     }
     run.struck_given_m3 =
         setup.value("struck_volume_m3", 0.0);  // 0: a run made before it was there
-    // Runs made before it was there have the heap's height more.
-    if (regions.dipper) regions.lip_x_m = setup.value("lip_x_m", regions.dipper->max_m.x());
+    if (regions.dipper) {
+      regions.lip_x_m = setup.value("lip_x_m", regions.dipper->max_m.x());
+      if (!setup.contains("lip_x_m"))
+        warn(
+            file.string() +
+            ": has no lip_x_m, as the run is of an earlier version: the stages of its dig, and the "
+            "rock ahead of the dipper, are those of a lip as far out as the heap");
+    }
   } catch (const json::exception& e) {
     throw io::input_error(file, 0, e.what());
   }
