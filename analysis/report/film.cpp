@@ -13,6 +13,7 @@
 
 #include "analysis/report/headless_browser.hpp"
 #include "common/draft_file.hpp"
+#include "common/shell_word.hpp"
 #include "common/text_file.hpp"
 
 namespace dipper::analysis::report {
@@ -43,12 +44,10 @@ struct BrokenPipesAreErrors {
 class Ffmpeg {
  public:
   explicit Ffmpeg(const fs::path& film) : film_(film), draft_(film) {
-    gchar* quoted = g_shell_quote(draft_.path().c_str());
     const std::string command = fmt::format(
         "exec ffmpeg -loglevel error -y -f image2pipe -c:v mjpeg -framerate {} -i - -c:v libx264 "
         "-pix_fmt yuv420p -crf 21 -movflags +faststart {}",
-        kPerSecond, quoted);
-    g_free(quoted);
+        kPerSecond, shell_word(draft_.path()));
     pipe_ = popen(command.c_str(), "we");
     if (pipe_ == nullptr) throw std::runtime_error("ffmpeg cannot be started");
   }

@@ -17,7 +17,6 @@
 #include "common/record/record.hpp"
 #include "common/text_file.hpp"
 #include "common/warn.hpp"
-#include "common/yaml_section.hpp"
 
 namespace dipper::analysis::run {
 namespace {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/input_error.hpp"
+#include "common/manifest.hpp"
 
 namespace dipper::record {
 namespace {
@@ -162,6 +163,11 @@ void Record::flush() {
   rows_ += pending_;
   pending_ = 0;
   if (H5Fflush(handle_.id(), H5F_SCOPE_GLOBAL) < 0) fail("flush");
+}
+
+void Record::sync() {
+  flush();
+  dipper::sync(file_);
 }
 
 std::vector<double> read_channel(const std::filesystem::path& file, const std::string& name,

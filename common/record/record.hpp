@@ -38,6 +38,8 @@ class Record {
   /// Ends the row. Channels not put repeat their last values.
   void next();
   void flush();
+  /// The same, and to the disk itself: it outlives a power failure.
+  void sync();
   std::size_t rows() const { return rows_ + pending_; }
 
  private:

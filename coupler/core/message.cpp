@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/seconds.hpp"
+
 namespace dipper::core {
 namespace {
 
@@ -19,7 +21,7 @@ struct MessageCheck {
     throw std::runtime_error(
         fmt::format("{} sent a {} that {} for body '{}' in sync step {} (t = {:.6f} s)", side, what,
                     fault, body < names.size() ? names[body] : std::to_string(body),
-                    envelope.step_index, static_cast<double>(envelope.t_ns) * 1e-9));
+                    envelope.step_index, seconds(envelope.t_ns)));
   }
   void check(const Pose& X, std::size_t body) const {
     require(is_finite(X), "pose", body);
@@ -45,7 +47,7 @@ struct MessageCheck {
     for (const double x : m.order.to)
       if (!std::isfinite(x))
         throw std::runtime_error(fmt::format("{} sent an order that is not finite (t = {:.6f} s)",
-                                             side, static_cast<double>(envelope.t_ns) * 1e-9));
+                                             side, seconds(envelope.t_ns)));
   }
   void operator()(const MachineState& m) const {
     all(m.bodies);

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "common/manifest.hpp"
-
 namespace dipper::run {
 
 Checkpointer::Checkpointer(std::filesystem::path checkpoints, double every_s, Sources sources)
@@ -24,8 +22,7 @@ void Checkpointer::window(const core::Window& w) {
 }
 
 void Checkpointer::save() {
-  sources_.record.flush();
-  sync(folder_.parent_path() / "record.h5");  // a checkpoint needs the rows before it
+  sources_.record.sync();
   save_checkpoint(folder_,
                   {{},
                    sources_.coupling.state(),

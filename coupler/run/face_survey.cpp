@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "common/seconds.hpp"
 #include "common/text_file.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/result/surveyed_faces.hpp"
@@ -21,22 +22,19 @@ HeightGrid bench_grid(const cases::Case& c) {
   return face_grid(pile.toe_x_m - kBeforeToe_m, pile.rear_x_m, -half, half);
 }
 
-/// Of a face: a resumed run compares it with the checkpoint's to the bit.
-double time_s(std::int64_t t_ns) { return static_cast<double>(t_ns) * 1e-9; }
-
 }  // namespace
 
 FaceSurvey::FaceSurvey(const cases::Case& c, const Sides& sides, std::filesystem::path folder,
-                       const core::CouplingState* from, const core::MachineState& machine)
+                       const core::MachineState* resumed)
     : sides_(sides),
       folder_(std::move(folder)),
       grid_(bench_grid(c)),
       axis_x_m_(c.machine.base_position_m.x()),
       axis_y_m_(c.machine.base_position_m.y()),
       door_(core::channel_index(sides.machine_info, "door")) {
-  if (from == nullptr) return;
-  was_open_ = is_open(machine);
-  faces_ = result::keep_faces_until(folder_, time_s(machine.t_ns));
+  if (resumed == nullptr) return;
+  was_open_ = is_open(*resumed);
+  faces_ = result::keep_faces_until(folder_, seconds(resumed->t_ns));
 }
 
 bool FaceSurvey::is_open(const core::MachineState& machine) const {
@@ -54,7 +52,7 @@ void FaceSurvey::window(const core::Window& w) {
 
 void FaceSurvey::look(std::int64_t t_ns) {
   nlohmann::json j = nlohmann::json::parse(to_json_text(sides_.rock.look(grid_)));
-  j["t_s"] = time_s(t_ns);
+  j["t_s"] = seconds(t_ns);
   j["axis_m"] = {axis_x_m_, axis_y_m_};
   std::filesystem::create_directories(folder_);
   write_text(result::face_file(folder_, faces_++), j.dump() + '\n');

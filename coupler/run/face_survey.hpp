@@ -20,10 +20,10 @@ class FaceSurvey final : public Observer {
     core::ServerInfo machine_info;
   };
 
-  /// \param from  of a resumed run: the machine's state and the time; later faces are removed.
+  /// \param resumed  the machine at the checkpoint of a resumed run, whose later faces are removed.
   /// Null: a new run.
   FaceSurvey(const cases::Case& c, const Sides& sides, std::filesystem::path folder,
-             const core::CouplingState* from, const core::MachineState& machine);
+             const core::MachineState* resumed);
 
   bool needs_rest(const core::Window& w) const override;
   void window(const core::Window& w) override;

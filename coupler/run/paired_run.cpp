@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cstring>
 #include <memory>
 #include <optional>
 
 #include "common/input_error.hpp"
 #include "common/record/record.hpp"
+#include "common/shell_word.hpp"
 #include "coupler/launch/interrupt.hpp"
 #include "coupler/result/observed.hpp"
 #include "coupler/result/summary.hpp"
@@ -29,18 +27,6 @@ const char* word(RunStatus status) {
       break;
   }
   return "failed";
-}
-
-/// A path as a word of a shell's command.
-std::string shell_word(const std::filesystem::path& path) {
-  const std::string text = path.string();
-  if (std::all_of(text.begin(), text.end(), [](unsigned char letter) {
-        return std::isalnum(letter) != 0 || letter > 127 || std::strchr("/._-+", letter) != nullptr;
-      }))
-    return text;
-  std::string word = "'";
-  for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
-  return word + "'";
 }
 
 double time_s(const core::CouplingState& at, const cases::Case& c) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/angles.hpp"
+#include "common/seconds.hpp"
 #include "common/text_file.hpp"
 #include "coupler/sides/dig_planner.hpp"
 #include "machine/machine_data.hpp"
@@ -125,7 +126,7 @@ bool is_finished(const json& desk_state) {
 }
 
 double PassDesk::along_s(const core::Window& w) const {
-  return path_time_ ? w.machine.channels[*path_time_] : static_cast<double>(w.rock.t_ns) * 1e-9;
+  return path_time_ ? w.machine.channels[*path_time_] : seconds(w.rock.t_ns);
 }
 
 double PassDesk::expected_end_s() const {
@@ -178,9 +179,8 @@ std::string PassDesk::reason_to_stop(double truck_kg) const {
 
 void PassDesk::stop(const core::Window& w, const std::string& why, double truck_kg) {
   finished_ = true;
-  reporter_.line(
-      fmt::format("operator, {:.1f} s: {}", static_cast<double>(w.rock.t_ns) * 1e-9, why));
-  write_text(folder_ / "end.json", json{{"t_s", static_cast<double>(w.rock.t_ns) * 1e-9},
+  reporter_.line(fmt::format("operator, {:.1f} s: {}", seconds(w.rock.t_ns), why));
+  write_text(folder_ / "end.json", json{{"t_s", seconds(w.rock.t_ns)},
                                         {"passes", passes_},
                                         {"truck_kg", truck_kg},
                                         {"reason", why}}
@@ -226,14 +226,14 @@ void PassDesk::plan(const core::Window& w) {
            along_s(w),
            0,
            0};
-  reporter_.line(fmt::format("operator, {:.1f} s, pass {}: {}",
-                             static_cast<double>(w.rock.t_ns) * 1e-9, passes_, decision.reason));
+  reporter_.line(fmt::format("operator, {:.1f} s, pass {}: {}", seconds(w.rock.t_ns), passes_,
+                             decision.reason));
 }
 
 void PassDesk::write(const core::Window& w, const HeightMap& seen,
                      const machine::DigDecision& decision, double begins_s, double truck_kg) const {
   json j = {{"pass", passes_},
-            {"t_s", static_cast<double>(w.rock.t_ns) * 1e-9},
+            {"t_s", seconds(w.rock.t_ns)},
             {"truck_kg", truck_kg},
             {"goal", case_.op.goal == machine::DigGoal::energy ? "energy" : "time"},
             {"reason", decision.reason},

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "common/seconds.hpp"
+
 namespace dipper::run {
 namespace {
 
@@ -41,7 +43,7 @@ Progress::Progress(Reporter& reporter, const cases::Case& c, const RunEnd& end,
 void Progress::window(const core::Window& w) {
   if (w.step_index == 0) return;
   constexpr int kBar = 6;
-  const double t_s = static_cast<double>(w.rock.t_ns) * 1e-9;
+  const double t_s = seconds(w.rock.t_ns);
   const std::optional<Passes> passes = passes_ ? std::optional(passes_()) : std::nullopt;
   const double end_s = passes ? passes->end_s : end_s_;
   const bool by_motion = by_motion_ || passes;

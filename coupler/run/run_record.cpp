@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "common/seconds.hpp"
+
 namespace dipper::run {
 namespace {
 
@@ -56,9 +58,14 @@ void RunRecord::flush() {
   flushed_ = Clock::now();
 }
 
+void RunRecord::sync() {
+  record_.sync();
+  flushed_ = Clock::now();
+}
+
 void RunRecord::window(const core::Window& w) {
-  const double t = static_cast<double>(w.rock.t_ns) * 1e-9;
-  const double sync = t - static_cast<double>(at_.t_ns) * 1e-9;
+  const double t = seconds(w.rock.t_ns);
+  const double sync = t - seconds(at_.t_ns);
   at_.t_ns = w.rock.t_ns;
   at_.rock_work_J += w.rock_work_J;
   at_.machine_work_J += w.machine_work_J;

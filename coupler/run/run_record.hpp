@@ -31,6 +31,7 @@ class RunRecord final : public Observer {
   /// Adds a row; it is on disk about a second later.
   void window(const core::Window& w) override;
   void flush();
+  void sync();  ///< flushes, and to the disk itself
   const RecordPosition& position() const { return at_; }
 
  private:

@@ -70,7 +70,7 @@ Session::Session(const cases::Case& c, const result::RunFolder& folder,
   stepper_.add(progress_);
   if (c.machine.kind == cases::MachineKind::shovel) {
     survey_.emplace(c, FaceSurvey::Sides{rock_, sides_.machine().info()}, folder.faces(),
-                    from ? &from->coupling : nullptr, coupling_.machine_state());
+                    from ? &coupling_.machine_state() : nullptr);
     stepper_.add(*survey_);
   }
   if (c.machine.operated_by == cases::OperatorKind::plan && !program) {

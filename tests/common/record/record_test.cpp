@@ -26,6 +26,15 @@ class RecordTest : public testing::Test {
     file_ = folder_ / "record.h5";
   }
   void TearDown() override { fs::remove_all(folder_); }
+  /// A record of a run that ended after so many rows: time_s counts them.
+  void write_rows(int rows) const {
+    Record r = Record::create(file_, {});
+    const auto t = r.add("time_s", "s", "-");
+    for (int i = 0; i < rows; ++i) {
+      r.put(t, i);
+      r.next();
+    }
+  }
   fs::path folder_, file_;
 };
 
@@ -71,14 +80,7 @@ TEST_F(RecordTest, AKilledRunsRecordOpensUpToItsLastFlush) {
 }
 
 TEST_F(RecordTest, AContinuedRecordIsCutBackToTheCheckpoint) {
-  {
-    Record r = Record::create(file_, {});
-    const auto t = r.add("time_s", "s", "-");
-    for (int i = 0; i < 100; ++i) {
-      r.put(t, i);
-      r.next();
-    }
-  }
+  write_rows(100);
   {
     Record r = Record::resume(file_, 60);
     const auto t = r.add("time_s", "s", "-");
@@ -92,14 +94,7 @@ TEST_F(RecordTest, AContinuedRecordIsCutBackToTheCheckpoint) {
 }
 
 TEST_F(RecordTest, ARecordThatLacksRowsOfTheCheckpointIsNotFilledUp) {
-  {
-    Record r = Record::create(file_, {});
-    const auto t = r.add("time_s", "s", "-");
-    for (int i = 0; i < 50; ++i) {
-      r.put(t, i);
-      r.next();
-    }
-  }
+  write_rows(50);
   Record r = Record::resume(file_, 60);
   EXPECT_THAT([&] { r.add("time_s", "s", "-"); },
               testing::ThrowsMessage<InputError>(testing::AllOf(
