@@ -2,6 +2,8 @@
 
 #include <arpa/inet.h>
 #include <fmt/core.h>
+#include <linux/filter.h>
+#include <netinet/udp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -26,9 +28,29 @@ constexpr std::size_t kLargestPacket = 65499;
 /// even a call without time left empties the queue, and a flood of packets cannot delay it further.
 constexpr int kDropsPerLook = 1000;
 
-/// A socket that receives the URL's multicast group, beside any others on it: lcm-logger, another
-/// run.
-int listen(const std::string& url) {
+/// What precedes the channel in a datagram: "LC02", and LCM's own packet counter, which is not
+/// used.
+constexpr std::size_t kHeader = 8;
+
+/// The kernel drops datagrams of other channels. All processes of a run are in one multicast group;
+/// without this each message would wake all of them.
+bool drop_other_channels(int s, const std::string& channel) {
+  std::vector<sock_filter> program;
+  const auto require = [&](std::size_t at, char byte) {  // else the next instruction drops it
+    program.push_back(BPF_STMT(BPF_LD | BPF_B | BPF_ABS, static_cast<unsigned>(at)));
+    program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned char>(byte), 1, 0));
+    program.push_back(BPF_STMT(BPF_RET | BPF_K, 0));
+  };
+  const std::size_t first = sizeof(udphdr) + kHeader;  // a filter sees the UDP header too
+  for (std::size_t i = 0; i <= channel.size(); ++i) require(first + i, channel.c_str()[i]);
+  program.push_back(BPF_STMT(BPF_RET | BPF_K, 0xffffffff));
+  const sock_fprog all{static_cast<unsigned short>(program.size()), program.data()};
+  return setsockopt(s, SOL_SOCKET, SO_ATTACH_FILTER, &all, sizeof all) == 0;
+}
+
+/// A socket that receives a channel of the URL's multicast group, beside any others on it:
+/// lcm-logger, another run.
+int listen(const std::string& url, const std::string& channel) {
   char group[16] = {};
   unsigned short port = 0;
   sockaddr_in address{};
@@ -43,6 +65,7 @@ int listen(const std::string& url) {
   const ip_mreq membership{address.sin_addr, {INADDR_ANY}};
   // Bound to the group, not to any address: unicast packets to this host are not received.
   if (s < 0 || setsockopt(s, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) != 0 ||
+      !drop_other_channels(s, channel) ||
       bind(s, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
       setsockopt(s, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) != 0) {
     const std::string why = std::strerror(errno);
@@ -55,7 +78,6 @@ int listen(const std::string& url) {
 }  // namespace
 
 std::optional<Packet> read_lcm_packet(std::string_view datagram) {
-  constexpr std::size_t kHeader = 8;    // "LC02", and LCM's own packet counter, which is not used
   constexpr std::size_t kChannel = 63;  // LCM_MAX_CHANNEL_NAME_LENGTH
   if (datagram.size() < kHeader || datagram.substr(0, 4) != "LC02") return std::nullopt;
   datagram.remove_prefix(kHeader);
@@ -71,7 +93,7 @@ LcmTransport::LcmTransport(const std::string& url, std::string channel, std::str
                              ": no multicast route. As root, once: "
                              "`ip route add 239.255.76.0/24 dev lo`");
   }
-  socket_ = listen(url);
+  socket_ = listen(url, channel_);
 }
 
 LcmTransport::~LcmTransport() { close(socket_); }

@@ -68,7 +68,7 @@ std::string big_endian(std::uint32_t n) {
 }
 
 // Each of these ends a process whose receiver is liblcm's.
-TEST(LcmTransport, PacketsThatAreNoneAreCountedAndDropped) {
+TEST(LcmTransport, PacketsThatAreNoneAreDropped) {
   ASSERT_TRUE(launch::enter_private_network());
   LcmTransport a(kLcmUrl, "TO_A", "secret"), b(kLcmUrl, "TO_B", "secret");
   const Stranger stranger;
@@ -78,14 +78,32 @@ TEST(LcmTransport, PacketsThatAreNoneAreCountedAndDropped) {
   // Of a message of 100 bytes, the piece at 4 GB.
   const std::string wild = "LC03" + big_endian(7) + big_endian(100) + big_endian(0xfffffff0u) +
                            std::string("\0\0\0\2", 4) + std::string("TO_A\0 wild", 10);
+  const std::string no_seal = "LC02" + big_endian(1) + std::string("TO_A\0", 5);
   for (int k = 0; k < 20; ++k) {
-    for (const auto& bytes : {no_nul, no_end, empty, magic, wild}) stranger.send(bytes);
+    for (const auto& bytes : {no_nul, no_end, empty, magic, wild, no_seal}) stranger.send(bytes);
   }
   b.publish("TO_A", message("still there"));
   const auto packet = a.receive(1000ms);
   ASSERT_TRUE(packet);
   EXPECT_EQ(packet->bytes, message("still there"));
-  EXPECT_EQ(a.foreign(), 100);
+  EXPECT_EQ(a.foreign(), 20);  // those that name its channel
+}
+
+// A process that reads nothing would otherwise have them all in its queue.
+TEST(LcmTransport, OtherChannelsDoNotFillItsQueue) {
+  ASSERT_TRUE(launch::enter_private_network());
+  LcmTransport a(kLcmUrl, "TO_A", "secret"), b(kLcmUrl, "TO_B", "secret");
+  b.publish("TO_A", message("first"));
+  for (int k = 0; k < 1000; ++k) {
+    for (const auto* other : {"TO_B", "TO_", "TO_AB"}) a.publish(other, message("else"));
+  }
+  b.publish("TO_A", message("last"));
+  for (const auto* text : {"first", "last"}) {
+    const auto packet = a.receive(1000ms);
+    ASSERT_TRUE(packet) << text;
+    EXPECT_EQ(packet->bytes, message(text));
+  }
+  EXPECT_FALSE(a.receive(0us));
 }
 
 TEST(LcmTransport, WhatDoesNotFitOnePacketIsNotSent) {
