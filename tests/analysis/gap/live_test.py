@@ -81,7 +81,7 @@ def mine(tmp_path_factory):
 def test_a_hidden_effect_is_named_added_and_the_gap_shrinks(mine):
     work, model, measured = mine
     catalogue = {n: e for n, e in read_catalogue(model).items() if n in NAMES}
-    simulator = DipperSimulator(model, catalogue, program(), work / "cache")
+    simulator = DipperSimulator(model, catalogue, program(), work / "cache", jobs=1)
     out = analyse(measured, simulator, catalogue, 1, lambda text: print(text, flush=True))
     answer = as_json(out, catalogue, {"case": simulator.case_hash()})
     write_json(answer, work / "gap.json")

@@ -13,7 +13,7 @@ import unittest.mock
 
 import h5py
 
-from runs import DIPPER, PATIENCE_S, SOURCE, STEP_S, WINDOW, RunTest, processes
+from runs import DIPPER, PATIENCE_S, SOURCE, STEP_S, WINDOW, RunTest, processes, two_cores
 
 
 # Long enough that on any machine there is something left to kill; a record is flushed each second.
@@ -49,9 +49,9 @@ class Faults(RunTest):
         self.run_case(out, "--resume", "--set", f"end_s={end_s}")
         return round(end_s / STEP_S)
 
-    def digging(self, name, *arguments, time_s=0.7):
+    def digging(self, name, *arguments, time_s=0.7, ranks=1):
         out = self.folder / name
-        process = self.start(out, *LONGER, *arguments)
+        process = self.start(out, *LONGER, *arguments, "--ranks", str(ranks))
         self.wait_until_digging(process, out, time_s)
         return process, out
 
@@ -64,20 +64,23 @@ class Faults(RunTest):
         with h5py.File(out / "record.h5") as f:  # opens, with what had been flushed
             self.assertGreater(len(f["time_s"]), 0)
 
+    @two_cores
     def test_a_killed_rank(self):
-        process, out = self.digging("rank")
+        process, out = self.digging("rank", ranks=2)
         os.kill(self.pids(out, "dipper-dem")[-1], signal.SIGKILL)
         self.assert_ended(process, out, 3, "the dem side failed at t = ", "signal 9")
 
+    @two_cores
     def test_a_killed_mpirun(self):
-        process, out = self.digging("mpirun")
+        process, out = self.digging("mpirun", ranks=2)
         os.kill(self.pids(out, "mpirun")[0], signal.SIGKILL)
         err = self.assert_ended(process, out, 3, "the dem side failed at t = ",
                                 "mpirun was killed by signal 9")
         self.assertNotIn("WARNING", err)
 
+    @two_cores
     def test_a_killed_launcher_leaves_no_orphan(self):
-        process, out = self.digging("launcher")
+        process, out = self.digging("launcher", ranks=2)
         process.kill()
         process.communicate()
         deadline = time.time() + 5
@@ -95,7 +98,7 @@ class Faults(RunTest):
         """Long before coupling.timeout_s, whichever side hangs."""
         hung = []
         for name in ("dipper-mbs", "dipper-dem"):
-            process, out = self.digging(name, "--ranks", "1", "--set", "coupling.timeout_s=200")
+            process, out = self.digging(name, "--set", "coupling.timeout_s=200")
             os.kill(self.pids(out, name)[0], signal.SIGSTOP)
             process.send_signal(signal.SIGTERM)
             hung.append((process, out, name.removeprefix("dipper-")))
@@ -116,15 +119,16 @@ class Faults(RunTest):
 
     def test_killed_while_starting(self):
         out = self.folder / "early"
-        process = self.start(out)
+        process = self.start(out, "--ranks", "1")
         deadline = time.time() + 60
         while not self.pids(out, "dipper-mbs") and time.time() < deadline:
             time.sleep(0.01)
         os.kill(self.pids(out, "dipper-mbs")[0], signal.SIGKILL)
         self.assert_ended(process, out, 3, "the mbs side failed at t = 0.0000 s")
 
+    @two_cores
     def test_ctrl_c_ends_cleanly_and_can_be_resumed(self):
-        process, out = self.digging("interrupt")
+        process, out = self.digging("interrupt", ranks=2)
         process.send_signal(signal.SIGINT)
         self.assert_ended(process, out, 4, "interrupted at t = ", "--resume")
         self.assertEqual(self.summary(out)["status"], "interrupted")
@@ -137,7 +141,7 @@ class Faults(RunTest):
 
     def test_a_closed_terminal_is_an_interrupt(self):
         out = self.folder / "terminal"
-        process = self.start(out, *LONGER)
+        process = self.start(out, *LONGER, "--ranks", "1")
         process.stdout.readline()  # what is written after it has no reader
         process.stdout.close()
         process.stdout = None
@@ -203,6 +207,7 @@ class Faults(RunTest):
         changed.start()
         self.addCleanup(changed.stop)
 
+    @two_cores
     def test_an_error_of_any_rank_reaches_the_user(self):
         """LIGGGHTS's Error::one: rock in one rank's part alone, with more neighbours than fit in its list."""
         for rank, sides in ((1, "0.5 9"), (0, "-9 -0.5")):
@@ -290,6 +295,7 @@ class Faults(RunTest):
         self.assert_ended(process, out, 3, "settling the pile failed: LIGGGHTS hangs: it did not run",
                           "for 4 s", "settle.screen is 'Step 100'", within=20)
 
+    @two_cores
     def test_a_settling_of_which_one_rank_stops_is_found(self):
         process, out = self.settling("stopped", "--set", "pile.settle_s=60", "--ranks", "2")
         deadline = time.time() + 60
