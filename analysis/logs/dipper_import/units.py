@@ -27,6 +27,8 @@ AS_FORCE = {"t": "tf", "kg": "kgf", "lb": "lbf", "klb": "kip", "short ton": "ton
 TONS = {"mass": "short tons (0.907 t) or tonnes? unit: short ton, or scale: 1, in the map",
         "force": "short tons (8.896 kN) or tonnes? unit: kN, scale: 8.896, or unit: tf, scale: 1, in the map"}
 IN_NAME = re.compile(r"[(\[]([^()\[\]]+)[)\]]$")  # Pull (kip), Mass [short ton]
+LAST_WORD = re.compile(  # Pull_kip, Crowd %; not what may be another word: Hoist rope in, Swing rev, Door st
+    r"[ _](mm|cm|ft|feet|deg|degrees|rad|mrad|kN|lbf|kips?|kgf|klbs?|kg|lbs?|tons?|tonnes?|%)$", re.I)
 
 
 @dataclass(frozen=True)
@@ -52,9 +54,11 @@ def unit_said(text):
 
 
 def unit_in_name(name):
-    """The unit in brackets at the end of a column's name, or None."""
-    named = IN_NAME.search(name)
-    return named and unit_said(named[1])
+    """The unit in brackets or as a word at the end of a column's name, or None."""
+    if named := IN_NAME.search(name):
+        return unit_said(named[1])
+    word = LAST_WORD.search(name)
+    return word and unit_said(word[1])
 
 
 def other_unit(unit, name, channel):
