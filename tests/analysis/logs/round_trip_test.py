@@ -111,7 +111,7 @@ def test_faults_of_the_log(log, map_file, old, new, what):
 
 @pytest.mark.parametrize("old, new, what", [
     ("unit: ft, sign: -1", "unit: ft", "hoist is from 2.926 to 305.7 m; -12 to 0.5 m (limits): unit, sign, scale or"),
-    ("unit: ft, sign: -1", "unit: m, sign: -1", "unit, sign, scale or offset, perhaps?"),
+    ("unit: ft, sign: -1", "unit: m, sign: -1", "unit: ft in the map, if the log is right"),
     ("reads: total", "reads: pass", None),
     ("swing: {acceleration: 12}", "longest_gap_s: 0.4", "unknown key"),
 ])
