@@ -95,8 +95,9 @@ def test_thousands_and_decimals_have_marks_of_their_own(sound):
 
 @pytest.mark.parametrize("name, unit", [
     ("Hoist pull kip", "kip"), ("HoistForce_kN", "kN"), ("hoist_force_KIPS", "kip"), ("Crowd %", "%"),
-    ("Swing deg", "deg"), ("Payload_tons", "ton"), ("Pull [kip] kN", "kN"), ("Hoist rope in", None), ("Swing rev", None), ("hoist_m", None),
-    ("Door st", None), ("kip", None), ("SwingRad", None), ("Pull_kip_mean", None)])
+    ("Swing deg", "deg"), ("Payload_tons", "ton"), ("Pull [kip] kN", "kN"), ("Hoist rope in", None),
+    ("Swing rev", None), ("hoist_m", None), ("Door st", None), ("kip", None), ("SwingRad", None),
+    ("Pull_kip_mean", None)])
 def test_a_unit_is_in_brackets_or_the_last_word_of_a_name(name, unit):
     assert unit_in_name(name) == unit
 
