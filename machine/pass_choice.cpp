@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+#include <string>
 
 #include "common/angles.hpp"
 #include "machine/approach.hpp"
@@ -226,20 +228,30 @@ class DigEvaluator {
   double rock_over_m_;
 };
 
+/// The commonest reason for a refusal, with its first candidate; texts are of one kind up to their
+/// first number.
+std::string most_refused(const std::vector<DigCandidate>& candidates) {
+  std::map<std::string, std::vector<const DigCandidate*>> kinds;
+  for (const DigCandidate& c : candidates)
+    if (!c.refused.empty())
+      kinds[c.refused.substr(0, c.refused.find_first_of("0123456789"))].push_back(&c);
+  if (kinds.empty()) return "";
+  const auto& most = std::max_element(kinds.begin(), kinds.end(), [](auto& a, auto& b) {
+                       return a.second.size() < b.second.size();
+                     })->second;
+  return fmt::format("; {} refused, as heading {:.0f} deg, depth {:.2f} m: {}", most.size(),
+                     degrees(most[0]->heading_rad), most[0]->depth_m, most[0]->refused);
+}
+
 std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
   int diggable = 0;
   double most_kg = 0;
-  std::string refused;
   for (const DigCandidate& c : decision.candidates) {
-    if (!c.refused.empty()) {
-      if (refused.empty())
-        refused = fmt::format("; refused, for example, heading {:.0f} deg, depth {:.2f} m: {}",
-                              degrees(c.heading_rad), c.depth_m, c.refused);
-      continue;
-    }
+    if (!c.refused.empty()) continue;
     ++diggable;
     most_kg = std::max(most_kg, c.payload_kg);
   }
+  const std::string refused = most_refused(decision.candidates);
   if (decision.chosen < 0)
     return fmt::format(
         "no dig pays: {} of {} digs are feasible, and the best is expected to load {:.0f} t; the "
@@ -250,12 +262,13 @@ std::string reason(const DigDecision& decision, DigGoal goal, double least_kg) {
   return fmt::format(
       "{} of {} digs are feasible; the one with most payload per {} ({:.4g} {}) is chosen: heading "
       "{:.0f} deg, depth {:.2f} m, floor rise {:.2f}, exit at {:.1f} m; expected: {:.0f} t, crowd "
-      "at most {:.2f} MN, hoist at most {:.2f} MN{}",
+      "at most {:.2f} MN, hoist at most {:.2f} MN{}{}",
       diggable, decision.candidates.size(), time ? "time" : "energy", c.score * (time ? 1 : 1e3),
       time ? "kg/s" : "kg/kJ", degrees(c.heading_rad), c.depth_m, c.floor_rise, c.exit_z_m,
       c.payload_kg * 1e-3, c.crowd_peak_N * 1e-6, c.hoist_peak_N * 1e-6,
       c.overload > 1 ? "; a drive is at its limit, so the dig is slower and loads less than planned"
-                     : "");
+                     : "",
+      refused);
 }
 
 }  // namespace

@@ -120,6 +120,9 @@ TEST_F(PassChoice, RefusesWhatTheDrivesCannotDo) {
   const DigDecision d = decide(bench());
   ASSERT_EQ(d.chosen, 0) << d.reason;
   EXPECT_NE(d.candidates[1].refused.find("the crowd needs"), std::string::npos);
+  EXPECT_NE(d.reason.find("; 1 refused, as heading 0 deg, depth 2.50 m: the crowd needs"),
+            std::string::npos)
+      << d.reason;
   data.drives.crowd.stall = 1e5;
   const DigDecision none = decide(bench());
   EXPECT_EQ(none.chosen, -1);
