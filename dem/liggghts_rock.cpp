@@ -81,6 +81,8 @@ core::RockState LiggghtsRock::place(const std::vector<Pose>& X_WB) {
   RockDump::of(*lmp_);
   if (!setup_.resumed)
     for (const auto& feature : features_) feature->before_set_up();
+  else
+    keep_frames(*lmp_);
   set_up_time_loop(*lmp_);
   if (setup_.resumed && !setup_.image.empty()) resume_from(setup_.image);
   if (!setup_.resumed)

@@ -6,6 +6,7 @@
 #include <output.h>
 #include <update.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace dipper::dem {
@@ -18,6 +19,11 @@ void set_up_time_loop(LAMMPS_NS::LAMMPS& lmp) {
   update->laststep = update->endstep = update->ntimestep + std::numeric_limits<int>::max();
   lmp.output->init();
   lmp.output->setup(0);
+}
+
+void keep_frames(LAMMPS_NS::LAMMPS& lmp) {
+  LAMMPS_NS::Output& output = *lmp.output;
+  std::fill_n(output.last_dump, output.ndump, lmp.update->ntimestep);
 }
 
 void run_steps(LAMMPS_NS::LAMMPS& lmp, std::int64_t n) {

@@ -15,6 +15,10 @@ namespace dipper::dem {
 /// Collective.
 void set_up_time_loop(LAMMPS_NS::LAMMPS& lmp);
 
+/// Keeps the frames of the present step: set_up_time_loop writes none. For a resumed run, whose
+/// frames are there, and whose rock is not all in LIGGGHTS yet.
+void keep_frames(LAMMPS_NS::LAMMPS& lmp);
+
 /// Runs n steps. Collective.
 void run_steps(LAMMPS_NS::LAMMPS& lmp, std::int64_t n);
 

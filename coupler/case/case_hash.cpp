@@ -46,7 +46,7 @@ std::vector<fs::path> shape_files(const fs::path& folder, const std::string& sha
 std::vector<fs::path> referenced_files(const Case& c) {
   std::set<fs::path> files = fact_files(c);
   for (const fs::path& file : {c.machine.model, c.machine.motion, c.machine.plan, c.machine.poses,
-                               c.truck.mesh, c.pile.profile})
+                               c.truck.mesh, c.pile.profile, c.rock.sieve.file})
     if (!file.empty()) files.insert(file);
   for (const auto& body : c.bodies) files.insert(body.second);
   for (const std::string& shape : used_shapes(c)) {

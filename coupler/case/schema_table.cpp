@@ -332,7 +332,7 @@ std::vector<KeySpec> make_schema() {
       {"output.wall_stress", "", any, {"off", "on"}, optional, output,
        "whether the bodies' dumps have pressure and shear of each triangle; default off",
        CHOICE(c.output.wall_stress, false, true)},
-      {"output.wear_m3_J", "m3/J", between(0, 1), {}, optional, output,
+      {"output.wear_m3_J", "m3/J", between(0, 1), {}, optional, dig,
        "Finnie's coefficient, for the worn depth of each triangle in the bodies' dumps; "
        "default 0: none",
        SLOT(c.output.wear_m3_J)},

@@ -138,10 +138,14 @@ void write_brick_deck(const cases::Case& c, const std::map<std::string, RockShap
                   "variable types        index {}   # size classes, then the walls:\n"
                   "variable ground_type  index {}   #\n"
                   "variable cohesion     index {}   # model; moist is in dipper-liggghts only\n"
-                  "variable settle_time  index {:.9g}   # s\n",
+                  "variable settle_time  index {:.9g}   # s\n"
+                  "{}",
                   rock.dem.timestep_s, shape.side_m, shape.side_m, shape.pour_height_m + 1,
                   types.count(), types.ground(), needs_cohesion_model(rock) ? "moist" : "off",
-                  rock.pile.settle_s + rock.pile.relax_s));
+                  rock.pile.settle_s + rock.pile.relax_s,
+                  needs_cohesion_model(rock) ? "variable bond_tension index 0   # Pa; no crust\n"
+                                               "variable bond_shear   index 0   # Pa\n"
+                                             : ""));
 }
 
 std::vector<PlacedRock> loose_brick(const std::vector<RockKind>& kinds, const BrickShape& shape) {

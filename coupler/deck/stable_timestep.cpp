@@ -10,6 +10,12 @@
 #include "coupler/deck/rock_shape.hpp"
 
 namespace dipper::deck {
+namespace {
+
+// Of contacts all around a sphere two thirds turn it about an axis; its inertia is 0.4 m r^2.
+constexpr double kTurned = 2.0 / 3, kInertia = 0.4;
+
+}  // namespace
 
 double critical_step(double omega, double zeta) {
   return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / omega;
@@ -21,9 +27,14 @@ double stable_timestep(const cases::Case& c) {
   const cases::ContactCase k = cases::of_every_pair(c.contact);
   const double damping = std::max(k.normal_damping, *k.normal_damping_other);
   double step = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < t.kn.size(); ++i)
-    if (t.kn(i) > 0)
-      step = std::min(step, critical_step(n * std::sqrt(t.kn(i) / t.meff_kg(i)), n * damping));
+  for (Eigen::Index i = 0; i < t.kn.size(); ++i) {
+    if (t.kn(i) <= 0) continue;
+    step = std::min(step, critical_step(n * std::sqrt(t.kn(i) / t.meff_kg(i)), n * damping));
+    if (t.friction(i) <= 0) continue;
+    const double turns = std::sqrt(kContacts * kTurned / kInertia);
+    const double omega = std::sqrt(t.kt(i) / t.meff_kg(i));
+    step = std::min(step, critical_step(turns * omega, turns * t.gammat(i) / (2 * omega)));
+  }
   return step;
 }
 

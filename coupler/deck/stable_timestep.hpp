@@ -18,6 +18,10 @@ double critical_step(double omega, double zeta);
 /// omega sqrt(n), zeta sqrt(n). For equal spheres and D_n = 0.9 it is 0.18 sqrt(m/K_n); the paper
 /// ran 4.5e-5 s = 0.11 sqrt(m/K_n) (section 4). The mass in a contact is the whole rock's, so light
 /// sub-spheres do not shorten the step.
+///
+/// The same contacts turn a sphere by their tangential springs and dampers, with K_t, D_t and
+/// n = 2/3 kContacts/0.4. That is the shorter step where C_tan or D_t is large, or D_n small: for
+/// D_n = 0.9 and C_tan = 0.27 from D_t = 1.1 on, for D_n = 0.9 and D_t = 0.75 from C_tan = 0.5 on.
 double stable_timestep(const cases::Case& c);
 
 /// Measured on the small bench of tests/coupler/deck at D_n = 0.9: with 0.9 of this step the rock

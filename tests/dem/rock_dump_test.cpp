@@ -131,11 +131,13 @@ TEST_P(RockDump, ShowsAllRockAndChangesNothing) {
     plain = rock->state_hash();
   }
   core::RockState at;
-  Lines end;
+  Lines saved, end;
   {
     const auto rock = scenario.begin(true);
     for (int k = 1; k <= kSaved; ++k) at = scenario.step(*rock, k);
     rock->save(scenario.saved());
+    ASSERT_GT(scenario.parked(at), 0);
+    saved = scenario.frame(kSaved);
     core::RockState s;
     for (int k = kSaved + 1; k <= kWindows; ++k) s = scenario.step(*rock, k);
     ASSERT_GT(scenario.parked(s), 0);
@@ -149,6 +151,7 @@ TEST_P(RockDump, ShowsAllRockAndChangesNothing) {
   }
   const auto rock = scenario.resume(at.bodies[0]);
   for (int k = kSaved + 1; k <= kWindows; ++k) scenario.step(*rock, k);
+  EXPECT_TRUE(scenario.frame(kSaved) == saved) << "of the checkpoint";
   EXPECT_TRUE(scenario.frame(kWindows) == end) << "after a checkpoint";
 }
 

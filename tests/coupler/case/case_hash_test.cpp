@@ -88,6 +88,14 @@ TEST(CaseHash, FollowsTheBytesOfAProfile) {
   EXPECT_EQ(hashes.size(), 2U);
 }
 
+TEST(CaseHash, ASieveCurveIsOneOfTheCasesFiles) {
+  const Checkout checkout;
+  Case c = load(checkout.folder());
+  c.rock.sieve.file = checkout.folder() / "sieve.csv";
+  const auto files = referenced_files(c);
+  EXPECT_EQ(std::count(files.begin(), files.end(), c.rock.sieve.file), 1);
+}
+
 TEST(CaseHash, DoesNotKnowWhereTheCheckoutIs) {
   const Checkout one;
   const Checkout other;

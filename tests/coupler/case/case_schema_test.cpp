@@ -47,9 +47,11 @@ TEST(Schema, KnowsWhatAKeyAffects) {
        {"machine.motion", "machine.rake_angle_deg", "machine.rope_compliance",
         "machine.carry_back_m", "bodies.*", "truck.mesh", "truck.heading_deg", "crust.above_m",
         "collapse.at_s", "coupling.scheme", "coupling.sync_steps", "dem.hold_below_m_s",
-        "pile.clear_machine", "pile.held_layer_m", "pile.clean_floor_to_x_m"}},
+        "pile.clear_machine", "pile.held_layer_m", "pile.clean_floor_to_x_m", "output.wear_m3_J"}},
       {"machine", {"machine.crowd_friction_N", "machine.hoist_loss"}},
-      {"output", {"title", "end_s", "coupling.timeout_s", "output.dump_every_s"}}};
+      {"output",
+       {"title", "end_s", "coupling.timeout_s", "output.dump_every_s", "output.checkpoint_every_s",
+        "output.wall_stress"}}};
   for (const auto& [affects, keys] : known)
     for (const char* key : keys) EXPECT_EQ(to_string(find_spec(key)->affects), affects) << key;
 }
@@ -58,8 +60,7 @@ TEST(Schema, WholeSectionsAffectTheSame) {
   // A key that is forgotten here would leave a pile of another rock in use.
   const std::map<std::string, Affects> sections = {
       {"rock.", Affects::settling}, {"contact.", Affects::settling}, {"domain.", Affects::settling},
-      {"output.", Affects::output}, {"truck.", Affects::dig},        {"crust.", Affects::dig},
-      {"collapse.", Affects::dig}};
+      {"truck.", Affects::dig},     {"crust.", Affects::dig},        {"collapse.", Affects::dig}};
   for (const KeySpec& spec : schema()) {
     for (const auto& [section, affects] : sections)
       if (spec.key.rfind(section, 0) == 0) {

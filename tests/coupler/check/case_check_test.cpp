@@ -97,6 +97,20 @@ TEST(CheckCase, WhatGoesByTheMotionsTimesNeedsPrescribedDrives) {
   EXPECT_EQ(collapse[0].key, "collapse.at_s");
 }
 
+TEST(CheckCase, AnOperatorWhoPlansKeepsNoTimesOfTheMotion) {
+  const auto findings_with = [](std::vector<cases::Override> set) {
+    set.insert(set.end(), {{"machine.drives", "prescribed"}, {"collapse.height_m", "1"}});
+    std::vector<Finding> findings;
+    check::read_case(test::source() / "cases/quick", set, findings);
+    return findings;
+  };
+  const auto unsaid = findings_with({});
+  ASSERT_EQ(unsaid.size(), 1U);
+  EXPECT_EQ(unsaid[0].key, "collapse.at_s");
+  // The motion, of the first pass, ends at 33 s.
+  EXPECT_TRUE(findings_with({{"operator.passes", "3"}, {"collapse.at_s", "60"}}).empty());
+}
+
 /// The findings with a part of a file of the checkout replaced.
 std::vector<Finding> check_with(const std::string& name, const std::string& from,
                                 const std::string& to) {

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <regex>
+#include <set>
+#include <string>
 
 #include "common/angles.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/pile_shape.hpp"
+#include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
 #include "tests/places.hpp"
 
@@ -46,6 +50,30 @@ bool same(const std::vector<PlacedRock>& a, const std::vector<PlacedRock>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
     return p.kind == q.kind && p.X_WR.p == q.X_WR.p && p.X_WR.R.coeffs() == q.X_WR.R.coeffs();
   });
+}
+
+/// The names of a deck's variables: those it sets, or those it uses.
+std::set<std::string> variables(const std::string& deck, const std::regex& pattern) {
+  std::set<std::string> names;
+  for (std::sregex_iterator at(deck.begin(), deck.end(), pattern), end; at != end; ++at)
+    names.insert((*at)[1]);
+  return names;
+}
+
+TEST(Brick, DeckSetsWhatItsRockUses) {
+  const std::filesystem::path deck = fresh_folder("brick_deck");
+  cases::Case c = tiny_case();
+  for (const double cohesion_Pa : {0.0, 3000.0}) {
+    c.contact.cohesion_Pa = cohesion_Pa;
+    write_brick_deck(c, shapes(), deck);
+    std::set<std::string> used =
+        variables(read_text(deck / "material.in") + read_text(deck / "rocks.in"),
+                  std::regex("\\$\\{(\\w+)\\}"));
+    used.erase("deck");
+    const std::set<std::string> set =
+        variables(read_text(deck / "case.in"), std::regex("variable (\\w+)"));
+    for (const std::string& name : used) EXPECT_EQ(set.count(name), 1U) << name << cohesion_Pa;
+  }
 }
 
 TEST(Brick, SizesComeFromTheRockAndTheHeight) {

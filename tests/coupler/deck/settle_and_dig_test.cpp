@@ -125,6 +125,19 @@ TEST_F(SettleAndDig, OneAndTwoRanksAgree) {
   }
 }
 
+TEST(ChosenStep, LetsRockWithStrongTangentialDampersComeToRest) {
+  cases::Case c = tiny_case();
+  c.contact.tangential_damping = 3;
+  c.dem.timestep_s = chosen_timestep(c);
+  const Bench bench("tangential_dampers", c);
+  ASSERT_EQ(bench.status, 0) << read_text(bench.folder / "settle/screen.txt");
+  const Dump d = bench.dig(1, 1000, c.dem.timestep_s);
+  double sum = 0;
+  for (const auto& [id, row] : d.rows)
+    for (const char* v : {"vx", "vy", "vz"}) sum += d.get(row, v) * d.get(row, v);
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(d.rows.size())), 0.15);
+}
+
 /// Spheres a rock.
 class StableStep : public testing::TestWithParam<const char*> {};
 

@@ -53,8 +53,25 @@ TEST(StableTimestep, ScalesWithSizeAndStiffness) {
   c.contact.normal_scale *= 4;
   EXPECT_NEAR(stable_timestep(c) / step, 0.5, 1e-9);
   c = quick_case();
-  c.contact.normal_damping = 0.1;
+  c.contact.normal_damping = c.contact.tangential_damping = 0.1;
   EXPECT_GT(stable_timestep(c), 2 * step);
+}
+
+TEST(StableTimestep, FallsWhereTangentialSpringsOrDampersAreStrong) {
+  const double step = stable_timestep(quick_case());
+  cases::Case c = quick_case();
+  c.contact.tangential_damping_other = 1;  // the paper's
+  EXPECT_DOUBLE_EQ(stable_timestep(c), step);
+  c.contact.tangential_damping = c.contact.tangential_damping_other.emplace(3);
+  EXPECT_NEAR(stable_timestep(c) / step, 0.37, 0.01);
+  c = quick_case();
+  c.contact.tangential_scale = 3;
+  EXPECT_NEAR(stable_timestep(c) / step, 0.42, 0.01);
+  for (auto* friction : {&c.contact.friction_sphere_sphere, &c.contact.friction_sphere_rock,
+                         &c.contact.friction_rock_rock, &c.contact.friction_dipper,
+                         &c.contact.friction_ground, &c.contact.friction_truck})
+    *friction = 0;  // nothing turns a rock
+  EXPECT_DOUBLE_EQ(stable_timestep(c), step);
 }
 
 }  // namespace

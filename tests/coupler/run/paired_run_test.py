@@ -348,6 +348,13 @@ class PairedRun(RunTest):
         _, err = self.run_case(run, "--set", "end_s=0.06", "--ranks", "1", "--resume", case=case, status=2)
         self.assertIn(f"{machine} has changed", err)
 
+    def test_wear_cannot_begin_when_a_run_is_resumed(self):
+        run, one_rank = self.folder / "run", ("--ranks", "1")
+        self.run_case(run, "--set", "end_s=0.03", *one_rank)
+        _, err = self.run_case(run, "--set", "end_s=0.06", "--set", "output.wear_m3_J=1e-12", *one_rank, "--resume",
+                               status=2)
+        self.assertIn("output.wear_m3_J", err)
+
     def test_resuming_nothing_is_bad_usage(self):
         _, err = self.run_case(self.folder / "none", "--resume", status=2)
         self.assertIn("no run to resume", err)
