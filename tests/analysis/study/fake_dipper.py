@@ -31,7 +31,7 @@ def settings(words):
 def check(words):
     keys, findings = settings(words), []
     for key, value in keys.items():
-        if key in ("bodies.dipper", "machine.motion"):
+        if key in ("bodies.dipper", "machine.motion", "machine.operator", "machine.plan"):
             continue
         low, high = KEYS.get(key, (1, 0))
         if key not in KEYS:
@@ -56,7 +56,9 @@ def model(keys, seed):
     payload = 70 + shared.gauss(0, 3) + own.gauss(0, 0.5) + (5 if keys.get("bodies.dipper") == "wide.stl" else 0)
     if float(keys.get("flat", 0)) == 0:
         payload -= 0.5 * (rake - 64) ** 2 + 2 * (toe - 1) ** 2
-    if "machine.motion" in keys:
+    if keys.get("machine.operator") == "plan":
+        payload += yaml.safe_load(pathlib.Path(keys["machine.plan"]).read_text())["passes"][0]["cut"]["depth_m"]
+    elif "machine.motion" in keys:
         payload += json.loads(pathlib.Path(keys["machine.motion"]).read_text())["depth_m"]
     return payload, 8 + 0.5 * (rake - 60) + own.gauss(0, 0.1), 20.0
 
