@@ -5,6 +5,7 @@ from pathlib import Path
 
 import yaml
 
+from dipper_run.file_hash import sha256_of
 from dipper_run.findings import BadInput, Findings
 from dipper_run.program import ProgramFailed, check_json
 from dipper_run.run_cache import entry_of
@@ -18,7 +19,7 @@ FACE_FILES = "face"  # names a file beside the plan, or the pile
 
 class Motions:
     """Motions of the case's plan with other numbers, each made once by `dipper motion`, in a folder named by the hash
-    of the plan, the case with all its files, and the program's sources.
+    of the plan with its faces, the case with all its files, and the program's sources.
 
     They are planned for the case as it is: what else a point sets (a rake, a distance) is not what the operator knew.
     """
@@ -103,7 +104,8 @@ class Motions:
     def _made(self, study_file, planned, plan):
         """The folder with this plan and its motion."""
         text = yaml.safe_dump(plan, sort_keys=False)
-        folder = entry_of(self.folder, self._case(), text)
+        faces = [Path(face) for cut in _cuts(plan) if isinstance(face := cut.get(FACE_FILES), str)]
+        folder = entry_of(self.folder, self._case(), text, *(sha256_of(f) for f in faces if f.is_file()))
         motion = folder / "motion.csv"
         if motion.exists():
             return folder

@@ -53,6 +53,14 @@ def test_another_case_has_other_motions(world):
     assert len(made(world)) == 4
 
 
+def test_another_face_has_other_motions(world):
+    face = world.folder / "case/face_1.csv"
+    for rows in ("x_m,z_m\n0,0\n", "x_m,z_m\n0,1\n"):
+        face.write_text(rows)
+        world.study(STUDY)
+    assert len(made(world)) == 4
+
+
 def test_an_operator_who_plans_goes_by_the_changed_plan(world):
     (world.folder / "case/digs.yaml").write_text(PLAN.replace("1.0", "1.5"))
     by_plan = "set: {machine.operator: plan, machine.plan: digs.yaml}\n"
