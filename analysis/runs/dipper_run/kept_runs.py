@@ -134,8 +134,9 @@ class KeptRuns:
         if status != 0:
             raise RunFailed(f"run failed ({job.label}), status {status}; see {folder / 'run.log'}")
         for name in job.drop:
-            path = run / name
-            shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
+            own = Path(name)
+            for path in [run / own, *run.glob(f"{own.stem}-*{own.suffix}")]:  # events-7.lcmlog, of a resumed run
+                shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
         (folder / BEGUN).unlink()
         run_cache.seal(folder, {**job.facts, "dropped": list(job.drop), "wall_s": time.monotonic() - began})
 

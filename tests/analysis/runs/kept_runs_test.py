@@ -37,6 +37,11 @@ def test_a_run_goes_on_from_its_checkpoint(made):
     assert facts["dropped"] == list(HEAVY) and error is None and resumed
 
 
+def test_recordings_of_every_segment_are_dropped(made, tmp_path):
+    made(HEAVY), made(HEAVY)
+    assert [f.name for f in (tmp_path / "entry/run").iterdir()] == ["record.h5"]
+
+
 @pytest.mark.parametrize("first, then, goes_on", [(HEAVY, (), False), ((), HEAVY, True), ((), (), True)])
 def test_one_that_keeps_less_than_is_wanted_does_not(made, first, then, goes_on):
     made(first)
