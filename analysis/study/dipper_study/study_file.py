@@ -16,6 +16,7 @@ from .results import FIGURES
 KEEPS = ("summary", "record", "all")
 EXECUTORS = ("local", "slurm")
 MOST_RANKS = 100_000
+ON_DUMPS = "fill_factor_load"  # the column that a run without dumps does not have
 TABLE_COLUMNS = ("run", "seed", "status", *FIGURES)  # of study.csv, beside the parameters
 
 
@@ -87,6 +88,10 @@ class Optimise:
     batch: int           # chosen at a time
     confirm_seeds: tuple
 
+    def uses(self, column):
+        goals = [self.objective, *(c.objective for c in self.constraints)]
+        return any(column in (goal.first, goal.second) for goal in goals if goal)
+
 
 @dataclass(frozen=True)
 class Study:
@@ -136,6 +141,8 @@ def read_study(file):
         top.wrong("parameters", "missing", "give them, or optimise")
     if study.optimise and study.parameters:
         top.wrong("parameters", "beside optimise", "one of the two; optimise has parameters of its own")
+    if study.optimise and study.keep != "all" and study.optimise.uses(ON_DUMPS):
+        top.wrong("keep", f"is {study.keep}", f"all, where optimise has {ON_DUMPS}, which is measured on the dumps")
     _set_once(study, top)
     found.raise_if_any()
     return study

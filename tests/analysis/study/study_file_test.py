@@ -121,6 +121,7 @@ def test_an_optimisation(folder):
     ("maximise", "best", "both or none of maximise and minimise"), ("low: 58", "low: 68", "68 is not below 66"),
     ("at_most: 10", "under: 10", "unknown key; one of at_least, at_most"), ("[11, 12]", "[2, 12]", "fresh ones"),
     ("[1, 2]", "[1]", "two or more with optimise"),
+    ("dig_force_peak_MN", "fill_factor_load", "keep: is record; all, where optimise has fill_factor_load"),
     ("{machine.rake_angle_deg: {low: 58, high: 66}}", "{}", ":6: optimise.parameters: is an empty map; a case key"),
 ])
 def test_faults_of_an_optimisation(folder, old, new, fault):
