@@ -76,7 +76,7 @@ class Session:
         self.out.mkdir(parents=True, exist_ok=True)
         rows, names = [self._row(r) for r in self.runs.values()], self.study.names
         write_csv(rows, names, self.out / "study.csv")
-        write_hdf5(rows, names, self.out / "study.h5", self.study.file.read_text())
+        write_hdf5(rows, names, self.out / "study.h5", self.study.text)
         _link_all(self.out / "runs", {run.name: run.folder for run, row in zip(self.runs.values(), rows)
                                       if row["status"] in ("complete", "unfinished")})
         if answer:

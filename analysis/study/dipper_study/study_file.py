@@ -8,7 +8,7 @@ import yaml
 
 from dipper_run.findings import Findings
 from dipper_run.section import Section
-from dipper_run.text_file import number, read_yaml, said
+from dipper_run.text_file import number, read_text, read_yaml, said
 
 from .goal import Constraint, Objective, read_objective
 from .results import FIGURES
@@ -96,6 +96,7 @@ class Optimise:
 @dataclass(frozen=True)
 class Study:
     file: Path
+    text: str            # of the file as it was read: it may be edited while runs go on
     case: Path
     seeds: tuple
     fixed: tuple         # Settings of every run
@@ -130,8 +131,8 @@ def read_study(file):
     found.raise_if_any()
     top = Section(root, file, found)
     case = top.text("case")
-    study = Study(file, _beside(file, case or ""), _seeds(top, "seeds"), _fixed(top), _parameters(top),
-                  top.whole("ranks", 1, MOST_RANKS, 1), top.whole("jobs", 1, MOST_RANKS, None),
+    study = Study(file, read_text(file, found), _beside(file, case or ""), _seeds(top, "seeds"), _fixed(top),
+                  _parameters(top), top.whole("ranks", 1, MOST_RANKS, 1), top.whole("jobs", 1, MOST_RANKS, None),
                   top.one_of("keep", KEEPS, "record"), top.one_of("executor", EXECUTORS, "local"), _slurm(top),
                   _optimise(top))
     if case and not (study.case / "case.yaml").is_file():

@@ -175,6 +175,21 @@ def test_an_end_from_outside_leaves_no_run_and_the_same_command_goes_on(world, n
     assert 9 <= len(world.calls()) <= 9 + 2 and len(world.rows()) == 9
 
 
+@pytest.mark.parametrize("edit", [lambda file: file.write_text("a new one\n"), lambda file: file.unlink()])
+def test_the_text_kept_with_the_answer_is_that_of_what_was_run(world, edit):
+    world.say("slow", "0.4")
+    study = world.start()
+    until = time.monotonic() + 60
+    while not world.calls():
+        assert study.poll() is None and time.monotonic() < until
+        time.sleep(0.02)
+    edit(world.folder / "study.yaml")
+    _, err = study.communicate(timeout=60)
+    assert study.returncode == 0, err
+    with h5py.File(world.out / "study.h5") as f:
+        assert f.attrs["study"] == STUDY
+
+
 def test_two_settings_are_compared_seed_by_seed(world):
     world.study(NAMED)
     rows = [{k: float(v) if k in COLUMNS else v for k, v in r.items()} for r in world.rows()]
