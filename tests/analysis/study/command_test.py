@@ -145,6 +145,20 @@ def test_an_out_that_is_a_file_starts_nothing(world):
     assert not world.calls()
 
 
+def test_a_file_where_the_links_to_the_runs_go_is_reported(world):
+    world.out.mkdir()
+    (world.out / "runs").write_text("notes")
+    printed = world.study(status=2)
+    assert f"{world.out / 'runs'}: File exists" in printed and "Traceback" not in printed
+
+
+def test_an_output_that_nobody_reads_ends_it_without_a_word(world):
+    study = world.start()
+    study.stdout.close()
+    study.stdout = None
+    assert study.communicate(timeout=60)[1] == "" and study.returncode == 128 + signal.SIGPIPE
+
+
 def test_bad_usage_is_2(world):
     world.study("case: case\n", status=2)
     world.study(STUDY, "--outt", status=2)
