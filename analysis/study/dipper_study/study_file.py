@@ -16,6 +16,7 @@ from .results import FIGURES
 KEEPS = ("summary", "record", "all")
 EXECUTORS = ("local", "slurm")
 MOST_RANKS = 100_000
+DUMPS = "output.dump_every_s"
 ON_DUMPS = "fill_factor_load"  # the column that a run without dumps does not have
 TABLE_COLUMNS = ("run", "seed", "status", *FIGURES)  # of study.csv, beside the parameters
 
@@ -112,6 +113,11 @@ class Study:
     def names(self):
         return [p.name for p in self.parameters] or [r.key for r in self.optimise.ranges if self.optimise]
 
+    @property
+    def dumps(self):
+        """Whether runs write dumps while the dipper digs."""
+        return self.keep == "all" or any(s.key == DUMPS for s in self.fixed)
+
     def points(self):
         """Every combination of values, the last parameter running fastest."""
         return [Point(values, self.fixed + tuple(s for v in values for s in v.settings))
@@ -142,8 +148,9 @@ def read_study(file):
         top.wrong("parameters", "missing", "give them, or optimise")
     if study.optimise and study.parameters:
         top.wrong("parameters", "beside optimise", "one of the two; optimise has parameters of its own")
-    if study.optimise and study.keep != "all" and study.optimise.uses(ON_DUMPS):
-        top.wrong("keep", f"is {study.keep}", f"all, where optimise has {ON_DUMPS}, which is measured on the dumps")
+    if study.optimise and study.optimise.uses(ON_DUMPS) and not study.dumps:
+        top.wrong("keep", f"is {study.keep}", f"all, or set: {{{DUMPS}: 0.5}}, where optimise has {ON_DUMPS}, which is "
+                  "measured on the dumps")
     _set_once(study, top)
     found.raise_if_any()
     return study
