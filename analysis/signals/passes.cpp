@@ -50,6 +50,13 @@ Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::siz
   return p;
 }
 
+/// A door that is open at the start has not opened: the first pass begins as it shuts.
+std::size_t first_shut(const std::vector<double>& door_rad) {
+  const auto shut = std::find_if_not(door_rad.begin(), door_rad.end(),
+                                     [](double a) { return machine::door_is_open(a); });
+  return static_cast<std::size_t>(shut - door_rad.begin());
+}
+
 /// Whether the run ends while the load leaves the dipper or arrives in the truck.
 bool ends_in_dump(const PassSignals& s, const Pass& p) {
   const std::size_t last = s.time_s.size() - 1;
@@ -72,7 +79,7 @@ std::vector<Pass> find_passes(const PassSignals& s) {
   }
   std::vector<Pass> passes;
   const auto open = [&](std::size_t i) { return machine::door_is_open(s.door_rad[i]); };
-  std::size_t begin = 0;
+  std::size_t begin = first_shut(s.door_rad);
   while (begin + 1 < n) {
     std::size_t dump = begin;
     while (dump + 1 < n && !open(dump)) ++dump;
@@ -104,13 +111,13 @@ std::vector<PlannedPass> find_planned_passes(const std::vector<double>& time_s,
   if (time_s.size() != door_rad.size())
     throw std::invalid_argument("times and the door's angles of different lengths");
   std::vector<PlannedPass> passes;
-  std::size_t begin = 0;
-  for (std::size_t k = 1; k < time_s.size(); ++k) {
+  std::size_t begin = first_shut(door_rad);
+  for (std::size_t k = begin + 1; k < time_s.size(); ++k) {
     if (machine::door_is_open(door_rad[k]) || !machine::door_is_open(door_rad[k - 1])) continue;
     passes.push_back({time_s[begin], time_s[k]});
     begin = k;
   }
-  if (!door_rad.empty() && machine::door_is_open(door_rad.back()))
+  if (begin < door_rad.size() && machine::door_is_open(door_rad.back()))
     passes.push_back({time_s[begin], time_s.back()});
   return passes;
 }

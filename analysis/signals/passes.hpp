@@ -19,7 +19,7 @@ struct PassSignals {
 
 struct Pass {
   int pass = 0;                 ///< from 1
-  double t_start_s = 0;         ///< the previous pass's end, or the run's start
+  double t_start_s = 0;         ///< the previous pass's end, or the run's start with the door shut
   double t_dig_s = 0;           ///< the dipper first meets rock
   double t_dump_s = 0;          ///< the door starts to open, above the truck
   double t_end_s = 0;           ///< the door has closed again, or the run ended
@@ -31,16 +31,16 @@ struct Pass {
   double dig_force_peak_t_s = 0;  ///< its time
 };
 
-/// One pass for every opening of the door; in a run that ends before a dump, the last pass is not
-/// dumped, with t_dump_s = t_end_s; nor is it in a run that ends with the door open less than 1 s,
-/// or while more than a twentieth of the load leaves the dipper, or arrives in the truck, within
-/// half a second. The return after the last dump is not a pass, even if the
-/// dipper touches rock: it has no load, and the door does not open again. Throws
-/// std::invalid_argument when lengths differ.
+/// One pass for every opening of the door, so none for one that is open from the start; in a run
+/// that ends before a dump, the last pass is not dumped, with t_dump_s = t_end_s; nor is it in a
+/// run that ends with the door open less than 1 s, or while more than a twentieth of the load
+/// leaves the dipper, or arrives in the truck, within half a second. The return after the last dump
+/// is not a pass, even if the dipper touches rock: it has no load, and the door does not open
+/// again. Throws std::invalid_argument when lengths differ.
 std::vector<Pass> find_passes(const PassSignals& s);
 
 struct PlannedPass {
-  double t_start_s = 0;  ///< the previous pass's end, or the motion's start
+  double t_start_s = 0;  ///< the previous pass's end, or the motion's start with the door shut
   double t_end_s = 0;    ///< the door has closed again, or the motion ends
 };
 

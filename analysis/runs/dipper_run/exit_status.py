@@ -18,16 +18,21 @@ def exit_status(command, work):
         print(e.counted(), file=sys.stderr)
         return 2
     except OSError as e:
-        if isinstance(e, BrokenPipeError) and _output_is_closed():
-            return 128 + signal.SIGPIPE
-        print(f"{e.filename}: {e.strerror}", file=sys.stderr)
-        return 2
+        return of_fault(e)
     except ProgramFailed as e:
         print(f"{command}: {e}", file=sys.stderr)
         return 3
     except KeyboardInterrupt:
         return _interrupted(command)
     return 0
+
+
+def of_fault(e):
+    """The exit status after an OSError, which is told."""
+    if isinstance(e, BrokenPipeError) and _output_is_closed():
+        return 128 + signal.SIGPIPE
+    print(f"{e.filename}: {e.strerror}" if e.filename else e.strerror, file=sys.stderr)
+    return 2
 
 
 def end_interrupted(command):

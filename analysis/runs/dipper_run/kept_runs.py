@@ -1,4 +1,5 @@
 """Runs that are made once: `dipper run`, several at a time, each kept in a cache entry and found again."""
+import json
 import os
 import shutil
 import signal
@@ -17,6 +18,7 @@ KEEPER = Path(__file__).with_name("keeper.py")
 HEAVY = ("checkpoints", "dumps", "events.lcmlog")
 # A run that is to be kept without dumps need not write them.
 QUIET = ("--set", "output.dump_every_s=0", "--set", "output.checkpoint_every_s=0")
+BEGUN = "begun.json"  # of an entry under way: what its run will not have
 INTERRUPTED = 4  # exit status of a run that can be gone on with
 
 
@@ -45,8 +47,15 @@ class Job:
 
     @property
     def begun(self):
-        """Whether an earlier start has left a checkpoint to go on from."""
-        return (self.run / "record.h5").exists() and any((self.run / "checkpoints").glob("*"))
+        """Whether an earlier start has left a checkpoint to go on from, and lacks nothing that is to be kept."""
+        return ((self.run / "record.h5").exists() and any((self.run / "checkpoints").glob("*"))
+                and set(self._lacks()) <= set(self.drop))
+
+    def _lacks(self):
+        try:
+            return json.loads((self.folder / BEGUN).read_text())["dropped"]
+        except (OSError, ValueError, KeyError):
+            return HEAVY
 
 
 class KeptRuns:
@@ -112,8 +121,9 @@ class KeptRuns:
         folder.mkdir(exist_ok=True)
         (folder / run_cache.ENTRY_MANIFEST).unlink(missing_ok=True)  # of a run that kept less than is wanted
         words = [self.program, "run", *job.words, "--out", str(run)]
-        began = time.monotonic()
-        status = self._call(words + ["--resume"], folder, lock) if job.begun else None
+        began, begun = time.monotonic(), job.begun
+        (folder / BEGUN).write_text(json.dumps({"dropped": job.drop}))
+        status = self._call(words + ["--resume"], folder, lock) if begun else None
         if status not in (0, INTERRUPTED) and not self._stopped:
             shutil.rmtree(run, ignore_errors=True)
             status = self._call(words, folder, lock)
@@ -124,8 +134,10 @@ class KeptRuns:
         if status != 0:
             raise RunFailed(f"run failed ({job.label}), status {status}; see {folder / 'run.log'}")
         for name in job.drop:
-            path = run / name
-            shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
+            own = Path(name)
+            for path in [run / own, *run.glob(f"{own.stem}-*{own.suffix}")]:  # events-7.lcmlog, of a resumed run
+                shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
+        (folder / BEGUN).unlink()
         run_cache.seal(folder, {**job.facts, "dropped": list(job.drop), "wall_s": time.monotonic() - began})
 
     def _call(self, words, folder, lock):

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import dipper_run
+from dipper_run.exit_status import of_fault
 from dipper_run.findings import BadInput
 from dipper_run.out_folder import check_writable, make_cache, out_folder
 from dipper_run.page_data import finite
@@ -76,7 +77,7 @@ class Session:
         self.out.mkdir(parents=True, exist_ok=True)
         rows, names = [self._row(r) for r in self.runs.values()], self.study.names
         write_csv(rows, names, self.out / "study.csv")
-        write_hdf5(rows, names, self.out / "study.h5", self.study.file.read_text())
+        write_hdf5(rows, names, self.out / "study.h5", self.study.text)
         _link_all(self.out / "runs", {run.name: run.folder for run, row in zip(self.runs.values(), rows)
                                       if row["status"] in ("complete", "unfinished")})
         if answer:
@@ -135,7 +136,10 @@ def main(words=None):
         return 2
     except KeyboardInterrupt:
         return interrupted()
-    return conduct(Session(study, planner, executor, out), points, args)
+    try:
+        return conduct(Session(study, planner, executor, out), points, args)
+    except OSError as e:  # a full disk, a file in the way, nobody who reads: the runs that are made are kept
+        return of_fault(e)
 
 
 def interrupted():

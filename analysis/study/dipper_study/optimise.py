@@ -126,7 +126,7 @@ def _base(session):
     study = session.study
     point = Point((), study.fixed)
     session.planner.check([point])
-    base = [session.planner.motions.own(r.key) if r.key.startswith(PREFIX) else
+    base = [session.planner.motions.own(r.key, study.fixed) if r.key.startswith(PREFIX) else
             _value(session.planner.checked(point), r.key) for r in study.optimise.ranges]
     wrong = [f"{study.file}:{r.line}: {r.key}: the case has {value}; a range that holds it, since the answer is "
              "compared with the case as it is" for r, value in zip(study.optimise.ranges, base)

@@ -23,7 +23,7 @@ def page(study, rows, failures=(), answer=None, warnings=(), case_title=None):
         "counts": {s: sum(r["status"] == s for r in rows) for s in ("complete", "unfinished", "failed", "not made")},
         "columns": [{"name": c, "title": COLUMNS[c]} for c in columns],
         "parameters": study.names,
-        "charts": [_chart(p, study, done, columns) for p in study.parameters[:1]],
+        "charts": [_chart(p, study, done, columns) for p in study.parameters[:1] if columns],
         "trends": [t for p in study.parameters for t in _trends(p, study, done, columns)],
         "comparisons": [c for p in study.parameters for c in comparisons(p, study.names, done, columns)],
         "points": _points(study.names, done, columns),

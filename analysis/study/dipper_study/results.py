@@ -31,8 +31,11 @@ def row_of(planned, names, facts, failure=None):
 
 
 def is_whole(run):
-    """Whether every pass was dumped: the figures of one that was cut short are no pass's."""
+    """Whether every pass was dumped: the figures of one that was cut short are no pass's. Bodies that follow a table
+    of poses have no passes, and no table of them in their metrics."""
     passes = run.summary["passes"]
+    if not passes and "passes" not in run.metrics:
+        return True
     return bool(passes) and all(p.get("dumped", True) for p in passes)
 
 
@@ -60,7 +63,7 @@ def _with_ranges(texts):
 
 def figures(run):
     """What a run is compared by: means over its passes, the largest for peaks. nan where there is no such figure."""
-    passes, worked = run.summary["passes"], run.metrics["passes"]
+    passes, worked = run.summary["passes"], run.metrics.get("passes", [])
     truck = run.summary.get("truck", {})  # where the case has truck.rated_t
     mean = lambda rows, key, unit: float(np.mean([r.get(key, np.nan) for r in rows])) / unit if rows else np.nan
     return {"payload_t": mean(passes, "payload_kg", 1e3), "truck_t": mean(passes, "truck_kg", 1e3),

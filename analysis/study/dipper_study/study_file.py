@@ -8,7 +8,7 @@ import yaml
 
 from dipper_run.findings import Findings
 from dipper_run.section import Section
-from dipper_run.text_file import number, read_yaml, said
+from dipper_run.text_file import number, read_text, read_yaml, said
 
 from .goal import Constraint, Objective, read_objective
 from .results import FIGURES
@@ -16,6 +16,8 @@ from .results import FIGURES
 KEEPS = ("summary", "record", "all")
 EXECUTORS = ("local", "slurm")
 MOST_RANKS = 100_000
+DUMPS = "output.dump_every_s"
+ON_DUMPS = "fill_factor_load"  # the column that a run without dumps does not have
 TABLE_COLUMNS = ("run", "seed", "status", *FIGURES)  # of study.csv, beside the parameters
 
 
@@ -87,10 +89,15 @@ class Optimise:
     batch: int           # chosen at a time
     confirm_seeds: tuple
 
+    def uses(self, column):
+        goals = [self.objective, *(c.objective for c in self.constraints)]
+        return any(column in (goal.first, goal.second) for goal in goals if goal)
+
 
 @dataclass(frozen=True)
 class Study:
     file: Path
+    text: str            # of the file as it was read: it may be edited while runs go on
     case: Path
     seeds: tuple
     fixed: tuple         # Settings of every run
@@ -105,6 +112,11 @@ class Study:
     @property
     def names(self):
         return [p.name for p in self.parameters] or [r.key for r in self.optimise.ranges if self.optimise]
+
+    @property
+    def dumps(self):
+        """Whether runs write dumps while the dipper digs."""
+        return self.keep == "all" or any(s.key == DUMPS for s in self.fixed)
 
     def points(self):
         """Every combination of values, the last parameter running fastest."""
@@ -125,8 +137,8 @@ def read_study(file):
     found.raise_if_any()
     top = Section(root, file, found)
     case = top.text("case")
-    study = Study(file, _beside(file, case or ""), _seeds(top, "seeds"), _fixed(top), _parameters(top),
-                  top.whole("ranks", 1, MOST_RANKS, 1), top.whole("jobs", 1, MOST_RANKS, None),
+    study = Study(file, read_text(file, found), _beside(file, case or ""), _seeds(top, "seeds"), _fixed(top),
+                  _parameters(top), top.whole("ranks", 1, MOST_RANKS, 1), top.whole("jobs", 1, MOST_RANKS, None),
                   top.one_of("keep", KEEPS, "record"), top.one_of("executor", EXECUTORS, "local"), _slurm(top),
                   _optimise(top))
     if case and not (study.case / "case.yaml").is_file():
@@ -136,6 +148,9 @@ def read_study(file):
         top.wrong("parameters", "missing", "give them, or optimise")
     if study.optimise and study.parameters:
         top.wrong("parameters", "beside optimise", "one of the two; optimise has parameters of its own")
+    if study.optimise and study.optimise.uses(ON_DUMPS) and not study.dumps:
+        top.wrong("keep", f"is {study.keep}", f"all, or set: {{{DUMPS}: 0.5}}, where optimise has {ON_DUMPS}, which is "
+                  "measured on the dumps")
     _set_once(study, top)
     found.raise_if_any()
     return study

@@ -143,6 +143,21 @@ TEST(Passes, ADigThatBroughtNothingIsAPassWhenTheDoorOpened) {
   }
 }
 
+TEST(Passes, ADoorThatIsOpenAtTheStartHasNotOpened) {
+  PassSignals s = two_passes();
+  std::fill_n(s.door_rad.begin(), 10, 1.0);
+  const auto passes = find_passes(s);
+  ASSERT_EQ(passes.size(), 2u);
+  EXPECT_NEAR(passes[0].t_start_s, 1, 1e-9);
+  EXPECT_NEAR(passes[0].truck_kg, 80e3, 1e-6);
+  const auto planned = find_planned_passes(s.time_s, s.door_rad);
+  ASSERT_EQ(planned.size(), 2u);
+  EXPECT_NEAR(planned[0].t_start_s, 1, 1e-9);
+  std::fill(s.door_rad.begin(), s.door_rad.end(), 1.0);
+  EXPECT_TRUE(find_passes(s).empty());
+  EXPECT_TRUE(find_planned_passes(s.time_s, s.door_rad).empty());
+}
+
 TEST(Passes, SignalsOfDifferentLengthsAreRefused) {
   PassSignals s = two_passes();
   s.door_rad.pop_back();

@@ -145,6 +145,20 @@ def test_an_out_that_is_a_file_starts_nothing(world):
     assert not world.calls()
 
 
+def test_a_file_where_the_links_to_the_runs_go_is_reported(world):
+    world.out.mkdir()
+    (world.out / "runs").write_text("notes")
+    printed = world.study(status=2)
+    assert f"{world.out / 'runs'}: File exists" in printed and "Traceback" not in printed
+
+
+def test_an_output_that_nobody_reads_ends_it_without_a_word(world):
+    study = world.start()
+    study.stdout.close()
+    study.stdout = None
+    assert study.communicate(timeout=60)[1] == "" and study.returncode == 128 + signal.SIGPIPE
+
+
 def test_bad_usage_is_2(world):
     world.study("case: case\n", status=2)
     world.study(STUDY, "--outt", status=2)
@@ -173,6 +187,21 @@ def test_an_end_from_outside_leaves_no_run_and_the_same_command_goes_on(world, n
     world.say("slow", "0")
     world.study()
     assert 9 <= len(world.calls()) <= 9 + 2 and len(world.rows()) == 9
+
+
+@pytest.mark.parametrize("edit", [lambda file: file.write_text("a new one\n"), lambda file: file.unlink()])
+def test_the_text_kept_with_the_answer_is_that_of_what_was_run(world, edit):
+    world.say("slow", "0.4")
+    study = world.start()
+    until = time.monotonic() + 60
+    while not world.calls():
+        assert study.poll() is None and time.monotonic() < until
+        time.sleep(0.02)
+    edit(world.folder / "study.yaml")
+    _, err = study.communicate(timeout=60)
+    assert study.returncode == 0, err
+    with h5py.File(world.out / "study.h5") as f:
+        assert f.attrs["study"] == STUDY
 
 
 def test_two_settings_are_compared_seed_by_seed(world):

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Stands in for `dipper`: checks and runs a case in which payload, force and work are a known function of rake, toe
 and seed. Beside it: `calls` (a line a run that began), `fail` (seeds whose runs fail), `slow` (seconds a run takes),
-`short` (seeds whose runs end within the pass), `warnings` (of every run, SEED for its seed), `steep` (the rake above
-which a toe beyond 0.5 m is no sound case), `hold` (a command, and the number of
+`short` (seeds whose runs end within the pass), `poses` (there: runs have no passes), `warnings` (of every run, SEED
+for its seed), `steep` (the rake above which a toe beyond 0.5 m is no sound case), `hold` (a command, and the number of
 motions made from which it takes a minute; then `held` is there), `real` (the program that writes pages)."""
 import hashlib
 import json
@@ -31,7 +31,7 @@ def settings(words):
 def check(words):
     keys, findings = settings(words), []
     for key, value in keys.items():
-        if key in ("bodies.dipper", "machine.motion"):
+        if key in ("bodies.dipper", "machine.motion", "machine.operator", "machine.plan"):
             continue
         low, high = KEYS.get(key, (1, 0))
         if key not in KEYS:
@@ -56,7 +56,9 @@ def model(keys, seed):
     payload = 70 + shared.gauss(0, 3) + own.gauss(0, 0.5) + (5 if keys.get("bodies.dipper") == "wide.stl" else 0)
     if float(keys.get("flat", 0)) == 0:
         payload -= 0.5 * (rake - 64) ** 2 + 2 * (toe - 1) ** 2
-    if "machine.motion" in keys:
+    if keys.get("machine.operator") == "plan":
+        payload += yaml.safe_load(pathlib.Path(keys["machine.plan"]).read_text())["passes"][0]["cut"]["depth_m"]
+    elif "machine.motion" in keys:
         payload += json.loads(pathlib.Path(keys["machine.motion"]).read_text())["depth_m"]
     return payload, 8 + 0.5 * (rake - 60) + own.gauss(0, 0.1), 20.0
 
@@ -81,7 +83,8 @@ def run(words):
            "dig_phases_force_mean_N": 3e6, "dig_force_peak_N": peak * 1e6,
            "dumped": str(seed) not in read("short", "").split()}
     warnings = read("warnings", "").replace("SEED", str(seed)).splitlines()
-    (out / "summary.json").write_text(json.dumps({"passes": [one], "dem": {"cpu_s": 5, "wall_s": 7},
+    passes = [] if (HERE / "poses").exists() else [one]
+    (out / "summary.json").write_text(json.dumps({"passes": passes, "dem": {"cpu_s": 5, "wall_s": 7},
                                                   "mbs": {"cpu_s": 1}, "warnings": warnings}))
     (out / "work").write_text(str(work))
     return 0
@@ -107,7 +110,8 @@ def report(words):
     out = pathlib.Path(words[0])
     (out / "report").mkdir()
     work = float((out / "work").read_text())
-    (out / "report/metrics.json").write_text(json.dumps({"passes": [{"dig_work_J": work * 1e6}]}))
+    metrics = {} if (HERE / "poses").exists() else {"passes": [{"dig_work_J": work * 1e6}]}
+    (out / "report/metrics.json").write_text(json.dumps(metrics))
     (out / "report/report.html").write_text("a page")
     return 0
 

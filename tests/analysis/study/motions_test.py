@@ -53,6 +53,25 @@ def test_another_case_has_other_motions(world):
     assert len(made(world)) == 4
 
 
+def test_another_face_has_other_motions(world):
+    face = world.folder / "case/face_1.csv"
+    for rows in ("x_m,z_m\n0,0\n", "x_m,z_m\n0,1\n"):
+        face.write_text(rows)
+        world.study(STUDY)
+    assert len(made(world)) == 4
+
+
+def test_an_operator_who_plans_goes_by_the_changed_plan(world):
+    (world.folder / "case/digs.yaml").write_text(PLAN.replace("1.0", "1.5"))
+    by_plan = "set: {machine.operator: plan, machine.plan: digs.yaml}\n"
+    world.study(STUDY + by_plan)
+    deep = {(row["plan.passes.0.cut.depth_m"], row["seed"]): float(row["payload_t"]) for row in world.rows()}
+    for seed in ("1", "2"):
+        assert deep["2", seed] - deep["1", seed] == pytest.approx(1, abs=1e-3)
+    world.study(SEARCH + by_plan)
+    assert json.loads((world.out / "optimum.json").read_text())["base_at"] == [1.5]
+
+
 @pytest.mark.parametrize("values, said", [
     ("plan.passes.0.cut.depth_m: [1, 9]", "under the ground"),
     ("plan.passes.0.cut.depth_m: [1, -1]", "case.yaml:1: domain.max_m: the dipper leaves the domain"),

@@ -74,6 +74,18 @@ def test_intervals_of_two_seeds_do_not_flatten_a_chart(tmp_path):
         assert browser.errors() == []
 
 
+def test_a_study_of_bodies_that_have_no_passes(tmp_path):
+    world = World(tmp_path)
+    world.say("poses", "")
+    world.study("case: case\nseeds: [1, 2]\nparameters: {machine.rake_angle_deg: [60, 62]}\n")
+    assert {(row["status"], row["passes"], row["payload_t"], row["cpu_s"]) for row in world.rows()} == {
+        ("complete", "0", "", "6")}
+    with Browser() as browser:
+        browser.open(world.out / "report.html")
+        assert browser.run("return document.querySelectorAll('#runs tbody tr').length") == 4
+        assert browser.errors() == []
+
+
 OPTIMISE = """case: case
 seeds: [1, 2]
 optimise:

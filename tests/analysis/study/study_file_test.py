@@ -116,11 +116,17 @@ def test_an_optimisation(folder):
     assert (o.start, o.points, o.batch, o.confirm_seeds) == (4, 12, 2, (11, 12))
 
 
+@pytest.mark.parametrize("more", ["keep: all\n", "set: {output.dump_every_s: 0.5}\n"])
+def test_an_optimisation_of_what_dumps_show(folder, more):
+    assert read(folder, OPTIMISE.replace("dig_force_peak_MN", "fill_factor_load") + more).optimise
+
+
 @pytest.mark.parametrize("old, new, fault", [
     ("payload_t /", "paylode /", ":4: optimise.maximise: paylode is no column; of payload_t"),
     ("maximise", "best", "both or none of maximise and minimise"), ("low: 58", "low: 68", "68 is not below 66"),
     ("at_most: 10", "under: 10", "unknown key; one of at_least, at_most"), ("[11, 12]", "[2, 12]", "fresh ones"),
     ("[1, 2]", "[1]", "two or more with optimise"),
+    ("dig_force_peak_MN", "fill_factor_load", "keep: is record; all, or set: {output.dump_every_s: 0.5}"),
     ("{machine.rake_angle_deg: {low: 58, high: 66}}", "{}", ":6: optimise.parameters: is an empty map; a case key"),
 ])
 def test_faults_of_an_optimisation(folder, old, new, fault):
