@@ -95,6 +95,11 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
                       "stalls permanently (docs/drives.md)",
                       path_s, motion_s));
   }
+  if (const double lost = summary.at("dem").value("rock_lost_kg", 0.0); lost > kLostMass_kg)
+    warnings.push_back(fmt::format(
+        "{:.1f} t of rock left the domain: domain.min_m and domain.max_m farther out keep it, "
+        "unless it was thrown by contacts too soft (contact.normal_scale) or steps too long",
+        1e-3 * lost));
   const json& coupling = summary.at("coupling");
   const double residual = std::abs(coupling.at("energy_residual_J").get<double>()),
                work = std::abs(coupling.at("interface_work_J").get<double>());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -82,6 +83,14 @@ json achieved(const cases::Case& c, const RunFolder& folder) {
   return rock;
 }
 
+/// What has left the domain, in kg; rock that comes down from above adds to the mass.
+double rock_lost(const RunFolder& folder) {
+  const std::vector<double> mass = record::read_channel(folder.record(), "rock/rock_mass");
+  double lost = 0;
+  for (std::size_t i = 1; i < mass.size(); ++i) lost += std::max(0.0, mass[i - 1] - mass[i]);
+  return lost;
+}
+
 json describe(const AchievedProfile& p) {
   return {{"below_profile_mean_m", p.below_mean_m},
           {"below_profile_most_m", p.below_most_m},
@@ -101,6 +110,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
     summary["start"] = {{"rocks_removed", first("rock/rocks_removed")},
                         {"mass_removed_kg", first("rock/mass_removed")}};
   }
+  if (facts.syncs > 0) summary["dem"]["rock_lost_kg"] = rock_lost(folder);
   summary["rock"] = achieved(c, folder);
   const auto profile = c.pile.profile.empty() ? std::nullopt : achieved_profile(c, folder.dumps());
   if (profile) {

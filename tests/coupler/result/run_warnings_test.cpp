@@ -14,7 +14,8 @@ using json = nlohmann::ordered_json;
 
 /// Of a run in which nothing is wrong, with a change.
 std::vector<std::string> warnings(const std::vector<std::pair<std::string, json>>& pass,
-                                  double residual_J = 0, const std::string& status = "complete") {
+                                  double residual_J = 0, const std::string& status = "complete",
+                                  double lost_kg = 0) {
   const test::Checkout checkout;
   std::vector<Finding> findings;
   const cases::Case c =
@@ -30,6 +31,7 @@ std::vector<std::string> warnings(const std::vector<std::pair<std::string, json>
   return run_warnings(
       c, {{"status", status},
           {"passes", json::array({row})},
+          {"dem", {{"rock_lost_kg", lost_kg}}},
           {"drives", {{"path_time_s", status == "complete" ? 1e3 : 1.0}}},
           {"coupling", {{"energy_residual_J", residual_J}, {"interface_work_J", -1e8}}}});
 }
@@ -49,6 +51,8 @@ TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
               ElementsAre(HasSubstr("28.0 t more leave the truck")));
   EXPECT_THAT(warnings({{"dumped", false}}), ElementsAre(HasSubstr("pass 1: unfinished")));
   EXPECT_THAT(warnings({{"dumped", false}}, 0, "interrupted"), ElementsAre()) << "it goes on";
+  EXPECT_THAT(warnings({}, 0, "complete", 27e3),
+              ElementsAre(HasSubstr("27.0 t of rock left the domain")));
   EXPECT_THAT(warnings({}, -2e6), ElementsAre(HasSubstr("2.0 % of the work of 100 MJ")));
 }
 
