@@ -18,6 +18,7 @@
 #include "common/json_values.hpp"
 #include "common/text_file.hpp"
 #include "coupler/cli/number_option.hpp"
+#include "coupler/cli/output_file.hpp"
 
 namespace dipper::cli {
 namespace {
@@ -62,6 +63,7 @@ std::size_t frame_at(const io::DumpFolder& dumps, double at_s) {
 }
 
 int face_command(const FaceOptions& o, Reporter& reporter) {
+  if (!o.out.empty()) require_output(o.out, "--out", {});
   const io::DumpFolder dumps = io::open_dump_folder(o.run);
   const std::size_t frame = frame_at(dumps, o.at_s.value_or(dumps.time_s.back()));
   const CaseLines text = CaseLines::read(fs::path(o.run) / "case.txt");

@@ -26,6 +26,7 @@ int observe(const ObserveOptions& o) {
     throw CLI::ValidationError("--set", e.what());
   }
   const fs::path record = fs::path(o.folder) / "record.h5";
+  result::require_no_measured(o.out);
   make_writable(o.out);
   result::write_observed(record, observation, o.out);
   return 0;

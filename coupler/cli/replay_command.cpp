@@ -11,6 +11,7 @@
 #include "coupler/check/check.hpp"
 #include "coupler/cli/own_network.hpp"
 #include "coupler/cli/set_option.hpp"
+#include "coupler/result/observed.hpp"
 #include "coupler/run/machine_replay.hpp"
 #include "coupler/run/replay.hpp"
 
@@ -65,6 +66,7 @@ int observe_another_machine(const ReplayOptions& o, Reporter& reporter) {
   if (findings.empty()) findings = weigh_changes(o.folder, changed, reporter);
   for (const Finding& f : findings) reporter.error(to_string(f));
   if (!findings.empty()) return 2;
+  result::require_no_measured(o.out);
   make_writable(o.out);
   enter_own_network(reporter);
   run::observe_changed_machine(o.folder, changed, o.out);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <string_view>
 
 #include "analysis/run/run_folder.hpp"
 #include "analysis/signals/door_leak.hpp"
@@ -22,6 +23,7 @@ namespace dipper::result {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr std::string_view kOurs = "# What observed/ holds;";
 constexpr const char* kChannels =
     "# What observed/ holds; sigma 0: a simulation has no noise.\n"
     "truck_mass_t: {unit: t, role: response, sigma: 0, common_sigma: 0}\n"
@@ -77,6 +79,16 @@ void write_observed(const analysis::signals::DriveSignals& plain,
   write_text(out / "channels.yaml", std::string(kChannels) + (surveyed ? kFaceChannel : ""));
   write_text(out / "signals.csv", signals);
   write_text(out / "passes.csv", passes);
+}
+
+void require_no_measured(const fs::path& out) {
+  const std::string channels = read_bytes(out / "channels.yaml").value_or("");
+  if (channels.compare(0, kOurs.size(), kOurs) == 0) return;
+  for (const char* name : {"channels.yaml", "passes.csv", "signals.csv", "profile.csv"})
+    if (fs::exists(out / name))
+      throw InputError({{out / name, 0, "--out",
+                         "is no observation, and would be lost; name "
+                         "another folder"}});
 }
 
 void set_observation(cases::ObservationCase& observation, const cases::Override& set) {

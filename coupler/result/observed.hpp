@@ -20,6 +20,9 @@ void write_observed(const analysis::signals::DriveSignals& drives,
                     const cases::ObservationCase& observation, const std::filesystem::path& run,
                     const std::filesystem::path& out);
 
+/// Throws InputError for a folder with files that these would replace and did not write: a mine's.
+void require_no_measured(const std::filesystem::path& out);
+
 /// The observation.* lines of a run's case.txt. Throws std::runtime_error naming file and line.
 cases::ObservationCase read_observation(const std::filesystem::path& case_txt);
 

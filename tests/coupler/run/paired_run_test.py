@@ -237,6 +237,15 @@ class PairedRun(RunTest):
         for place in (run / "observed", self.folder / "observed"):
             files = {p.name for p in place.iterdir()}
             self.assertEqual(files, {"channels.yaml", "passes.csv", "signals.csv"})  # no pass has dumped: no sections
+        # A mine's own folder is no place for it.
+        mine = self.folder / "mine"
+        mine.mkdir()
+        (mine / "channels.yaml").write_text("truck_mass_t: {unit: t, role: response, sigma: 2, common_sigma: 1}\n")
+        for command in (("observe", run), ("replay", run, "--side", "mbs", "--set", "effects.crowd_friction=100")):
+            done = subprocess.run([DIPPER, *command, "--out", mine], text=True, capture_output=True, timeout=PATIENCE_S)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("channels.yaml: --out: is no observation, and would be lost", done.stderr)
+            self.assertEqual([p.name for p in mine.iterdir()], ["channels.yaml"])
         face = json.loads((run / "faces" / "face_0.json").read_text())
         self.assertEqual((face["t_s"], face["axis_m"]), (0, [0, 0]))
         heights = np.array(face["z_cm"]).reshape(face["nx"], face["ny"]) / 100
