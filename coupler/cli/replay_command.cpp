@@ -77,6 +77,7 @@ int replay(const ReplayOptions& o, Reporter& reporter) {
   require_undamaged(o.folder);
   if (!o.set.empty()) return observe_another_machine(o, reporter);
   if (!o.case_folder.empty()) throw CLI::ValidationError("--case", "goes with --set");
+  if (!o.out.empty()) throw CLI::ValidationError("--out", "goes with --set");
   enter_own_network(reporter);
   const run::ReplayResult r = run::replay(o.folder, o.side);
   reporter.line(

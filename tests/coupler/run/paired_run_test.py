@@ -246,6 +246,10 @@ class PairedRun(RunTest):
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn("channels.yaml: --out: is no observation, and would be lost", done.stderr)
             self.assertEqual([p.name for p in mine.iterdir()], ["channels.yaml"])
+        done = subprocess.run([DIPPER, "replay", run, "--side", "mbs", "--out", self.folder / "none"], text=True,
+                              capture_output=True, timeout=PATIENCE_S)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("--out: goes with --set", done.stderr)
         face = json.loads((run / "faces" / "face_0.json").read_text())
         self.assertEqual((face["t_s"], face["axis_m"]), (0, [0, 0]))
         heights = np.array(face["z_cm"]).reshape(face["nx"], face["ny"]) / 100
