@@ -23,7 +23,6 @@ namespace dipper::result {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kOurs = "# What observed/ holds;";
 constexpr const char* kChannels =
     "# What observed/ holds; sigma 0: a simulation has no noise.\n"
     "truck_mass_t: {unit: t, role: response, sigma: 0, common_sigma: 0}\n"
@@ -83,12 +82,12 @@ void write_observed(const analysis::signals::DriveSignals& plain,
 
 void require_no_measured(const fs::path& out) {
   const std::string channels = read_bytes(out / "channels.yaml").value_or("");
-  if (channels.compare(0, kOurs.size(), kOurs) == 0) return;
+  const std::string_view ours = kChannels, first_line = ours.substr(0, ours.find('\n'));
+  if (channels.compare(0, first_line.size(), first_line) == 0) return;
   for (const char* name : {"channels.yaml", "passes.csv", "signals.csv", "profile.csv"})
     if (fs::exists(out / name))
-      throw InputError({{out / name, 0, "--out",
-                         "is no observation, and would be lost; name "
-                         "another folder"}});
+      throw InputError(
+          {{out / name, 0, "--out", "is no observation, and would be lost; name another folder"}});
 }
 
 void set_observation(cases::ObservationCase& observation, const cases::Override& set) {

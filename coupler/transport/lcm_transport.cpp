@@ -86,14 +86,14 @@ std::optional<Packet> read_lcm_packet(std::string_view datagram) {
   return Packet{std::string(datagram.substr(0, end)), std::string(datagram.substr(end + 1))};
 }
 
-LcmTransport::LcmTransport(const std::string& url, std::string channel, std::string secret)
-    : lcm_(url), channel_(std::move(channel)), secret_(std::move(secret)), buffer_(1 << 16) {
+LcmTransport::LcmTransport(const std::string& url, const std::string& channel, std::string secret)
+    : lcm_(url), secret_(std::move(secret)), buffer_(1 << 16) {
   if (!lcm_.good()) {
     throw std::runtime_error("LCM cannot open " + url +
                              ": no multicast route. As root, once: "
                              "`ip route add 239.255.76.0/24 dev lo`");
   }
-  socket_ = listen(url, channel_);
+  socket_ = listen(url, channel);
 }
 
 LcmTransport::~LcmTransport() { close(socket_); }
@@ -117,7 +117,6 @@ std::optional<Packet> LcmTransport::receive(std::chrono::microseconds timeout) {
     const ssize_t n = recv(socket_, buffer_.data(), buffer_.size(), 0);
     if (n >= 0) {
       auto packet = read_lcm_packet({buffer_.data(), static_cast<std::size_t>(n)});
-      if (packet && packet->channel != channel_) continue;
       if (packet && unseal(secret_, *packet)) return packet;
       ++foreign_;
       continue;

@@ -23,7 +23,7 @@ class LcmTransport final : public Transport {
  public:
   /// Receives `channel`. Throws std::runtime_error, with the remedy when there is no multicast
   /// route.
-  LcmTransport(const std::string& url, std::string channel, std::string secret);
+  LcmTransport(const std::string& url, const std::string& channel, std::string secret);
   ~LcmTransport() override;
   LcmTransport(const LcmTransport&) = delete;
   LcmTransport& operator=(const LcmTransport&) = delete;
@@ -35,7 +35,7 @@ class LcmTransport final : public Transport {
 
  private:
   lcm::LCM lcm_;  // sends only: without a subscription it creates no receiver
-  std::string channel_, secret_;
+  std::string secret_;
   int socket_ = -1;
   std::vector<char> buffer_;
   std::int64_t foreign_ = 0;
