@@ -39,9 +39,6 @@ def truck_masses(rows, fits, grid, spans, what, path, found, notes):
     """t, a pass each; 0 where the scale shows less, within its error. NaN after a finding."""
     channel, none = what.channels[TRUCK_MASS], [np.nan] * len(spans)
     scale = Scale(rows, channel, what.longest_gap_s)
-    if spans and spans[0][0] > grid[0]:
-        notes.append(f"warning: the log begins with the door open: what it dumps until {spans[0][0]:.4g} s "
-                     "belongs to no pass")
     phases = find_phases(grid, fits["crowd"].value, np.radians(fits["swing"].value), spans)
     dumps = [p.get("dump", (end, end))[0] for p, (_, end) in zip(phases, spans)]
     if channel.reads != "pass" and not _dump_within(rows, dumps, spans, path, found):
