@@ -87,7 +87,7 @@ class Network(RunTest):
         carried, lost = [], []
         self.run_case(self.folder / "short", *SHORT)
         reference = self.summary(self.folder / "short")["state_hash"]
-        for seed in (1, 2):
+        for seed in (1, 2, 3):
             took, counts = self.through(f"carried{seed}", *SHORT, reference=reference)
             carried.append(took)
             self.assertEqual(counts["resends"], 0)
@@ -133,7 +133,7 @@ class Network(RunTest):
             stranger.wait()
 
     def test_a_loaded_machine_does_not_fail_a_healthy_start(self):
-        busy = [subprocess.Popen(["sh", "-c", "while :; do :; done"]) for _ in range(20)]
+        busy = [subprocess.Popen(["sh", "-c", "while :; do :; done"]) for _ in range(38)]
         try:
             self.run_case(self.folder / "busy", "--set", "end_s=0.03")
         finally:
