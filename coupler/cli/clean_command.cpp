@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
 #include <system_error>
 #include <vector>
@@ -65,26 +66,42 @@ std::vector<Load> of_cache() {
   return loads;
 }
 
-int clean(const CleanOptions& o, Reporter& reporter) {
-  std::uintmax_t sum_B = 0;
-  for (const std::string& place : o.places) {
-    const bool cache = place == "cache" && !fs::exists(fs::path(place) / "record.h5");
-    const fs::path folder = cache ? cache_folder() : fs::path(place);
-    FileLock writer(folder / "run.lock");
-    const std::vector<Load> loads = cache ? of_cache() : load_of_run(folder);
-    if (o.yes && !cache && !writer.try_lock())
+/// A run's folder or the cache, held against other writers while it is emptied.
+struct Place {
+  Place(const std::string& word, bool empties)
+      : cache(word == "cache" && !fs::exists(fs::path(word) / "record.h5")),
+        folder(cache ? cache_folder() : fs::path(word)),
+        loads(cache ? of_cache() : load_of_run(folder)),
+        writer(folder / "run.lock") {
+    if (empties && !cache && !writer.try_lock())
       throw InputError({{folder, 0, "", "a run is writing it; wait for its end"}});
-    for (const Load& load : loads) {
+  }
+
+  bool cache;
+  fs::path folder;
+  std::vector<Load> loads;
+  FileLock writer;
+};
+
+int clean(const CleanOptions& o, Reporter& reporter) {
+  std::map<fs::path, Place> places;  // all of them are sound before anything is removed
+  for (const std::string& word : o.places) {
+    const fs::path file = word == "cache" ? fs::path(word) : fs::weakly_canonical(word);
+    if (places.count(file) == 0) places.try_emplace(file, word, o.yes);
+  }
+  std::uintmax_t sum_B = 0;
+  for (const auto& [file, place] : places) {
+    for (const Load& load : place.loads) {
       std::uintmax_t load_B = 0;
       for (const fs::path& path : load.paths) {
         FileLock maker(writers_lock(path));
-        if (o.yes && cache && !maker.try_lock()) continue;  // another process is making it
+        if (o.yes && place.cache && !maker.try_lock()) continue;  // another process is making it
         load_B += size_B(path);
         if (o.yes) fs::remove_all(path);
       }
       sum_B += load_B;
       reporter.line(fmt::format("{:>9.1f} MB  {}: {}", static_cast<double>(load_B) * 1e-6,
-                                (folder / load.name).string(), load.lost));
+                                (place.folder / load.name).string(), load.lost));
     }
   }
   reporter.line(fmt::format("{:>9.1f} MB  {}", static_cast<double>(sum_B) * 1e-6,

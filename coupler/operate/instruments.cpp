@@ -48,8 +48,9 @@ double Instruments::load_kg(const core::MachineState& state) const {
 
 void Instruments::see(const core::MachineState& state) {
   const bool open = machine::door_is_open(channel(state, "door"));
-  if (door_open_ && !open) ++pass_;
-  door_open_ = open;
+  if (dumps_ && !open) ++pass_;
+  was_shut_ = was_shut_ || !open;
+  dumps_ = open && was_shut_;
   if (const double load = load_kg(state); std::isfinite(load)) {
     load_sum_kg_ += load;
     ++loads_;
@@ -82,13 +83,17 @@ json Instruments::show(const core::MachineState& state) const {
 }
 
 nlohmann::json Instruments::memory() const {
-  return {
-      {"pass", pass_}, {"door_open", door_open_}, {"load_sum_kg", load_sum_kg_}, {"loads", loads_}};
+  return {{"pass", pass_},
+          {"was_shut", was_shut_},
+          {"dumps", dumps_},
+          {"load_sum_kg", load_sum_kg_},
+          {"loads", loads_}};
 }
 
 void Instruments::remember(const nlohmann::json& memory) {
   pass_ = memory.at("pass");
-  door_open_ = memory.at("door_open");
+  was_shut_ = memory.at("was_shut");
+  dumps_ = memory.at("dumps");
   load_sum_kg_ = memory.at("load_sum_kg");
   loads_ = memory.at("loads");
 }

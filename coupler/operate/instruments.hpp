@@ -31,7 +31,7 @@ std::string rate_key(const DriveWords& drive);
 
 /// Watches the machine from window to window. The load is the machine's own estimate
 /// (machine/handle_statics.hpp), the mean of a window's ends since the last look; the pass is
-/// counted by the door, which ends one as it shuts.
+/// counted by the door, which ends one as it shuts; not where it has been open from the start.
 class Instruments {
  public:
   /// Throws std::invalid_argument for a machine that no program drives.
@@ -62,7 +62,7 @@ class Instruments {
   core::ServerInfo info_;
   machine::HandleStatics statics_;
   int pass_ = 1;
-  bool door_open_ = false;
+  bool was_shut_ = false, dumps_ = false;  ///< the door: since the start; open, having been shut
   double load_sum_kg_ = 0;
   int loads_ = 0;
 };

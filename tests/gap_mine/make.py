@@ -4,10 +4,10 @@
 usage: make.py FOLDER SECRET [RUNS]
 
 RUNS (default: runs beside this file) has the stored digs: RUNS/base/SEED, and RUNS/NAME_STRENGTH/SEED of what needs
-digs of its own. SECRET is a text that decides every draw. FOLDER gets measured/CASE, reference/CASE for half of the
-cases (the same instruments on earlier trucks, of when nothing was hidden), sealed.csv (the SHA-256 of each truth) and
-truth.zip. Strengths are drawn as multiples of the model's limits (docs/data/gap_limits.csv: four trucks, the face
-surveyed, with or without a reference), and are those of LAID where there is none.
+digs of its own. SECRET is a text that decides every draw. FOLDER gets measured/CASE, reference/CASE (the same
+instruments on earlier trucks, of when nothing was hidden), sealed.csv (the SHA-256 of each truth) and truth.zip.
+Strengths are multiples of the limit from which on the model gives an effect its name (docs/data/gap_limits.csv:
+four trucks, the face surveyed, against a reference of this mine), and are those of LAID where there is none.
 """
 import csv
 import hashlib
@@ -46,8 +46,7 @@ CONTROLS = 6
 class Plan:
     kind: str                # effect | pair | outside | control | decoy, as tests/analysis/gap/score.py has them
     hidden: dict             # {effect: strength}
-    times: float             # of the detection limit
-    reference: bool          # earlier trucks are given
+    times: float             # of the limit
     runs: str = "base"       # whose digs
 
 
@@ -56,10 +55,9 @@ def rng_of(secret, what):
 
 
 def limits(file=ROOT / "docs/data/gap_limits.csv"):
-    """{(effect, with a reference): limit of four trucks with surveyed faces, None where there is none}"""
-    rows = list(csv.DictReader(line for line in open(file) if not line.startswith("#")))
-    return {(r["effect"], before): float(r[column]) if r[column] else None
-            for r in rows for before, column in ((False, "face"), (True, "face_before"))}
+    """{effect: limit of four trucks with surveyed faces against a reference, None where there is none}"""
+    rows = csv.DictReader(line for line in open(file) if not line.startswith("#"))
+    return {r["effect"]: float(r["named_reference"]) if r["named_reference"] else None for r in rows}
 
 
 def strength(name, times, rng, limit):
@@ -77,28 +75,23 @@ def plans(rng, runs, limit):
     """All cases, in an order of chance."""
     out = []
 
-    def add(kind, names, times, reference):
-        drawn = {n: strength(n, times, rng, limit.get((n, reference))) for n in names}
-        out.append(Plan(kind, {n: s for n, (s, _) in drawn.items()}, min(x for _, x in drawn.values()), reference))
+    def add(kind, names, times):
+        drawn = {n: strength(n, times, rng, limit.get(n)) for n in names}
+        out.append(Plan(kind, {n: s for n, (s, _) in drawn.items()}, min(x for _, x in drawn.values())))
 
-    for k, name in enumerate(LAID):
-        seen = [limit.get((name, before)) is not None for before in (False, True)]
-        for times in (1.0, 2.0) if any(seen) else (1.0,):
-            add("effect", (name,), times, bool(seen[1] and (not seen[0] or (k + times) % 2)))
-    for k, pair in enumerate(PAIRS):
-        add("pair", pair, 2.0, k % 2 == 0)
-    for k, (name, s) in enumerate(OUTSIDE.items()):
-        out.append(Plan("outside", {name: s * (1 + JITTER * rng.uniform(-1, 1))}, 1.0, k % 2 == 0))
-    out += [Plan("decoy", {name: s * sign}, 0.0, sign > 0) for name, s in DECOYS.items() for sign in (-1, 1)]
-    out += [Plan("control", {}, 0.0, k % 2 == 0) for k in range(CONTROLS)]
-    for folder in sorted(runs.iterdir()):   # those with digs of their own, each with a reference and without
-        if folder.name == "base" or not complete(folder):
-            continue
-        name, _, s = folder.name.rpartition("_")
-        for reference in (False, True):
-            size = limit.get((name, reference))
+    for name in LAID:
+        for times in (1.0, 2.0) if limit.get(name) else (1.0,):
+            add("effect", (name,), times)
+    for pair in PAIRS:
+        add("pair", pair, 2.0)
+    out += [Plan("outside", {name: s * (1 + JITTER * rng.uniform(-1, 1))}, 1.0) for name, s in OUTSIDE.items()]
+    out += [Plan("decoy", {name: s * sign}, 0.0) for name, s in DECOYS.items() for sign in (-1, 1)]
+    out += [Plan("control", {}, 0.0) for _ in range(CONTROLS)]
+    for folder in sorted(runs.iterdir()):   # those with digs of their own
+        if folder.name != "base" and complete(folder):
+            name, _, s = folder.name.rpartition("_")
             out.append(Plan("effect" if name in CATALOGUE else "outside", {name: float(s)},
-                            float(s) / size if size else 0.0, reference, folder.name))
+                            float(s) / limit[name] if limit.get(name) else 0.0, folder.name))
     rng.shuffle(out)
     return out
 
@@ -133,12 +126,11 @@ def write_case(folder, case, plan, runs, motion, secret):
     laid = {} if plan.runs != "base" else plan.hidden
     trucks = drawn_trucks(now, rng)
     write_folder(folder / "measured" / case, trucks, laid, motion, errors, rng, piles)
-    if plan.reference:
-        before = errors.moved(rng)
-        write_folder(folder / "reference" / case, drawn_trucks(earlier, rng), {}, motion, before, rng, piles)
+    before = errors.moved(rng)
+    write_folder(folder / "reference" / case, drawn_trucks(earlier, rng), {}, motion, before, rng, piles)
     return {"kind": plan.kind, "effects": plan.hidden if plan.kind in ("effect", "pair") else {},
             "implementation": plan.hidden, "times_limit": round(plan.times, 3), "runs": plan.runs,
-            "seeds": [[d.seed for d in t] for t in trucks], "reference": plan.reference,
+            "seeds": [[d.seed for d in t] for t in trucks], "reference": True,
             "salt": hashlib.sha256(f"{secret} {case}".encode()).hexdigest()}
 
 

@@ -1,4 +1,5 @@
 """dipper gap CASE --measured FOLDER [--reference FOLDER] [--out DIR]; dipper gap CASE --plan [--measured FOLDER]
+[--reference FOLDER]
 
 Exit status: 0 an answer was reached; 2 bad input, nothing started; 3 a run failed; 4 interrupted: the same command
 continues from the finished runs.
@@ -10,13 +11,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from dipper_run import run_cache
-from dipper_run.findings import BadInput
+from dipper_run.findings import BadInput, Findings
 from dipper_run.out_folder import check_writable, make_cache, out_folder
 from dipper_run.program import ProgramFailed, check_json, program
 
 from .answer import check_answer_folder, write_answer
 from .forecast import as_lines, forecast, write_forecast
-from .readings.before import check_reference
+from .readings.before import check_channels, check_reference
 from .readings.channels import ASSUMED, read_channels
 from .readings.fidelity import read_fidelity
 from .readings.measured import read_measured
@@ -103,7 +104,7 @@ def main(words=None):
         values = read_values(args.case)
         catalogue = read_catalogue(args.case)
         measured, before = (None, None) if args.plan else readings(args, values)
-        channels = planned_channels(args) if args.plan else {}
+        channels, earlier = planned_for(args) if args.plan else ({}, None)
         fidelity = usable_fidelity(args.case, bool(before))
         folder = out_folder(args.out, f"gap-{args.case.resolve().name}")
         check_writable(folder)
@@ -124,10 +125,10 @@ def main(words=None):
             channels = fidelity.compared(channels)
             measured = measured and measured.seen_by(fidelity.compared(measured.channels))
         if args.plan:
-            planned = forecast(channels, simulator, catalogue, first_seed, say)
+            planned = forecast(channels, simulator, catalogue, first_seed, say, earlier)
             folder.mkdir(parents=True, exist_ok=True)
             write_forecast(planned, catalogue, folder / "plan.json")
-            say("gap: smallest strength that stands out; where effects look alike, its name may still stay open")
+            say("gap: smallest strength that stands out, and in brackets that is told from every other effect")
             for line in as_lines(planned, catalogue):
                 say(line)
             say(f"gap: {folder / 'plan.json'}")
@@ -179,14 +180,20 @@ def usable_fidelity(case, with_reference):
     return fidelity
 
 
-def planned_channels(args):
-    """Instruments of the mine to be: the measured folder's, or assumed ones."""
-    if args.reference:
-        raise BadInput(["--reference: not with --plan, which computes limits with and without a reference"])
+def planned_for(args):
+    """Instruments of the mine to be, of the measured folder or the reference, else assumed ones; the reference or
+    None."""
+    before = read_measured(args.reference, NEED_PASSES) if args.reference else None
     if args.measured:
-        return read_channels(args.measured / "channels.yaml")
+        channels, found = read_channels(args.measured / "channels.yaml"), Findings()
+        if before:
+            check_channels(channels, args.measured, before, found)
+            found.raise_if_any()
+        return channels, before
+    if before:
+        return before.channels, before
     say(f"gap: instruments are assumed; those of a folder with a channels.yaml are taken with --measured ({ASSUMED})")
-    return read_channels()
+    return read_channels(), None
 
 
 if __name__ == "__main__":

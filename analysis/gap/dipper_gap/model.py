@@ -153,7 +153,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
 def predict(model, catalogue, trucks_scatter):
     """The prediction for a mine whose trucks vary so much (Model.scatter)."""
     baseline = replace(model.baseline, scatter=trucks_scatter)
-    return _predicted(model, baseline, signatures_of(model, catalogue, baseline))
+    return predicted(model, baseline, signatures_of(model, catalogue, baseline))
 
 
 def predict_change(model, catalogue, measured, before):
@@ -169,7 +169,7 @@ def predict_change(model, catalogue, measured, before):
     reference = replace(reference, beyond=scatter_beyond(baseline, part, at, now, reference.rows, along))
     baseline = replace(baseline, reference=reference)
     factor = left_out_trucks(*rows, baseline.part(split(model.passes)[0])[0], model.tails)
-    return _predicted(model, replace(baseline, scatter=baseline.scatter * factor), signatures)
+    return predicted(model, replace(baseline, scatter=baseline.scatter * factor), signatures)
 
 
 def signatures_of(model, catalogue, baseline):
@@ -177,7 +177,8 @@ def signatures_of(model, catalogue, baseline):
     return [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
 
 
-def _predicted(model, baseline, signatures):
+def predicted(model, baseline, signatures):
+    """The prediction for a mine of which a baseline says what it reads."""
     training = split(model.passes)[0]
     part, at = baseline.part(training)
     named = [s.part(at) for s in signatures if not s.effect.nuisance]

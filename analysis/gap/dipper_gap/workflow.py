@@ -25,7 +25,7 @@ from .readings.before import check_reference
 from .readings.face import CHANGED_P, compare_faces
 from .simulation.plan import FRESH_SEEDS, make_plan, statement, without_runs
 from .simulation.simulator import request
-from .statistics.isolability import Isolability, isolability
+from .statistics.isolability import Isolability, isolability, with_nuisances
 from .statistics.localise import Disagreement, localise
 from .statistics.match import Match, interval, match, stability
 from .statistics.null import statistics
@@ -67,6 +67,7 @@ class Look:
     table: Isolability
     matched: Match
     verdict: Verdict
+    signatures: tuple      # of all effects, over all passes, as they were matched
 
 
 @dataclass(frozen=True)
@@ -164,6 +165,7 @@ def conclude(model, prediction, measured, runner, before=None):
     elif verdict.verdict == "class":
         out = replace(out, intervals={n: interval(seen.matched, n, seen.training.signatures)
                                       for n in verdict.members})
+    prediction = replace(prediction, signatures=seen.signatures)
     if before:
         reference = prediction.baseline.reference
         names = list(out.effects) or [n for n in out.look.verdict.members[:1]]
@@ -273,7 +275,7 @@ def reference_warnings(model, measured, before):
     """Where the trucks now take another time than those before: what a drive does otherwise is no effect."""
     out = [*before.questions(), *check_reference(measured, before)]
     (now, then) = (model.vectors.of_mine(m.seen_by(measured.channels))[2] for m in (measured, before))
-    for k, number in enumerate(model.passes):
+    for k, number in enumerate(model.passes if measured.signals and before.signals else ()):
         for phase in dict.fromkeys(p for t in (*now, *then) for p in t[k]):
             a, b = (np.mean([t[k].get(phase, 0.0) for t in trucks]) for trucks in (now, then))
             if abs(a - b) > MOTION_TOLERANCE_S:
@@ -287,16 +289,18 @@ def look(model, prediction, training, holdout, runner):
     disagreement = localise(residual, training.baseline, prediction.null, prediction.directions)
     table = isolability(training.signatures, training.covariance)
     matched = match(residual, training.covariance, training.signatures, training.baseline)
+    shown = {s.name: s for s in prediction.signatures}
     for _ in range(SHARPENED if disagreement.omnibus_p < OMNIBUS_P else 0):
         better = _sharpened(model, prediction, training, matched, runner)
         if not better:
             break
+        shown.update(better)
         training, holdout = _with_signatures(training, better), _with_signatures(holdout, better)
         known = {names: f for names, f in matched.fits.items() if not better.keys() & set(names)}
         matched = match(residual, training.covariance, training.signatures, training.baseline, known=known)
     verdict = decide(disagreement.omnibus_p, matched, training.signatures, training.covariance, training.plain,
                      residual, training.baseline, prediction.null)
-    return Look(training, holdout, disagreement, table, matched, verdict)
+    return Look(training, holdout, disagreement, table, matched, verdict, tuple(shown.values()))
 
 
 def _sharpened(model, prediction, training, matched, runner):
@@ -306,8 +310,8 @@ def _sharpened(model, prediction, training, matched, runner):
     seeds = [r.seed for r in model.plan.baseline[:SHARPENING_SEEDS]]
     better = {}
     for name, strength in zip(fit.names, fit.best):
-        if model.runs[name].same_rock:
-            strength = float(f"{strength:.2g}")  # so that the next round, or another mine, hardly asks for new runs
+        strength = float(f"{strength:.2g}")  # so that the next round, or another mine, hardly asks for new runs
+        if model.runs[name].same_rock and strength:
             values = model.of_runs(runner.run({name: strength}, seeds))
             runs = SignatureRuns((strength,) * len(seeds), tuple(range(len(seeds))), values, True)
             better[name] = signature(runner.catalogue[name], prediction.baseline, runs).inflated(prediction.inflation)
@@ -330,12 +334,15 @@ def add_and_confirm(model, prediction, seen, runner, measured, before=None):
     stable = stability(m, lead, seen.training.covariance, signatures)
     runner.say(f"gap: {FRESH_SEEDS} fresh runs with {as_text(strengths)}")
     # A force that follows from the motion otherwise than the named effect has it does better than the name.
-    law = rival_law(model, seen.holdout.passes, measured, before) if model.runs[lead].same_rock else None
+    law = None
+    if model.runs[lead].same_rock:
+        law = rival_law(model, prediction.baseline, seen.holdout.passes, measured, before)
     fresh = confirm(model, seen.training, seen.holdout, m, strengths, runner, law)
     objections = fresh.holdout.objections()
     if objections:
         runner.say("gap: not confirmed: " + "; ".join(objections))
-        verdict = replace(verdict, verdict="unknown", effect="", members=(), reasons=tuple(
+        probability = m.probability["unknown"]
+        verdict = replace(verdict, verdict="unknown", effect="", members=(), probability=probability, reasons=tuple(
             f"{as_text(strengths)} was added, but on the hold-out {o}" for o in objections))
         return Named(verdict, fresh, {}, intervals, stable)
     if not fresh.holdout.reaches:
@@ -365,7 +372,7 @@ def look_again(model, prediction, training, named, catalogue):
     left = training.y - after[:, training.at].mean(axis=0)
     low, high = named.intervals[first]
     unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(g, g)
-    covariance = training.baseline.against(len(after)) + unsure
+    covariance = with_nuisances(training.baseline.against(len(after)) + unsure, training.nuisances)
     if prediction.null.plain().omnibus_p(statistics(left, covariance, training.baseline.grid)) >= OMNIBUS_P:
         return named
     m = match(training.y - training.baseline.mean, training.covariance, signatures, training.baseline)

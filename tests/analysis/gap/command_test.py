@@ -150,6 +150,9 @@ def test_a_reference_without_the_channels_starts_nothing(words, tmp_path):
     gap = start([*words, "--reference", str(tmp_path / "then")], tmp_path)
     _, err = gap.communicate(timeout=60)
     assert gap.returncode == 2 and f"{tmp_path / 'then/channels.yaml'}: crowd_force_kN: not there" in err
+    gap = start([*words, "--plan", "--reference", str(tmp_path / "then")], tmp_path)
+    _, err = gap.communicate(timeout=60)
+    assert gap.returncode == 2 and f"{tmp_path / 'then/channels.yaml'}: crowd_force_kN: not there" in err
     assert not (tmp_path / "started").exists()
 
 

@@ -1,11 +1,13 @@
 """What 2, 4 and 8 trucks would show, from runs alone."""
 import json
+from dataclasses import replace
 
 import pytest
 
 import fake_mine
-from dipper_gap.forecast import as_lines, forecast, write_forecast
+from dipper_gap.forecast import WAYS, as_lines, forecast, write_forecast
 from dipper_gap.readings.channels import read_channels
+from other_mine import periods
 
 SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_gain", "density")}
 
@@ -21,9 +23,10 @@ def test_more_trucks_show_less_and_a_reference_shows_the_scale(forecasts, tmp_pa
     out, said = forecasts
     assert set(out.limits) == set(SMALL) - {"density"} and out.runs == 16 + 3 * 3 and "25 runs" in said[0]
     for name, ways in out.limits.items():
-        for way in ways.values():
-            found = [x if x is not None else float("inf") for x in way]
+        for way in WAYS:
+            found, named = ([x if x is not None else float("inf") for x in kind[way]] for kind in (ways, ways["named"]))
             assert found[0] >= found[1] >= found[2], (name, way)
+            assert all(a <= 1.001 * b for a, b in zip(found, named)), (name, way)
     friction, gain = out.limits["crowd_friction"], out.limits["scale_gain"]
     assert 10 < friction["model"][1] < 150
     # The scale's shared tonne hides its gain; of one scale half a tonne at most has changed.
@@ -33,6 +36,19 @@ def test_more_trucks_show_less_and_a_reference_shows_the_scale(forecasts, tmp_pa
     assert kept["trucks"] == [2, 4, 8] and kept["effects"]["fines"]["reference"] == out.limits["fines"]["reference"]
     lines = as_lines(out, SMALL)
     assert len(lines) == 1 + 3 and "+ 8 before" in lines[0] and len({len(line) for line in lines}) == 1
+
+
+def test_a_reference_that_is_there_counts_as_it_is(forecasts):
+    """Its mine is one that the model misses, so what an effect does to it is known less well."""
+    _, before = periods([{}] * 6, [{}] * 2, 3)
+    out = forecast(before.channels, fake_mine.FakeSimulator(), SMALL, 1, [].append, before)
+    assert out.reference == 6 and "4 + 6 before" in as_lines(out, SMALL)[0]
+    here, assumed = (x.limits["crowd_friction"]["reference"] for x in (out, forecasts[0]))
+    assert here[0] > here[1] > here[2] > 0.9 * assumed[2] and here[1] != assumed[1]
+    # How far the scale may have moved since, the instruments of now say.
+    steady = {n: replace(c, drift_sigma=0.0) for n, c in before.channels.items()}
+    surer = forecast(steady, fake_mine.FakeSimulator(), SMALL, 1, [].append, before)
+    assert surer.limits["scale_gain"]["reference"][1] < 0.9 * out.limits["scale_gain"]["reference"][1]
 
 
 def test_a_scan_of_the_face_shows_what_forces_and_masses_do_not():

@@ -13,7 +13,7 @@ from dipper_gap.model import learn, predict, predict_change
 from dipper_gap.report import page
 from dipper_gap.simulation.plan import make_plan
 from dipper_gap.statistics.null import simulate_null
-from dipper_gap.workflow import Runner, conclude
+from dipper_gap.workflow import Runner, analyse, conclude
 from other_mine import periods
 from trucks import in_a_row
 
@@ -68,6 +68,27 @@ def test_what_has_changed_is_named_and_stands_against_the_reference():
     before_mass = np.mean([p.truck_mass_t for t in before.trucks() for p in t.passes if p.number == 1])
     assert shown["masses"][0]["before"] == pytest.approx(before_mass, abs=0.01)  # in the model's place
     assert np.mean(np.abs(np.subtract(shown["curves"][0]["measured"], shown["curves"][0]["before"]))) < 100
+
+
+def test_the_trucks_show_the_strength_that_is_named():
+    """A clock off by several readings is no straight line: both are of the signature at that strength."""
+    few = {n: fake_mine.CATALOGUE[n] for n in ("logger_offset", "scale_gain")}
+    now, before = periods([{}] * BEFORE, [{"logger_offset": 1.6}] * TRUCKS, 5)
+    plan, simulator = make_plan(few, TRUCKS, 1), fake_mine.FakeSimulator()
+    model = learn(plan, dict(zip(plan.requests(), simulator.run(plan.requests()))), now, before)
+    runner = Runner(simulator, few, lambda text: None)
+    out = conclude(model, predict_change(model, few, now, before), now, runner, before)
+    strengths = [t.strength for t in out.history.trucks if t.period == "measured"]
+    assert out.history.effect == "logger_offset"
+    assert np.mean(strengths) == pytest.approx(out.effects["logger_offset"], rel=0.03)
+
+
+def test_masses_alone_have_a_reference_too():
+    now, before = (m.seen_by({"truck_mass_t": m.channels["truck_mass_t"]})
+                   for m in periods([{}] * BEFORE, [{"scale_gain": 0.25}] * TRUCKS, 6))
+    few = {n: SMALL[n] for n in ("scale_gain", "density")}
+    out = analyse(now, fake_mine.FakeSimulator(), few, 1, lambda text: None, before)
+    assert out.look.verdict.verdict != "no-gap" and out.reference == BEFORE
 
 
 def test_the_day_is_found_within_the_measured_trucks_and_reported():

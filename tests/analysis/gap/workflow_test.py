@@ -258,6 +258,16 @@ def test_a_mine_may_log_less_than_the_model():
     assert {c.channel for c in out.look.training.baseline.cells} == {"truck_mass_t"}
     assert out.look.verdict.verdict == "no-gap"
     page(out, answer(out), SMALL, "synthetic")
+    heavy = mine_with({"scale_gain": 0.3}, 5).seen_by(only)
+    assert analyse(heavy, fake_mine.FakeSimulator(), SMALL, 1, lambda text: None).look.verdict.verdict != "no-gap"
+
+
+def test_what_goes_the_way_no_effect_can_is_unknown():
+    """The last pass brings more, which a spillage cannot: its best strength is 0, where nothing is to be sharpened."""
+    few = {n: SMALL[n] for n in ("truck_spillage", "density")}
+    mine = mine_with({"truck_spillage": -25}, 5)
+    out = analyse(mine, fake_mine.FakeSimulator(), few, 1, lambda text: None)
+    assert out.look.verdict.verdict == "unknown"
 
 
 def test_a_survey_is_refused_where_the_runs_have_no_faces():

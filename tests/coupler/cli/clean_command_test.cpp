@@ -71,6 +71,18 @@ TEST_F(CleanCommand, ListsFirstAndRemovesWhenAsked) {
   for (const char* kept : {"record.h5", "summary.json"}) EXPECT_TRUE(fs::exists(run / kept));
 }
 
+TEST_F(CleanCommand, CountsARunOnceAndRemovesNothingBesideWhatIsNoRun) {
+  put_run();
+  const std::string again = (run / ".." / "run").string();
+  EXPECT_THAT(output_of({run.string(), again}), HasSubstr("4.0 MB  can be freed"));
+  EXPECT_THAT(
+      [&] {
+        output_of({run.string(), root.string(), "--yes"});
+      },
+      testing::ThrowsMessage<InputError>(HasSubstr("is not a run")));
+  EXPECT_TRUE(fs::exists(run / "dumps" / "rocks_0.dump"));
+}
+
 TEST_F(CleanCommand, LeavesWhatIsNoRunAndWhatIsBeingWritten) {
   EXPECT_THAT([&] { output_of({root.string()}); },
               testing::ThrowsMessage<InputError>(HasSubstr("is not a run")));

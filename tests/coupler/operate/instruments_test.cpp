@@ -57,6 +57,19 @@ TEST_F(InstrumentsTest, CountsAPassAsTheDoorShutsAndRemembers) {
   EXPECT_EQ(instruments.show(s), other.show(s));
 }
 
+TEST_F(InstrumentsTest, ADoorThatIsOpenAtTheStartEndsNoPass) {
+  mbs::Shovel driven = shovel(still());
+  const core::ServerInfo info = driven.info();
+  Instruments instruments(info, machine, rake);
+  core::MachineState s = driven.state(0);
+  double& door = s.channels.at(core::channel_index(info, "door"));
+  for (const auto& [angle, pass] : {std::pair{1.2, 1}, {0.0, 1}, {1.2, 1}, {0.0, 2}}) {
+    door = angle;
+    instruments.see(s);
+    EXPECT_EQ(instruments.show(s).at("pass"), pass);
+  }
+}
+
 TEST_F(InstrumentsTest, ShowsNothingThatOnlyASimulationKnows) {
   mbs::Shovel driven = shovel(still());
   const auto shown = Instruments(driven.info(), machine, rake).show(driven.state(0));

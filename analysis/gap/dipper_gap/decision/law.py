@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..readings.curves import SameMoments, one_pass
+from ..readings.curves import SameMoments
 from ..readings.phases import find_terms
 from ..statistics.reference import drift_sigmas
 
@@ -84,9 +84,8 @@ def find_laws(model, baseline, holdout, measured, before=None, seed=0):
     """(Law, ...) of the forces that one explains better than chance, the best explained first."""
     rng, found = np.random.default_rng(seed), []
     share = baseline.share(baseline.seeds)
-    moments = [SameMoments(measured.trucks()[0], number) for number in model.passes]
     for channel in measured.responses():
-        r = _readings(model, channel, measured, before, moments)
+        r = _readings(model, channel, measured, before)
         held = np.isin(r.passes, holdout)
         weight = 1.0 / (r.chance.var(axis=0, ddof=1) * share + r.sigma**2)
         by_chance = [_no_law(r, share, rng) for _ in range(DRAWS)]
@@ -99,16 +98,16 @@ def find_laws(model, baseline, holdout, measured, before=None, seed=0):
     return tuple(law for _, law in sorted(found, key=lambda f: -f[0]))
 
 
-def rival_law(model, holdout, measured, before=None):
+def rival_law(model, baseline, holdout, measured, before=None):
     """(words, (n,) shift of all cells) of the law that explains the training passes best, of each force that has one;
     None where there is none. Whether it is one by chance is for the passes held out to say."""
     folder, words, signals = model.folders[0], [], dict(model.folders[0].signals)
-    columns = _columns(folder, [(p.t_start_s, p.t_end_s) for p in folder.passes])
-    moments = [SameMoments(measured.trucks()[0], number) for number in model.passes]
+    share = baseline.share(baseline.seeds)
     for channel in measured.responses():
-        r = _readings(model, channel, measured, before, moments)
+        columns = _columns(folder)
+        r = _readings(model, channel, measured, before)
         held = np.isin(r.passes, holdout)
-        weight = 1.0 / (r.chance.var(axis=0, ddof=1) + r.sigma**2)
+        weight = 1.0 / (r.chance.var(axis=0, ddof=1) * share + r.sigma**2)
         _, chosen, _ = _search(r, r.residual, weight, held)
         if chosen:
             size = _fit(r.terms[~held][:, chosen], r.residual[~held], weight[~held])
@@ -200,21 +199,23 @@ def _fit(x, y, weight):
     return np.linalg.lstsq(np.column_stack([np.ones(len(y)), x]) * root[:, None], y * root, rcond=None)[0]
 
 
-def _columns(m, spans):
-    """(T, K) of FORMS at a folder's readings, of the passes `spans`."""
+def _columns(m):
+    """(T, K) of FORMS at the readings of a run, or of one truck."""
+    spans = [(p.t_start_s, p.t_end_s) for p in m.passes]
     names, values = find_terms(m.time_s, *(m.signals[n] for n in ("hoist_m", "crowd_m", "swing_rad")), spans)
     return np.column_stack([sum(f * values[:, names.index(t)] for t, f in TERMS[n][0].items()) for n in FORMS])
 
 
-def _readings(model, channel, measured, before, moments):
+def _readings(model, channel, measured, before):
     first, usual = measured.trucks()[0], before.trucks() if before else None
     terms, passes, residual, chance = [], [], [], []
-    columns = _columns(first, [(p.t_start_s, p.t_end_s) for p in (one_pass(first, n) for n in model.passes)])
-    for at in moments:
+    columns = _columns(first)
+    for at in (SameMoments(first, number) for number in model.passes):
         runs = at.read(model.folders, channel)
         seen = at.read(measured.trucks(), channel).mean(axis=0)
         then = (at.read(usual, channel) if usual else runs).mean(axis=0)
         terms.append(columns[at.inside])
+        terms[-1][:, FORMS.index("pass")] = at.number
         passes += [at.number] * len(at.time_s)
         residual.append(seen - then)
         chance.append(runs - runs.mean(axis=0))

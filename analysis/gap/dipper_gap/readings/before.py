@@ -5,7 +5,7 @@ import numpy as np
 
 from dipper_run.findings import Findings
 
-from .channels import FACE, MASS, RESPONSE
+from .channels import FACE, MASS, MOTION, RESPONSE
 from .passes import NEED_PASSES
 
 RATES = 1.5          # ratio of two loggers' rates from which peaks differ by what the slower one misses
@@ -19,10 +19,7 @@ def check_reference(measured, before):
     if measured.folder and now.resolve() == then.resolve():
         found.add(then, 0, "--reference", "is the measured folder itself", "a folder of earlier trucks")
         found.raise_if_any()
-    missing = [n for n in (*measured.responses(), MASS, FACE) if n in measured.channels and n not in before.channels]
-    for name in missing:
-        found.add(then / "channels.yaml", 0, name, f"not there, but {now} has it",
-                  f"what the same instrument read then, or leave {name} out of {now}")
+    check_channels(measured.channels, now, before, found)
     for name in (*measured.responses(), MASS, FACE):
         if name in measured.channels and name in before.channels and before.channels[name].role != RESPONSE:
             found.add(then / "channels.yaml", 0, f"{name}.role", f"is {before.channels[name].role}",
@@ -38,6 +35,13 @@ def check_reference(measured, before):
                   "no truck in both: what changed must not be in the reference")
     found.raise_if_any()
     return _questions(measured, before, both, passes)
+
+
+def check_channels(channels, folder, before, found):
+    """Adds what the channels {name: Channel} of a `folder` have to answer that earlier trucks do not."""
+    for name in (n for n in channels if n not in MOTION and n not in before.channels):
+        found.add(Path(before.folder) / "channels.yaml", 0, name, f"not there, but {folder} has it",
+                  f"what the same instrument read then, or leave {name} out of {folder}")
 
 
 def _questions(measured, before, both, passes):

@@ -74,12 +74,14 @@ class Measured:
         """What is legal in a folder's files and hardly ever meant, a line each."""
         return (*(f"{c.name}: sigma is 0: no instrument reads without an error of its own, and what it errs will be "
                   "taken for a gap" for c in self.channels.values() if c.role == RESPONSE and c.sigma == 0),
+                *(f"{c.name}: role is response, but positions follow the measured motion in every run: not compared"
+                  for c in self.channels.values() if c.role == RESPONSE and c.name in MOTION),
                 *(mass_warnings(self.passes) if MASS in self.channels else ()),
                 *force_warnings(self.time_s, self.signals), *face_warnings(self))
 
     def responses(self):
-        """Names of the signals that answer to the rock, in a fixed order."""
-        return [n for n in KNOWN if n in self.signals and self.channels[n].role == RESPONSE]
+        """Names of the signals that answer to the rock, in a fixed order: forces."""
+        return [n for n in KNOWN if n in self.signals and n not in MOTION]
 
 
 def read_measured(folder, need_passes=1, simulated=False):

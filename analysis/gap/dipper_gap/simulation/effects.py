@@ -43,6 +43,10 @@ class Effect:
         up = min(scales * self.scale, self.high)
         return up if up > 0 else max(-scales * self.scale, self.low)
 
+    def sides(self):
+        """The bounds that it can go to: the upper one, the lower one, or both."""
+        return [bound for bound in (self.low, self.high) if bound]
+
     def strengths(self, same_rock):
         """The two strengths whose runs make the signature: to both sides, or half and full.
 

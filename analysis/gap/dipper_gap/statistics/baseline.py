@@ -8,6 +8,7 @@ import numpy as np
 from scipy.stats import chi2
 
 PRIOR_DOF = 14.0   # how many degrees of freedom the spread pooled over passes counts against a pass's own
+SHARED = 2.0       # sd of a channel's shared error, at most, that is taken off a difference of mine and model
 COLLINEAR = 0.98   # a feature that follows another this closely says nothing of its own
 PREFERRED = ("mass", "balance", "mean", "slope", "peak", "work")
 
@@ -104,7 +105,7 @@ class Baseline:
         if self.reference is not None:
             chance = np.diag(self.reference.own) + np.diag(self.mine)
             variance = chance / self.reference.trucks + np.diag(self.seed) / self.seeds
-            off, usual = self.reference.shift, 1.0
+            off, usual = self._less_shared(self.reference.shift, variance), 1.0
         elif self.altered is not None:
             variance, off, usual = np.diag(self.seed), self.altered, 0.0
         else:
@@ -116,6 +117,13 @@ class Baseline:
             beyond = (off[at] ** 2 / variance[at] - usual).sum()
             out[at] = np.sqrt(max(beyond, 0.0) / size) if size > 0 else 0.0
         return out
+
+    def _less_shared(self, shift, variance):
+        """A shift (n,) less what an error that all readings of a channel share, as large as it may be, makes of it."""
+        shared = self.common.T[variance > 0] / np.sqrt(variance[variance > 0])[:, None]
+        white = shift[variance > 0] / np.sqrt(variance[variance > 0])
+        sizes = np.linalg.solve(shared.T @ shared + np.eye(len(self.common)), shared.T @ white)
+        return shift - np.clip(sizes, -SHARED, SHARED) @ self.common
 
     def with_deviations(self, more):
         """The same with the seeds' covariance known from (M, n) further deviations too."""

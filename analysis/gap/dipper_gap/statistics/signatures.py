@@ -143,13 +143,16 @@ def _shape_error(g, baseline):
     """Covariance of what the catalogue's own model of the effect gets wrong, beyond its strength, and sd of that.
 
     Each block's size errs by itself; what they have in common is in the strength, and its relative sd beside. Where a
-    mine's earlier trucks differ from the model, what an effect does to them may differ by as large a share besides.
+    mine's earlier trucks differ from the model, what an effect does to them may differ by as large a share besides, by
+    itself in each block or in all of them alike: a force that is a quarter less everywhere is a quarter less with the
+    effect too.
     """
     block = [(c.phase, c.channel) for c in baseline.cells]
     labels = list(dict.fromkeys(block))
     member = np.array([[b == label for label in labels] for b in block], float)  # (n, blocks)
     weight = member.T @ (g / baseline.sd) ** 2
     weight = weight / max(weight.sum(), 1e-300)
-    error = np.hypot(BLOCK_ERROR, member.T @ baseline.unlike / member.sum(axis=0))  # (blocks,)
-    factor = (member - weight) * g[:, None] * error
-    return factor @ factor.T + np.diag((CELL_ERROR * g) ** 2), float(np.sqrt(((weight * error) ** 2).sum()))
+    unlike = member.T @ baseline.unlike / member.sum(axis=0)  # (blocks,)
+    factor = (member - weight) * g[:, None] * np.hypot(BLOCK_ERROR, unlike)
+    gain = np.hypot(BLOCK_ERROR * np.sqrt((weight**2).sum()), weight @ unlike)
+    return factor @ factor.T + np.diag((CELL_ERROR * g) ** 2), float(gain)

@@ -7,7 +7,7 @@ import pytest
 
 import fake_mine
 import synthetic
-from dipper_gap.decision.law import find_laws
+from dipper_gap.decision.law import FORMS, _readings, find_laws
 from dipper_gap.decision.law_effect import effect_text, law_effect
 from dipper_gap.model import learn
 from dipper_gap.simulation.plan import make_plan
@@ -51,6 +51,15 @@ def test_the_form_and_the_size_are_right(effects, channel, term, kN):
 
 def test_it_is_described_in_words():
     assert "as the crowd moves out, and -1" in laws({"crowd_friction": 150}, 7)[0].words
+
+
+def test_a_pass_keeps_its_number_where_others_are_left_out():
+    """Of passes 1 and 3 the second is the third, as in the run that is to show the law."""
+    now, before = periods([{}] * BEFORE, [{}] * TRUCKS, 7)
+    some = replace(now, passes=tuple(p for p in now.passes if p.number != 2))
+    readings = _readings(replace(model(), passes=(1, 3)), "hoist_force_kN", some, before)
+    numbers = readings.terms[:, FORMS.index("pass")]
+    assert set(numbers) == {1, 3} and np.array_equal(numbers, readings.passes)
 
 
 def test_nothing_has_no_law():

@@ -40,6 +40,16 @@ def test_round_trip(folder):
     assert again.responses() == ["hoist_force_kN", "crowd_force_kN"]
 
 
+def test_a_position_that_is_said_to_answer_is_not_compared(folder):
+    file = folder / "channels.yaml"
+    text = file.read_text()
+    file.write_text("\n".join(line.replace("driven", "response") if line.startswith("crowd_m") else line
+                              for line in text.splitlines()) + "\n")
+    again = read_measured(folder, 3)
+    assert again.responses() == ["hoist_force_kN", "crowd_force_kN"]
+    assert [q for q in again.questions() if q.startswith("crowd_m: role is response, but")]
+
+
 def test_masses_alone_are_enough(folder):
     (folder / "signals.csv").unlink()
     (folder / "channels.yaml").write_text(

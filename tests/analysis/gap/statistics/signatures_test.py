@@ -143,3 +143,10 @@ def test_an_effect_may_differ_more_where_the_mines_earlier_trucks_do():
     at = off > 0
     sizes = [np.sqrt(np.diag(signatures._shape_error(mean, x)[0]))[at] / mean[at] for x in (b, other)]
     assert (sizes[1] > 1.5 * sizes[0]).all()
+    # What an error that all readings of a channel share may be is no difference of mine and model.
+    shared = replace(other, common=np.array([off * mean / 2]), reference=replace(alike, shift=0.99 * off * mean))
+    assert shared.unlike.max() < 0.02
+    # A mine that differs by as much everywhere leaves that in the strength.
+    everywhere = replace(b, reference=replace(alike, shift=0.3 * mean))
+    gains = [signatures._shape_error(mean, x)[1] for x in (b, everywhere)]
+    assert gains[0] < 0.15 and gains[1] == pytest.approx(np.hypot(gains[0], 0.3), abs=0.01)
