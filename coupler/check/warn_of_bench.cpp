@@ -65,9 +65,14 @@ void warn_of_lone_point(const cases::Case& c, double top, std::vector<Finding>& 
 
 void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings) {
   const auto& outline = c.pile.outline_m;
-  if (c.pile.profile.empty() || outline.size() < 2) return;
-  double top = 0;
+  double top = c.pile.profile.empty() ? c.pile.height_m : 0;
   for (const auto& p : outline) top = std::max(top, p.y());
+  if (c.crust.tensile_strength_Pa > 0 && top > 0 && c.crust.above_m >= top)
+    warnings.push_back(cases::finding_at(
+        c, "crust.above_m",
+        fmt::format("is {:g} m, not below the top of the bench, {:.3g} m: no rock is bonded",
+                    c.crust.above_m, top)));
+  if (c.pile.profile.empty() || outline.size() < 2) return;
   const auto say = [&](const std::string& what) {
     warnings.push_back({c.pile.profile, 0, "pile.profile", what});
   };

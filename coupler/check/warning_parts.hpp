@@ -28,7 +28,7 @@ struct CaseParts {
 void warn_of_sieve(const cases::Case& c, std::vector<Finding>& warnings);
 
 /// A pile.profile whose face is steeper than rock rests, that begins with a step, or has one point
-/// far over or under its neighbours.
+/// far over or under its neighbours; a crust above all rock.
 void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings);
 
 /// A table of poses (machine.kind poses) that is legal and hardly meant: times in ms, or that do

@@ -190,6 +190,18 @@ TEST(Warnings, ASurfaceWithALonePoint) {
   EXPECT_THAT(with(6), testing::Not(testing::Contains(HasSubstr("those beside it"))));
 }
 
+TEST(Warnings, ACrustAboveAllRock) {
+  const Checkout checkout;
+  const auto with_crust = [&](const char* above_m) {
+    return warnings_of(checkout, {{"crust.tensile_strength_Pa", "2e5"},
+                                  {"dem.hold_below_m_s", "0"},
+                                  {"crust.above_m", above_m}});
+  };
+  EXPECT_THAT(with_crust("4"), ElementsAre());
+  EXPECT_THAT(with_crust("40"),
+              ElementsAre(HasSubstr("crust.above_m: is 40 m, not below the top")));
+}
+
 TEST(Warnings, QuaternionsWithTheScalarLast) {
   const std::filesystem::path table = std::filesystem::path(testing::TempDir()) / "scalar_last.csv";
   const auto with = [&](const std::string& last) {
