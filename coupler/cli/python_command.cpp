@@ -121,8 +121,9 @@ Command add_gap_command(CLI::App& app, const std::vector<std::string>& words) {
   add_word(sub, "--measured", "DIR", "channels.yaml, passes.csv and signals.csv of the mine");
   add_word(sub, "--reference", "DIR",
            "the same for earlier trucks, before the problem: what has changed since?");
-  sub->add_flag("--plan",
-                "before data are taken: the smallest effect that 2, 4 and 8 trucks would show and name");
+  sub->add_flag(
+      "--plan",
+      "before data are taken: the smallest effect that 2, 4 and 8 trucks would show and name");
   add_word(sub, "--jobs", "N", "runs at a time (default: 2)")->check(CLI::Range(1, 256));
   sub->add_flag("--masses-only",
                 "compare masses where the folder has no forces; they rarely identify an effect");
