@@ -84,8 +84,7 @@ def find_laws(model, baseline, holdout, measured, before=None, seed=0):
     """(Law, ...) of the forces that one explains better than chance, the best explained first."""
     rng, found = np.random.default_rng(seed), []
     share = baseline.share(baseline.seeds)
-    for channel in measured.responses():
-        r = _readings(model, channel, measured, before)
+    for channel, r in _readings(model, measured, before):
         held = np.isin(r.passes, holdout)
         weight = 1.0 / (r.chance.var(axis=0, ddof=1) * share + r.sigma**2)
         by_chance = [_no_law(r, share, rng) for _ in range(DRAWS)]
@@ -103,9 +102,8 @@ def rival_law(model, baseline, holdout, measured, before=None):
     None where there is none. Whether it is one by chance is for the passes held out to say."""
     folder, words, signals = model.folders[0], [], dict(model.folders[0].signals)
     share = baseline.share(baseline.seeds)
-    for channel in measured.responses():
-        columns = _columns(folder)
-        r = _readings(model, channel, measured, before)
+    columns = _columns(folder) if measured.responses() else None
+    for channel, r in _readings(model, measured, before):
         held = np.isin(r.passes, holdout)
         weight = 1.0 / (r.chance.var(axis=0, ddof=1) * share + r.sigma**2)
         _, chosen, _ = _search(r, r.residual, weight, held)
@@ -206,11 +204,20 @@ def _columns(m):
     return np.column_stack([sum(f * values[:, names.index(t)] for t, f in TERMS[n][0].items()) for n in FORMS])
 
 
-def _readings(model, channel, measured, before):
-    first, usual = measured.trucks()[0], before.trucks() if before else None
+def _readings(model, measured, before):
+    """(channel, _Readings) of each force."""
+    if not measured.responses():
+        return
+    first = measured.trucks()[0]
+    columns, moments = _columns(first), [SameMoments(first, number) for number in model.passes]
+    for channel in measured.responses():
+        yield channel, _of_force(model, channel, measured, before, columns, moments)
+
+
+def _of_force(model, channel, measured, before, columns, moments):
+    usual = before.trucks() if before else None
     terms, passes, residual, chance = [], [], [], []
-    columns = _columns(first)
-    for at in (SameMoments(first, number) for number in model.passes):
+    for at in moments:
         runs = at.read(model.folders, channel)
         seen = at.read(measured.trucks(), channel).mean(axis=0)
         then = (at.read(usual, channel) if usual else runs).mean(axis=0)
