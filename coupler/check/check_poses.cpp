@@ -2,22 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "common/input_error.hpp"
 #include "coupler/check/check_parts.hpp"
+#include "coupler/deck/deck_names.hpp"
 #include "machine/pose_table.hpp"
 
 namespace dipper::check {
 
 namespace {
-
-// Names that the scripts of dem_in use for something else.
-const std::set<std::string> kTaken = {"box",          "gravity",    "ground", "pour",
-                                      "rocks",        "rocks_move", "sides",  "slab",
-                                      "spheres_move", "truck",      "walls"};
 
 // So many times the domain's own size off it, positions are in another unit.
 constexpr double kFarOff = 5;
@@ -62,7 +57,7 @@ void check_poses(const cases::Case& c, const std::map<std::string, mesh::Triangl
       findings.push_back({c.machine.poses, 0, "body",
                           name + " is not under bodies in the case; name its mesh there"});
   for (const auto& body : c.bodies)
-    if (kTaken.count(body.first) != 0)
+    if (deck::is_deck_name(body.first))
       findings.push_back(cases::finding_at(c, "bodies." + body.first,
                                            "the rock's scripts use this name; choose another"));
   if (table->end_ns() <= 0 && c.end_s <= 0) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "common/input_error.hpp"
@@ -10,6 +11,8 @@
 #include "coupler/check/check_parts.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/deck/deck_names.hpp"
+#include "coupler/deck/rock_kinds.hpp"
 #include "coupler/deck/shape_library.hpp"
 #include "coupler/deck/stable_timestep.hpp"
 
@@ -74,6 +77,36 @@ void check_shapes(const cases::Case& c, Findings& findings) {
   }
 }
 
+// LIGGGHTS lets a template replace another of the same name, and the grading is then wrong.
+void check_kind_names(const cases::Case& c, Findings& findings) {
+  std::map<std::string, std::string> seen;  // name of a template -> class and shape
+  for (std::size_t i = 0; i < c.rock.classes.size(); ++i) {
+    const cases::SizeClass& size = c.rock.classes[i];
+    for (std::size_t j = 0; j < size.shapes.size(); ++j) {
+      const std::string name = deck::kind_name(size, size.shapes[j]);
+      const std::string what = fmt::format("shape {} of class {}", size.shapes[j], size.name);
+      const auto [other, is_new] = seen.emplace(name, what);
+      const std::string key = fmt::format("rock.classes.{}", i);
+      if (deck::is_deck_name(name)) {
+        findings.push_back(cases::finding_at(
+            c, key + ".name",
+            fmt::format("{} is {} in the input scripts, which use this name for something else; "
+                        "rename the class",
+                        what, name)));
+      } else if (!is_new && other->second == what) {
+        findings.push_back(
+            cases::finding_at(c, fmt::format("{}.shapes.{}", key, j),
+                              fmt::format("'{}' stands twice; write it once", size.shapes[j])));
+      } else if (!is_new) {
+        findings.push_back(cases::finding_at(
+            c, key + ".name",
+            fmt::format("{} and {} are both {} in the input scripts; rename the class", what,
+                        other->second, name)));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 cases::Case without_mixed_classes(cases::Case c) {
@@ -84,6 +117,7 @@ cases::Case without_mixed_classes(cases::Case c) {
 
 void check_rock(const cases::Case& c, Findings& findings) {
   check_shapes(c, findings);
+  check_kind_names(c, findings);
   const cases::Case unmixed = without_mixed_classes(c);
   const std::vector<deck::ClassCount> counts = deck::rock_counts(unmixed);
   for (std::size_t i = 0; i < counts.size(); ++i) {

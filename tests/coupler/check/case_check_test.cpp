@@ -523,6 +523,24 @@ TEST(CheckCase, Shapes) {
   expect_findings(check(checkout), expected);
 }
 
+TEST(CheckCase, RocksOfOneNameInTheScripts) {
+  Checkout checkout;
+  checkout.replace("name: d300",
+                   "- {name: d300, size_m: 0.30, mass_percent: 10, shapes: [block, wedge, block]}");
+  EXPECT_TRUE(fs::copy_file(checkout.root / "meshes/rocks/block.yaml",
+                            checkout.root / "meshes/rocks/x_wedge.yaml"));
+  const std::string mesh = read_text(checkout.root / "meshes/rocks/block.stl");
+  write_text(checkout.root / "meshes/rocks/x_wedge.stl", mesh);
+  checkout.replace("name: d400", "- {name: d, size_m: 0.40, mass_percent: 9, shapes: [x_wedge]}");
+  const int second = checkout.replace(
+      "name: d600", "- {name: d_x, size_m: 0.60, mass_percent: 44, shapes: [wedge]}");
+  expect_findings(
+      check(checkout),
+      {{checkout.file(), checkout.line("name: d300"), "rock.classes.1.shapes.2", "stands twice"},
+       {checkout.file(), second, "rock.classes.3.name",
+        "shape wedge of class d_x and shape x_wedge of class d are both d_x_wedge"}});
+}
+
 /// The case's trapezoid replaced by a profile.
 void use_profile(Checkout& checkout, const std::string& rows) {
   checkout.replace("toe_x_m", "profile: scan.csv");

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <vector>
 
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/deck/deck_names.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "tests/coupler/deck/liggghts_run.hpp"
 #include "tests/coupler/deck/quick_case.hpp"
@@ -70,6 +72,27 @@ TEST(DefaultDeck, HasAWallForEachBodyOfTheCaseAndTheTruckWhereThereIsOne) {
   EXPECT_NE(walls.find("fix blade all mesh/surface/stress"), std::string::npos);
   EXPECT_NE(walls.find("n_meshes 2 meshes sides blade"), std::string::npos);
   EXPECT_EQ(walls.find("truck"), std::string::npos);
+}
+
+TEST(DefaultDeck, KnowsEveryNameThatTheScriptsUse) {
+  const fs::path folder = fresh_folder("names");
+  write_deck(quick_case(), kSource / "meshes/rocks", folder);
+  std::string scripts;
+  for (const fs::path& from : {kSource / "dem_in", folder})
+    for (const auto& file : fs::directory_iterator(from))
+      if (file.path().extension() == ".in" && file.path().stem() != "rocks" &&
+          file.path().filename().string().rfind("calibrate", 0) != 0 &&
+          file.path().stem() != "contact")
+        scripts += read_text(file);
+  const std::regex used("\\n(?:(?:fix|dump|group) +(\\w+)|variable +(\\w+)_(?:x|y|z|mesh)) ");
+  int names = 0;
+  for (std::sregex_iterator at(scripts.begin(), scripts.end(), used), end; at != end; ++at) {
+    const std::string name = (*at)[1].matched ? (*at)[1] : (*at)[2];
+    if (name == "dipper" || name == "door") continue;  // bodies
+    EXPECT_TRUE(is_deck_name(name)) << name;
+    ++names;
+  }
+  EXPECT_GT(names, 20);
 }
 
 }  // namespace
