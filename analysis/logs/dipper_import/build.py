@@ -54,7 +54,7 @@ def build(rows, what, path, found, notes):
     elif spans[0][0] > grid[0]:
         notes.append(f"warning: the log begins with the door open: what it dumps until {spans[0][0]:.4g} s "
                      "belongs to no pass")
-    warn_of_drives(readings, fits, spans, what, notes)
+    warn_of_drives(readings, fits, grid, spans, what, notes)
     warn_of_readings(rows, spans, what, notes)
     measured = _measured(rows, readings, fits, grid, spans, what, path, found, notes) if what.measured() else None
     return None if found.all else Imported(rows, readings, fits, grid, gaps, spans, measured)

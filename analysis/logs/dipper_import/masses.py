@@ -64,6 +64,8 @@ def truck_masses(rows, fits, grid, spans, what, path, found, notes):
         number, at_end, settled = late[0]
         notes.append(f"warning: truck_mass: {at_end:.4g} t as pass {number} ends, and {settled:.4g} t later on, which "
                      "counts: the scale shows a pass late" + (f"; so in {len(late)} passes" if len(late) > 1 else ""))
+    if channel.reads == "total":
+        _warn_of_rise(scale, len(spans), until[-1], channel, notes)
     if channel.reads == "pass" and any(out):
         _warn_of_late(scale, spans, until, channel, notes)
     if not any(out):
@@ -119,6 +121,15 @@ def _warn_of_tare(number, empty, full, channel, notes):
     if None not in (empty, full) and empty > max(SIGMAS * channel.sigma, TARE * full):
         notes.append(f"warning: truck_mass: as pass {number} begins, {empty:.4g} t are in the dipper: its own weight "
                      "(offset), or what the last pass brought (reads: pass)?")
+
+
+def _warn_of_rise(scale, number, end, channel, notes):
+    """Warns of a scale that still rises as the log ends: the mass of the last pass is then too small."""
+    earlier, at_end = scale.level(end - 2 * WEIGHED_S, end - WEIGHED_S), scale.level(end - WEIGHED_S, end)
+    if None not in (earlier, at_end) and at_end - earlier > SIGMAS * channel.sigma:
+        notes.append(f"warning: truck_mass: the scale still rises as the log ends, from {earlier:.4g} to "
+                     f"{at_end:.4g} t within {2 * WEIGHED_S:g} s: pass {number} may have brought more. A longer log, "
+                     "or a time.to before that pass")
 
 
 def _warn_of_late(scale, spans, until, channel, notes):

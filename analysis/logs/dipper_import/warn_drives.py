@@ -16,10 +16,11 @@ FAR_OFF = {"hoist": 0.3, "crowd": 0.3, "swing": 3.0}   # m, m, deg, of a reading
 TIMES_RMS = 10       # and so many times the root mean square of what all are off
 SELDOM = 0.1         # of the steps: a drive that jumps more often is logged in steps
 LITTLE = 0.02        # of a drive's range: passes take most of it
+WITHIN = 0.2         # of the crowd's stroke: as much farther out than in the other passes, a log begins in a dig
 USUAL_RANGE = {"hoist": 12.0, "crowd": 5.0, "swing": 180.0}  # m, m, deg, of a drive without limits
 
 
-def warn_of_drives(readings, fits, spans, what, notes):
+def warn_of_drives(readings, fits, grid, spans, what, notes):
     _warn_of_door(fits["door"].value, what.channels["door"], notes)
     for name in USUAL_RANGE:
         said = len(notes)
@@ -28,6 +29,7 @@ def warn_of_drives(readings, fits, spans, what, notes):
             _warn_of_far_off(name, readings[name], fits[name].change, what.channels[name], notes)
         if spans:
             _warn_of_little(name, readings[name].value, what, notes)
+    _warn_of_start(fits["crowd"].value, grid, spans, notes)
 
 
 def _warn_of_door(value, channel, notes):
@@ -42,6 +44,21 @@ def _warn_of_door(value, channel, notes):
     notes.append(f"warning: door: it is at {value[0]:.3g} deg as the log begins, and open for "
                  f"{100 * is_open.mean():.0f} % of the time: is it shut there? channels.door.{key}, if its ends are "
                  "exchanged")
+
+
+def _warn_of_start(crowd, time_s, spans, notes):
+    """Of a log that begins within a dig, where the crowd is farther out than other passes begin. Phases are shares of
+    a pass's stroke (analysis/signals/phases.hpp), so those of the first pass are then wrong."""
+    lowest, stroke = [], []
+    for start, end in spans:
+        inside = crowd[(time_s >= start) & (time_s <= end)]
+        before = inside[:np.argmax(inside) + 1]
+        lowest.append(before.min())
+        stroke.append(inside.max() - before.min())
+    if len(spans) > 1 and lowest[0] - np.median(lowest[1:]) > WITHIN * np.median(stroke[1:]):
+        notes.append(f"warning: pass 1 begins at {spans[0][0]:.4g} s with the crowd {lowest[0]:.3g} m out, the others "
+                     f"with {np.median(lowest[1:]):.3g} m: does the log begin within its dig? Its phases are then "
+                     f"wrong. A time.from after {spans[0][1]:.4g} s leaves it out")
 
 
 def _warn_of_jumps(name, readings, what, notes):

@@ -8,7 +8,8 @@ import ugly_log
 from dipper_import.clock import Rows
 from dipper_import.import_map import Limits
 from dipper_import.readings import Readings, sound_readings
-from dipper_import.warn_drives import _warn_of_door, _warn_of_far_off, _warn_of_jumps, _warn_of_little
+from dipper_import.warn_drives import (_warn_of_door, _warn_of_far_off, _warn_of_jumps, _warn_of_little,
+                                       _warn_of_start)
 from dipper_run.findings import Findings
 
 SPEED = {"hoist": 1.8, "crowd": 1.0, "swing": 20.0}
@@ -33,6 +34,18 @@ def test_a_door_whose_ends_are_exchanged(channel, key):
 def test_a_door_that_stays_shut(value):
     _warn_of_door(value, door(), notes := [])
     assert not notes
+
+
+@pytest.mark.parametrize("begins_s, spans, warns", [
+    (0, [(0, 40), (40, 80), (80, 120)], False), (8, [(8, 40), (40, 80), (80, 120)], True),
+    (12, [(12, 40), (40, 80)], True), (8, [(8, 40)], False)])
+def test_a_log_that_begins_within_a_dig(begins_s, spans, warns):
+    time_s = np.arange(0, 120, 0.1)
+    crowd = np.interp(time_s % 40, [0, 3, 15, 25, 35, 40], [-1.0, -1.5, 2.9, 2.9, -1.5, -1.0])
+    kept = time_s >= begins_s
+    _warn_of_start(crowd[kept], time_s[kept], spans, notes := [])
+    assert bool(notes) == warns
+    assert not warns or notes[0].startswith(f"warning: pass 1 begins at {begins_s} s with the crowd")
 
 
 def door_kept(value, rate_hz=5):

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from dipper_import.masses import _warn_of_tare, truck_masses
+from dipper_import.masses import _warn_of_rise, _warn_of_tare, Scale, truck_masses
 from dipper_import.warn import (_warn_of_empty, _warn_of_falls, _warn_of_scale, _warn_of_sign, _warn_of_size,
                                 _warn_of_stuck, warn_of_masses, warn_of_readings)
 from dipper_run.findings import Findings
@@ -38,6 +38,15 @@ def test_a_payload_monitor_that_shows_a_load_as_a_pass_begins(empty, warns):
         assert notes[0].startswith(f"warning: truck_mass: as pass 2 begins, {empty:g} t are in the dipper")
     _warn_of_tare(1, None, 71.2, SCALE, notes)
     assert len(notes) == warns
+
+
+@pytest.mark.parametrize("ends_s, warns", [(50.0, False), (56.0, True), (59.8, False)])
+def test_a_scale_that_still_rises_as_the_log_ends(ends_s, warns):
+    mass = np.interp(TIME, [0, 50, 57.5], [60.0, 60.0, 75.0])
+    rows = SimpleNamespace(time_s=TIME[TIME <= ends_s], values={"truck_mass": mass[TIME <= ends_s]})
+    _warn_of_rise(Scale(rows, SCALE, 2.0), 2, ends_s, SCALE, notes := [])
+    assert bool(notes) == warns
+    assert not warns or "still rises as the log ends, from 69 to 71 t within 2 s: pass 2 may have" in notes[0]
 
 
 @pytest.mark.parametrize("late_s, masses, warns", [(0, [60.0, 70.0], False), (10, [55.0, 60.0], True)])
