@@ -82,8 +82,8 @@ class PlanReader {
     return out;
   }
 
-  /// The values of a range, its ends among them.
-  std::vector<double> range(YamlSection& y, const std::string& key) {
+  /// The values of a range from its lower end on, none of them below `least`.
+  std::vector<double> range(YamlSection& y, const std::string& key, double least = -INFINITY) {
     const std::string what = "[from, to, step]";
     const std::vector<double> v = y.numbers(key, 3, what);
     constexpr double kMostValues = 50;
@@ -94,6 +94,10 @@ class PlanReader {
               fmt::format("must rise in at most {} steps; write {}", kMostValues, what));
       return out;
     }
+    if (v[0] < least) {
+      y.fault(*y.find(key), key, fmt::format("begins at {:g}; write {:g} or more", v[0], least));
+      return out;
+    }
     for (int i = 0; v[0] + i * v[2] <= v[1] + 1e-9; ++i) out.push_back(v[0] + i * v[2]);
     return out;
   }
@@ -101,9 +105,9 @@ class PlanReader {
   DigChoice choice(YamlSection y) {
     DigChoice c;
     for (const double deg : range(y, "heading_deg")) c.heading_rad.push_back(radians(deg));
-    c.depth_m = range(y, "depth_m");
-    c.floor_rise = range(y, "floor_rise");
-    c.exit_z_m = range(y, "exit_z_m");
+    c.depth_m = range(y, "depth_m", 0);
+    c.floor_rise = range(y, "floor_rise", 0);
+    c.exit_z_m = range(y, "exit_z_m", 0);
     const std::vector<double> start = y.numbers("start_m", 2, "[x, z] in m");
     c.start = {start[0], start[1]};
     c.smooth_m = y.number("smooth_m", "a number in m", kPlanNotNegative);

@@ -49,8 +49,12 @@ void add_stages(PassFacts& f, const run::RunData& run, const io::DumpFolder& dum
   const auto leave = static_cast<std::size_t>(
       std::lower_bound(dumps.time_s.begin(), dumps.time_s.end(), leave_s) - dumps.time_s.begin());
   const double depth = run.regions.lip_x_m - run.regions.dipper->min_m.x();
-  f.stages = rock::find_stages(survey.frames, f.followed.start_frame, f.followed.lift_frame + 1,
-                               leave, depth);
+  // From first contact on: before it, what is inside stuck there in the pass before.
+  const auto contact = static_cast<std::size_t>(
+      std::lower_bound(dumps.time_s.begin(), dumps.time_s.end(), f.found.pass.t_dig_s) -
+      dumps.time_s.begin());
+  f.stages = rock::find_stages(survey.frames, std::max(contact, f.followed.start_frame),
+                               f.followed.lift_frame + 1, leave, depth);
 }
 
 json dipper_table(const run::RunData& run, const rock::StruckVolume& struck) {
@@ -100,9 +104,11 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
                                            passes[k].still->from_s, passes[k].still->to_s);
     add_stages(passes[k], run, dumps, survey);
   }
+  // The ground of a run is at 0; that of other dumps is under their lowest rock.
+  const double floor_m = run.is_run ? 0 : lowest_m(dumps.frames.front(), survey.pile);
   const auto surface = [&](std::size_t k) {
     const Pose X_WB = run.dipper.empty() ? Pose{} : run.dipper.at(dumps.time_s[k]).X_WB;
-    return pile_surface(dumps.frames[k], run.regions, X_WB, survey.pile, 0);
+    return pile_surface(dumps.frames[k], run.regions, X_WB, survey.pile, floor_m);
   };
   json& v = m.values;
   v["format"] = 1;

@@ -45,7 +45,8 @@ PassFigures PassFigureMaker::figures(const signals::PassPhases& pass,
   if (load) f.fill_factor_load = fill(load->bulk_density_kg_m3());
   if (const auto dig = pass.dig()) {
     f.dig_demand = demand(*dig);
-    f.dig_rattle_fraction = rattle_.share(*dig, kJump * pass.pass.dig_force_mean_N);
+    if (pass.pass.dig_force_mean_N > 0)  // else it meets no rock
+      f.dig_rattle_fraction = rattle_.share(*dig, kJump * pass.pass.dig_force_mean_N);
   }
   f.dig_energy = signals::dig_energy(signals_.drive, pass);
   if (monitor_) f.monitor = read_monitor(*monitor_, signals_, pass);

@@ -51,6 +51,14 @@ std::vector<Sphere> balls_in(const io::DumpFrame& frame, const Box& region, cons
   return balls;
 }
 
+double lowest_m(const io::DumpFrame& frame, const Footprint& footprint) {
+  double lowest = INFINITY;
+  for_each_sphere(frame, [&](const Vector3d& p, double r) {
+    if (footprint.holds(p)) lowest = std::min(lowest, p.z() - r);
+  });
+  return std::isfinite(lowest) ? lowest : 0;
+}
+
 double height_at(const rock::SurfaceProfile& profile, double x) {
   const auto& xs = profile.x_m;
   const auto after = std::lower_bound(xs.begin(), xs.end(), x);

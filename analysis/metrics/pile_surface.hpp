@@ -18,6 +18,9 @@ struct PileSurface {
 PileSurface pile_surface(const io::DumpFrame& frame, const rock::LoadRegions& regions,
                          const Pose& X_WB, const Footprint& footprint, double floor_m);
 
+/// z under the lowest rock over the footprint, m; 0 without any.
+double lowest_m(const io::DumpFrame& frame, const Footprint& footprint);
+
 /// The spheres of a frame whose centres are in a region of the body, in B.
 std::vector<Sphere> balls_in(const io::DumpFrame& frame, const Box& region, const Pose& X_WB);
 

@@ -74,6 +74,7 @@ std::vector<WallField> read_wall_fields(const io::DumpFolder& dumps) {
   std::vector<WallField> fields;
   for (const auto& [body, files] : dumps.walls) {
     std::map<std::string, WallField> of;
+    std::map<std::string, double> frames;  // that have the field
     WallFrame wall;
     for (const auto& [step, file] : files) {
       const io::VtkFile vtk = io::index_vtk(file);
@@ -86,13 +87,14 @@ std::vector<WallField> read_wall_fields(const io::DumpFolder& dumps) {
                                 fmt::format("{} has {} triangles, the previous frame had {}", body,
                                             values.size(), f.last.size()));
         add_frame(f, values);
+        ++frames[name];
         f.time_s = static_cast<double>(step) * dumps.timestep_s;
       }
     }
     for (auto& [name, f] : of) {
       f.body = body;
       f.field = name;
-      for (double& m : f.mean) m /= static_cast<double>(files.size());
+      for (double& m : f.mean) m /= frames[name];
       for (std::size_t t = 0; t < wall.mesh.triangles.size(); ++t) {
         const mesh::Triangle c = wall.mesh.corners(t);
         f.middle_m.push_back((c[0] + c[1] + c[2]) / 3);

@@ -19,12 +19,12 @@ struct WallField {
   std::string body, field;
   std::vector<Eigen::Vector3d> middle_m;  ///< centre of each triangle, in W at the last frame
   std::vector<double> area_m2;
-  std::vector<double> last, mean, max;  ///< over the frames
+  std::vector<double> last, mean, max;  ///< over the frames that have the field
   double time_s = 0;                    ///< of the last
 };
 
-/// Every field of every wall. Throws InputError naming file and line: an array that is missing in
-/// some frames, a changing number of triangles.
+/// Every field of every wall; frames without it do not count. Throws InputError naming file and
+/// line where the number of triangles changes.
 std::vector<WallField> read_wall_fields(const io::DumpFolder& dumps);
 
 }  // namespace dipper::analysis::rock

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "common/angles.hpp"
 #include "common/input_error.hpp"
@@ -76,6 +77,8 @@ void check_clean_floor(const cases::Case& c, Findings& findings) {
                         "needs a return without rock; write machine.contact_on_return: off"));
 }
 
+constexpr double kLeastTurn_deg = 5;  // from the face to the truck, and of a door that opens
+
 // An operator who plans has a plan to choose from.
 void check_operator(const cases::Case& c, const machine::MachineData& machine,
                     const machine::ShovelKinematics& shovel, Findings& findings) {
@@ -100,6 +103,12 @@ void check_operator(const cases::Case& c, const machine::MachineData& machine,
       findings.push_back({c.machine.plan, 0, "machine.plan",
                           "has no return from the truck; operator plan needs back, "
                           "swing_back, door_close and lower_deg_m"});
+    for (const auto& [key, angle] :
+         {std::pair{"dump_deg", plan.plan.dump_rad}, std::pair{"door_deg", plan.plan.door_rad}})
+      if (std::abs(angle) < radians(kLeastTurn_deg))
+        findings.push_back({c.machine.plan, 0, key,
+                            fmt::format("is {:g} degrees, less than {:g}: in rad, perhaps?",
+                                        degrees(angle), kLeastTurn_deg)});
   } catch (const InputError& e) {
     cases::add_file_findings(c, "machine.plan", e, findings);
   }
@@ -144,6 +153,12 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
     findings.push_back(
         cases::finding_at(c, "bodies.door", "missing key; without it the dipper holds nothing"));
 
+  if (const double z = c.machine.base_position_m.z(); z != 0)
+    findings.push_back(
+        cases::finding_at(c, "machine.base_position_m",
+                          fmt::format("z is {:g} m; machine and rock stand on the same ground, "
+                                      "z = 0: write 0",
+                                      z)));
   const auto machine =
       load_reported(c, "machine.model", c.machine.model, machine::load_machine, findings);
   auto motion =

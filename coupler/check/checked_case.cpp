@@ -5,7 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "common/angles.hpp"
 #include "common/case_lines.hpp"
 #include "common/seconds.hpp"
 #include "coupler/case/case_hash.hpp"
@@ -14,20 +13,15 @@
 #include "coupler/check/check.hpp"
 #include "coupler/check/check_parts.hpp"
 #include "coupler/check/cost_estimate.hpp"
+#include "coupler/check/dig_sweep.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/deck/deck.hpp"
-#include "coupler/deck/pile_shape.hpp"
 #include "coupler/deck/stable_timestep.hpp"
-#include "machine/motion.hpp"
-#include "machine/swept_face.hpp"
 
 namespace dipper::check {
 namespace {
 
 using nlohmann::json;
-
-// Of the dipper's struck volume: rock also comes in from the sides.
-constexpr double kLeanPass = 0.5;
 
 /// How much there is to compute.
 struct CaseSize {
@@ -60,26 +54,17 @@ std::string summary(const cases::Case& c) {
       s.settle_steps, 100 * c.dem.timestep_s / deck::stable_timestep(c), deck::stable_timestep(c));
 }
 
-/// The volume that the teeth sweep under the bench's nominal surface in each pass, and whether it
-/// fills the dipper.
+/// The volume that the teeth sweep under the bench's nominal surface in each pass.
 void report_digs(const cases::Case& c, Reporter& reporter) {
   const machine::MachineData data = machine::load_machine(c.machine.model);
-  const machine::ShovelKinematics shovel(data, Pose{}, radians(c.machine.rake_angle_deg));
-  const auto face = [&](double heading_rad) { return deck::bench_along_boom(c, heading_rad); };
   int number = 0;
-  for (const machine::SweptPass& pass :
-       swept_passes(machine::Motion::load(c.machine.motion), shovel, face)) {
-    const double volume_m3 = pass.area_m2 * data.dipper.inside.y();
+  for (const DigSweep& sweep : dig_sweeps(c, data))
     reporter.line(fmt::format(
         "pass {}: the teeth sweep {:.0f} m3{}, up to {:.1f} m deep; the dipper's struck volume is "
         "{:.3g} m3",
-        ++number, volume_m3, pass.first ? "" : " of the remaining face, if no rock comes down",
-        pass.deepest_m, data.dipper.struck_volume));
-    if (pass.first && volume_m3 < kLeanPass * data.dipper.struck_volume)
-      reporter.line(fmt::format(
-          "warning: pass {} cannot fill the dipper; plan it deeper or further out (docs/motion.md)",
-          number));
-  }
+        ++number, sweep.volume_m3,
+        sweep.first ? "" : " of the remaining face, if no rock comes down", sweep.deepest_m,
+        data.dipper.struck_volume));
 }
 
 json as_json(const Finding& f) {

@@ -19,7 +19,10 @@ constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger roc
 constexpr double kShift_m = 0.5;
 constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
 constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
-constexpr double kWindow_s = 0.01;   ///< the empty dipper on its ropes swings with some 0.2 s
+constexpr double kDelay_s = 5;       ///< in which a motion may stand still before its first row
+constexpr double kLoosest = 0.4;     ///< rock in the volume of a pile; blasted rock has some 0.6
+constexpr double kWater_kg_m3 = 1000;
+constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
 
 void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
   const Vector3d wanted = parts.machine.dipper.inside;  // without plates and teeth
@@ -119,6 +122,19 @@ void warn_of_rock(const CaseParts& parts, std::vector<Finding>& warnings) {
         c, "rock.bulk_density_kg_m3",
         fmt::format("{:g} kg/m3 is more than the density of solid rock, {:g} kg/m3",
                     c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
+  if (c.rock.density_kg_m3 < kWater_kg_m3)
+    warnings.push_back(
+        cases::finding_at(c, "rock.density_kg_m3",
+                          fmt::format("{:g} kg/m3 is lighter than water: in lb/ft3, perhaps?",
+                                      c.rock.density_kg_m3)));
+  else if (c.rock.bulk_density_kg_m3 < kLoosest * c.rock.density_kg_m3)
+    warnings.push_back(cases::finding_at(
+        c, "rock.bulk_density_kg_m3",
+        fmt::format("{:g} kg/m3 leaves {:.0f} % voids in rock of {:g} kg/m3: in lb/ft3, perhaps? "
+                    "The load that the dipper can hold follows from it",
+                    c.rock.bulk_density_kg_m3,
+                    100 * (1 - c.rock.bulk_density_kg_m3 / c.rock.density_kg_m3),
+                    c.rock.density_kg_m3)));
   const double wide = mesh::bounding_box(parts.dipper).sides_m().y();
   if (c.pile.width_m < wide)
     warnings.push_back(cases::finding_at(
@@ -141,6 +157,12 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
                         fmt::format("the first row is at {:g} s; the run begins at 0 s, so what is "
                                     "before is left out",
                                     seconds(parts.motion.start_ns()))});
+  if (seconds(parts.motion.start_ns()) > kDelay_s)
+    warnings.push_back(
+        {parts.c.machine.motion, 0, "time_s",
+         fmt::format("the first row is at {:g} s; the run begins at 0 s, and nothing "
+                     "moves until then",
+                     seconds(parts.motion.start_ns()))});
   for (std::int64_t t = parts.motion.start_ns(); t < parts.motion.end_ns();) {
     const std::int64_t next = std::min(parts.motion.next_row_ns(t), parts.motion.end_ns());
     const machine::Drives a = parts.motion.value(t), b = parts.motion.value(next);
@@ -156,6 +178,18 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
   }
 }
 
+/// Keys that the case sets and nothing reads.
+void warn_of_unused_keys(const cases::Case& c, std::vector<Finding>& warnings) {
+  const auto say = [&](const std::string& section, const std::string& why) {
+    for (const auto& [key, origin] : c.origins)
+      if (key.rfind(section, 0) == 0)
+        warnings.push_back(cases::finding_at(c, key, "has no effect with " + why));
+  };
+  if (c.machine.operated_by == cases::OperatorKind::motion)
+    say("operator.", "machine.operator: motion; write machine.operator: plan");
+  if (c.collapse.height_m == 0) say("collapse.at_s", "collapse.height_m: 0");
+}
+
 }  // namespace
 
 void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
@@ -164,6 +198,7 @@ void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_masses(parts, warnings);
   warn_of_rock(parts, warnings);
   warn_of_times(parts, warnings);
+  warn_of_unused_keys(parts.c, warnings);
 }
 
 }  // namespace dipper::check

@@ -44,6 +44,9 @@ void warn_of_pose_bodies(const cases::Case& c, std::vector<Finding>& warnings);
 /// the teeth.
 void warn_of_places(const CaseParts& parts, std::vector<Finding>& warnings);
 
+/// Passes whose teeth sweep too little of the bench to fill the dipper.
+void warn_of_sweep(const CaseParts& parts, std::vector<Finding>& warnings);
+
 /// A body's cavity that is beyond its mesh, each in the body's frame.
 void warn_of_cavity(const cases::Case& c, const std::string& body, const Box& mesh,
                     const Box& cavity, std::vector<Finding>& warnings);

@@ -34,6 +34,7 @@ std::vector<Finding> warnings(const cases::Case& c) {
   warn_of_machine(parts, found);
   const auto of_the_mesh = [](const Finding& warning) { return warning.key == "bodies.dipper"; };
   if (std::none_of(found.begin(), found.end(), of_the_mesh)) warn_of_volume(parts, found);
+  warn_of_sweep(parts, found);
   warn_of_places(parts, found);
   return found;
 }

@@ -294,8 +294,32 @@ cases::BenchOutline bench_along_boom(const cases::Case& c, double heading_rad) {
     section.emplace_back(c.domain.max_m.x() - c.machine.base_position_m.x(), 0);
     return section;
   }
+  cases::BenchOutline bench;
   for (const Eigen::Vector2d& p : bench_outline(c))
-    section.emplace_back((p.x() - c.machine.base_position_m.x()) / std::cos(heading_rad), p.y());
+    bench.emplace_back((p.x() - c.machine.base_position_m.x()) / std::cos(heading_rad), p.y());
+  // The side walls, where the boom's plane crosses them.
+  const double y = c.machine.base_position_m.y(), slope = std::sin(heading_rad);
+  const double half = c.pile.width_m / 2;
+  double from = bench.front().x(), to = bench.back().x();
+  if (slope != 0) {
+    from = std::max(from, std::min((-half - y) / slope, (half - y) / slope));
+    to = std::min(to, std::max((-half - y) / slope, (half - y) / slope));
+  } else if (std::abs(y) > half) {
+    to = from;
+  }
+  if (from >= to) return section;
+  const auto cut_at = [&](double x) {
+    for (std::size_t i = 1; i < bench.size(); ++i) {
+      const Eigen::Vector2d &a = bench[i - 1], &b = bench[i];
+      if (a.x() < x && x <= b.x())
+        return Eigen::Vector2d(x, a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
+    }
+    return bench.front();
+  };
+  if (from > bench.front().x()) section.insert(section.end(), {{from, 0}, cut_at(from)});
+  for (const Eigen::Vector2d& p : bench)
+    if (p.x() >= from && p.x() <= to) section.push_back(p);
+  if (to < bench.back().x()) section.insert(section.end(), {cut_at(to), {to, 0}});
   return section;
 }
 

@@ -11,27 +11,22 @@
 
 namespace dipper::result {
 namespace fs = std::filesystem;
-namespace {
-
-void index(const fs::path& dumps, const std::string& stem, double timestep_s) {
-  std::map<std::int64_t, std::string> frames;  // by step
-  for (const auto& entry : fs::directory_iterator(dumps)) {
-    const fs::path file = entry.path().filename();
-    if (file.extension() != ".vtk" || file.string().rfind(stem, 0) != 0) continue;
-    if (const auto step = analysis::io::step_in_name(file)) frames[*step] = file.string();
-  }
-  auto files = nlohmann::json::array();
-  for (const auto& [step, name] : frames) {
-    files.push_back({{"name", name}, {"time", static_cast<double>(step) * timestep_s}});
-  }
-  const fs::path out = dumps / (stem.substr(0, stem.size() - 1) + ".vtk.series");
-  write_text(out, nlohmann::json{{"file-series-version", "1.0"}, {"files", files}}.dump(1));
-}
-
-}  // namespace
 
 void index_dumps(const fs::path& dumps, double timestep_s) {
-  for (const char* wall : {"dipper_", "door_", "truck_"}) index(dumps, wall, timestep_s);
+  std::map<std::string, std::map<std::int64_t, std::string>> frames;  // by body, then by step
+  for (const auto& entry : fs::directory_iterator(dumps)) {
+    const std::string file = entry.path().filename().string();
+    if (entry.path().extension() != ".vtk") continue;
+    if (const auto step = analysis::io::step_in_name(file))
+      frames[file.substr(0, file.rfind('_'))][*step] = file;
+  }
+  for (const auto& [body, names] : frames) {
+    auto files = nlohmann::json::array();
+    for (const auto& [step, name] : names)
+      files.push_back({{"name", name}, {"time", static_cast<double>(step) * timestep_s}});
+    write_text(dumps / (body + ".vtk.series"),
+               nlohmann::json{{"file-series-version", "1.0"}, {"files", files}}.dump(1));
+  }
 }
 
 void drop_frames_after(const fs::path& dumps, std::int64_t step) {

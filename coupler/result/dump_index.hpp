@@ -5,8 +5,8 @@
 
 namespace dipper::result {
 
-/// Writes {dipper,door,truck}.vtk.series into the dump folder: lists of the frames there with
-/// their times, which ParaView opens as one animated data set each.
+/// Writes BODY.vtk.series into the dump folder for each body that has frames there: lists of them
+/// with their times, which ParaView opens as one animated data set each.
 void index_dumps(const std::filesystem::path& dumps, double timestep_s);
 
 /// Removes the frames of later steps, which a run that resumes at this step does not have, and what

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .model import learn, predict_change, predicted, signatures_of
+from .model import learn, predict_change, prediction_of
 from .readings.channels import FACE
 from .readings.passes import split
 from .simulation.plan import make_plan, statement
@@ -57,8 +57,7 @@ def _ways(plan, folders, catalogue, known, mine, before):
     model = learn(plan, folders, mine, known=known)
     change = learn(plan, folders, mine, before or mine, known, model)
     usual = replace(model.baseline, trucks=USUAL)
-    alone = _limits(model, [replace(usual, trucks=t) for t in TRUCKS],
-                    predicted(model, usual, signatures_of(model, catalogue, usual)))
+    alone = _limits(model, [replace(usual, trucks=t) for t in TRUCKS], prediction_of(model, catalogue, usual))
     if before:
         # One run without noise stands for the trucks to come: it says nothing of how they scatter.
         prediction = predict_change(replace(change, baseline=replace(change.baseline, trucks=USUAL)), catalogue, mine,
@@ -67,7 +66,7 @@ def _ways(plan, folders, catalogue, known, mine, before):
     else:
         baselines = [_assumed(change, mine, t) for t in TRUCKS]
         usual = _assumed(change, mine, USUAL)
-        prediction = predicted(change, usual, signatures_of(change, catalogue, usual))
+        prediction = prediction_of(change, catalogue, usual)
     against = _limits(change, baselines, prediction)
     return {n: {**dict(zip(WAYS, (alone[n][0], against[n][0]))), "named": dict(zip(WAYS, (alone[n][1], against[n][1])))}
             for n in alone}, model

@@ -152,8 +152,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
 
 def predict(model, catalogue, trucks_scatter):
     """The prediction for a mine whose trucks vary so much (Model.scatter)."""
-    baseline = replace(model.baseline, scatter=trucks_scatter)
-    return predicted(model, baseline, signatures_of(model, catalogue, baseline))
+    return prediction_of(model, catalogue, replace(model.baseline, scatter=trucks_scatter))
 
 
 def predict_change(model, catalogue, measured, before):
@@ -172,13 +171,18 @@ def predict_change(model, catalogue, measured, before):
     return predicted(model, replace(baseline, scatter=baseline.scatter * factor), signatures)
 
 
+def prediction_of(model, catalogue, baseline):
+    """The prediction for a mine of which a baseline says what it reads."""
+    return predicted(model, baseline, signatures_of(model, catalogue, baseline))
+
+
 def signatures_of(model, catalogue, baseline):
     """Signatures of all effects over all passes of a baseline."""
     return [signature(catalogue[n], baseline, runs) for n, runs in model.runs.items()]
 
 
 def predicted(model, baseline, signatures):
-    """The prediction for a mine of which a baseline says what it reads."""
+    """Likewise, with signatures that are fitted already."""
     training = split(model.passes)[0]
     part, at = baseline.part(training)
     named = [s.part(at) for s in signatures if not s.effect.nuisance]

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/metrics/frame_survey.hpp"
+#include "analysis/metrics/pile_surface.hpp"
 #include "tests/analysis/dump_files.hpp"
 
 namespace dipper::analysis::metrics {
@@ -42,6 +43,15 @@ io::DumpFolder dumps_of(const Scratch& s, const std::vector<std::vector<std::str
                        "id type x y z vx vy vz radius mass", rows));
   }
   return io::open_dump_folder(s.folder(), 0.01);
+}
+
+TEST(PileSurface, TheGroundIsUnderTheLowestRockOverTheFootprint) {
+  const Scratch s;
+  const io::DumpFolder dumps =
+      dumps_of(s, {{ball(1, 0, 0, 350.1), ball(2, 1, 0, 351), ball(3, 90, 0, 300)}});
+  const Footprint footprint{{-5, -5}, {5, 5}};
+  EXPECT_NEAR(lowest_m(dumps.frames[0], footprint), 350, 1e-9);
+  EXPECT_EQ(lowest_m(dumps.frames[0], {{-9, -9}, {-8, -8}}), 0);
 }
 
 TEST(Survey, SumsTheRockOfAFrame) {

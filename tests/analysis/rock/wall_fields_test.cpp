@@ -47,6 +47,18 @@ TEST(WallFields, LastMeanAndLargestOfEachTriangle) {
   EXPECT_NEAR(p.middle_m[0].x(), 4.0 / 3, 1e-6);
 }
 
+TEST(WallFields, AMeanIsOverTheFramesThatHaveTheField) {
+  const Scratch s;
+  std::string bare = wall("5 1", "0 0 0 0 0 0");
+  bare.replace(bare.find("FieldData 3"), 11, "FieldData 1");
+  bare.erase(bare.find("pressure"));
+  s.write("dipper_0.vtk", bare);
+  s.write("dipper_10.vtk", wall("3 4", "3 0 4 0 -2 0"));
+  const auto fields = read_wall_fields(folder(s));
+  ASSERT_EQ(fields.size(), 2u);
+  EXPECT_THAT(fields[1].mean, ElementsAre(3, 4));
+}
+
 TEST(WallFields, TrianglesAreInTheOrderOfTheirNumbersHoweverRanksWroteThem) {
   const Scratch s;
   std::string swapped = wall("5 1", "0 0 0 0 0 0");

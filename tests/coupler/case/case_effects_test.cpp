@@ -65,6 +65,20 @@ TEST(Effects, AddScaleAndSetChangeTheValuesAndTheTextAlone) {
   EXPECT_EQ(load(checkout, {{"effects.mine", "0"}}, &findings).text, plain.text);
 }
 
+TEST(Effects, OnASieveAreRefused) {
+  const Checkout checkout;
+  fs::create_directories(checkout.folder() / "effects");
+  write_text(checkout.folder() / "effects/top.yaml",
+             "title: t\nkind: rock\n"
+             "parameter: {name: p, unit: m, low: -1, high: 2, scale: 1, source: s}\n"
+             "overlay:\n  rock.sieve.max_size_m: {add: 1}\n");
+  std::vector<Finding> findings;
+  load(checkout, {{"effects.top", "0.2"}}, &findings);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_NE(to_string(findings[0]).find("rock.sieve.max_size_m: is read before effects"),
+            std::string::npos);
+}
+
 TEST(Effects, ALawIsMadeOfTermsOfTheMotion) {
   const Checkout checkout;
   fs::create_directories(checkout.folder() / "effects");

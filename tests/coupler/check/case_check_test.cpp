@@ -873,6 +873,52 @@ TEST(CheckCase, BodiesThatTheMachineDoesNotHave) {
                                      "missing key; it is what digs"}});
 }
 
+TEST(CheckCase, APlanInAnotherUnit) {
+  const fs::path quick = test::source() / "cases/quick";
+  const fs::path plan = fs::path(testing::TempDir()) / "odd_plan.yaml";
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = read_text(quick / "plan.yaml");
+    text.replace(text.find(from), from.size(), to);
+    write_text(plan, text);
+    std::vector<Finding> findings;
+    const cases::Case c = cases::load_case(quick, {{"machine.plan", plan.string()}}, findings);
+    expect_findings(findings, {});
+    std::string said;
+    for (const Finding& f : check_case(c)) said += to_string(f) + "\n";
+    return said;
+  };
+  EXPECT_EQ(with("cycle_s", "cycle_s"), "");
+  EXPECT_THAT(with("dump_deg: 80", "dump_deg: 1.4"), HasSubstr("dump_deg: is 1.4 degrees, less"));
+  EXPECT_THAT(with("door_deg: 75", "door_deg: 1.3"), HasSubstr("door_deg: is 1.3 degrees, less"));
+  EXPECT_THAT(with("depth_m: [", "depth_m: [-"), HasSubstr("depth_m: begins at -"));
+}
+
+TEST(CheckCase, AMachineAboveTheGround) {
+  const Checkout checkout;
+  const auto findings = check(checkout, {{"machine.base_position_m", "[0, 0, 0.5]"}});
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_THAT(to_string(findings[0]),
+              HasSubstr("machine.base_position_m: z is 0.5 m; machine and"));
+}
+
+TEST(CheckCase, ABoomThatLeavesTheBenchAtItsSide) {
+  const Checkout checkout;
+  std::vector<Finding> findings;
+  cases::Case c = cases::load_case(checkout.folder(), {}, findings);
+  c.machine.base_position_m = {0, 0, 0};
+  const auto straight = deck::bench_along_boom(c, 0);
+  const double heading = std::atan2(c.pile.width_m / 2, 14);  // the wall is met at x = 14
+  const auto section = deck::bench_along_boom(c, heading);
+  ASSERT_GE(section.size(), 4U);
+  EXPECT_NEAR(section.back().x(), 14 / std::cos(heading), 1e-9);
+  EXPECT_EQ(section.back().y(), 0);
+  EXPECT_NEAR(section[section.size() - 2].y(), std::tan(35 * M_PI / 180) * (14 - c.pile.toe_x_m),
+              1e-9);
+  c.machine.base_position_m = {0, c.pile.width_m, 0};
+  EXPECT_EQ(deck::bench_along_boom(c, 0).size(), 1U);
+  EXPECT_EQ(straight.size(), 4U);
+}
+
 TEST(CheckCase, ABoomThatPointsAwayFromTheBenchMeetsNone) {
   const Checkout checkout;
   std::vector<Finding> findings;
@@ -907,7 +953,7 @@ TEST(CheckedCase, SoundCase) {
                    "estimate: .* accurate within a factor of 2\n"
                    "pass 1: the teeth sweep [0-9]+ m3, up to [0-9.]+ m deep; the dipper's "
                    "struck volume is 42 m3\n"
-                   "warning: pass 1 cannot fill the dipper; .*\n"));
+                   "warning: .*machine.motion: pass 1 cannot fill the dipper; .*\n"));
 }
 
 TEST(CheckedCase, PrintsEveryFindingAndTheirNumber) {

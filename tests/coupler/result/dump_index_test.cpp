@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/analysis/dump_files.hpp"
+#include "tests/coupler/case/checkout.hpp"
 
 namespace dipper::result {
 namespace {
@@ -21,6 +22,17 @@ TEST(DumpIndex, FramesAfterACheckpointGo) {
   for (const char* kept : {"rocks_0.dump.gz", "rocks_90.dump.gz", "rocks_100.dump.gz",
                            "truck_0.vtk", "dipper.vtk.series", "notes_2b.txt"})
     EXPECT_TRUE(there(kept)) << kept;
+}
+
+TEST(DumpIndex, HasASeriesForEachBodyWithFrames) {
+  const analysis::Scratch s;
+  for (const char* name : {"left_blade_0.vtk", "left_blade_100.vtk", "truck_0.vtk", "rocks_0.dump"})
+    s.write(name, "");
+  index_dumps(s.folder(), 0.1);
+  EXPECT_NE(test::read_text(s.folder() / "left_blade.vtk.series").find("left_blade_100.vtk"),
+            std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(s.folder() / "truck.vtk.series"));
+  EXPECT_FALSE(std::filesystem::exists(s.folder() / "dipper.vtk.series"));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using json = nlohmann::ordered_json;
 std::vector<std::string> warnings(const std::vector<std::pair<std::string, json>>& pass,
                                   double residual_J = 0, const std::string& status = "complete",
                                   double lost_kg = 0) {
-  const test::Checkout checkout;
+  const test::Checkout checkout(true);  // the whole motion
   std::vector<Finding> findings;
   const cases::Case c =
       cases::load_case(checkout.folder(), {{"rock.coarse_graining_limit_m", "1"}}, findings);
