@@ -33,15 +33,6 @@ TeethPath evenly(const TeethPath& points, std::size_t n) {
   return out;
 }
 
-double height(const TeethPath& face, double x) {
-  if (x <= face.front().x()) return face.front().y();
-  if (x >= face.back().x()) return face.back().y();
-  const auto after = std::upper_bound(
-      face.begin(), face.end(), x, [](double value, const Vector2d& p) { return value < p.x(); });
-  const Vector2d &b = *after, &a = *(after - 1);
-  return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
-}
-
 /// The surface at equal steps, each the mean over `smooth_m`.
 TeethPath smoothed(const TeethPath& face, double smooth_m) {
   const int side = std::max(0, static_cast<int>(std::lround(0.5 * smooth_m / kPathStep_m)));
@@ -67,6 +58,15 @@ TeethPath below(const TeethPath& surface, double depth_m) {
 }
 
 }  // namespace
+
+double height(const TeethPath& face, double x) {
+  if (x <= face.front().x()) return face.front().y();
+  if (x >= face.back().x()) return face.back().y();
+  const auto after = std::upper_bound(
+      face.begin(), face.end(), x, [](double value, const Vector2d& p) { return value < p.x(); });
+  const Vector2d &b = *after, &a = *(after - 1);
+  return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
+}
 
 TeethPath spline(const TeethPath& polygon) {
   TeethPath p(2, polygon.front());

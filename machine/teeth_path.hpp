@@ -27,6 +27,9 @@ double length(const TeethPath& path);
 /// The point at a share 0 ... 1 of the path along points at equal steps.
 Vector2d at_fraction(const TeethPath& path, double share);
 
+/// z of a surface with rising x, straight between its points and flat beyond its ends, m.
+double height(const TeethPath& face, double x);
+
 /// One dig: the path of the teeth through a face.
 struct Cut {
   Vector2d start = Vector2d::Zero();  ///< in front of the toe, m: the floor's begin

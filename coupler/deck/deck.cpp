@@ -21,6 +21,7 @@
 #include "coupler/deck/pile_walls.hpp"
 #include "coupler/deck/rock_kinds.hpp"
 #include "coupler/deck/shape_library.hpp"
+#include "machine/teeth_path.hpp"
 
 namespace dipper::deck {
 namespace {
@@ -308,18 +309,12 @@ cases::BenchOutline bench_along_boom(const cases::Case& c, double heading_rad) {
     to = from;
   }
   if (from >= to) return section;
-  const auto cut_at = [&](double x) {
-    for (std::size_t i = 1; i < bench.size(); ++i) {
-      const Eigen::Vector2d &a = bench[i - 1], &b = bench[i];
-      if (a.x() < x && x <= b.x())
-        return Eigen::Vector2d(x, a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y()));
-    }
-    return bench.front();
-  };
-  if (from > bench.front().x()) section.insert(section.end(), {{from, 0}, cut_at(from)});
+  if (from > bench.front().x())
+    section.insert(section.end(), {{from, 0}, {from, machine::height(bench, from)}});
   for (const Eigen::Vector2d& p : bench)
     if (p.x() >= from && p.x() <= to) section.push_back(p);
-  if (to < bench.back().x()) section.insert(section.end(), {cut_at(to), {to, 0}});
+  if (to < bench.back().x())
+    section.insert(section.end(), {{to, machine::height(bench, to)}, {to, 0}});
   return section;
 }
 

@@ -22,6 +22,16 @@ std::string only_message(const std::vector<Finding>& findings) {
   return findings.empty() ? "" : to_string(findings[0]);
 }
 
+/// An effect of the checkout's own, on the rock.
+void add_effect(const Checkout& checkout, const std::string& name, const std::string& overlay) {
+  fs::create_directories(checkout.folder() / "effects");
+  write_text(checkout.folder() / "effects" / (name + ".yaml"),
+             "title: t\nkind: rock\n"
+             "parameter: {name: p, unit: m, low: -1, high: 2, scale: 1, source: s}\n"
+             "overlay:\n" +
+                 overlay);
+}
+
 TEST(Effects, EveryFileOfTheCatalogueIsSoundAndAppliesAtBothItsBounds) {
   const Checkout checkout;
   std::vector<Finding> findings;
@@ -43,11 +53,7 @@ TEST(Effects, EveryFileOfTheCatalogueIsSoundAndAppliesAtBothItsBounds) {
 
 TEST(Effects, AddScaleAndSetChangeTheValuesAndTheTextAlone) {
   const Checkout checkout;
-  fs::create_directories(checkout.folder() / "effects");
-  write_text(checkout.folder() / "effects/mine.yaml",
-             "title: t\nkind: rock\n"
-             "parameter: {name: p, unit: m, low: -1, high: 2, scale: 1, source: s}\n"
-             "overlay:\n"
+  add_effect(checkout, "mine",
              "  rock.classes.#.size_m: {scale: 0.5}\n"
              "  machine.base_position_m.2: {add: 3}\n"
              "  rock.density_kg_m3: {set: 2000}\n");
@@ -67,11 +73,7 @@ TEST(Effects, AddScaleAndSetChangeTheValuesAndTheTextAlone) {
 
 TEST(Effects, OnASieveAreRefused) {
   const Checkout checkout;
-  fs::create_directories(checkout.folder() / "effects");
-  write_text(checkout.folder() / "effects/top.yaml",
-             "title: t\nkind: rock\n"
-             "parameter: {name: p, unit: m, low: -1, high: 2, scale: 1, source: s}\n"
-             "overlay:\n  rock.sieve.max_size_m: {add: 1}\n");
+  add_effect(checkout, "top", "  rock.sieve.max_size_m: {add: 1}\n");
   std::vector<Finding> findings;
   load(checkout, {{"effects.top", "0.2"}}, &findings);
   ASSERT_FALSE(findings.empty());
