@@ -82,7 +82,7 @@ class PlanReader {
     return out;
   }
 
-  /// The values of a range from its lower end on, none of them below `least`.
+  /// The values of a range, both of its ends among them, none below `least`.
   std::vector<double> range(YamlSection& y, const std::string& key, double least = -INFINITY) {
     const std::string what = "[from, to, step]";
     const std::vector<double> v = y.numbers(key, 3, what);
@@ -98,7 +98,9 @@ class PlanReader {
       y.fault(*y.find(key), key, fmt::format("begins at {:g}; write {:g} or more", v[0], least));
       return out;
     }
-    for (int i = 0; v[0] + i * v[2] <= v[1] + 1e-9; ++i) out.push_back(v[0] + i * v[2]);
+    const double closest = 1e-6 * v[2];  // a last step this short is rounding
+    for (int i = 0; v[0] + i * v[2] < v[1] - closest; ++i) out.push_back(v[0] + i * v[2]);
+    out.push_back(v[1]);
     return out;
   }
 

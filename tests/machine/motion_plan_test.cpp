@@ -134,6 +134,20 @@ TEST_F(PlanFileTest, EndsWithTheDumpWhenNothingBringsItBack) {
   EXPECT_NEAR(degrees(motion.at(40).position.swing), 80, 1e-4);
 }
 
+TEST_F(PlanFileTest, ARangeHasBothEndsAlsoWhereTheStepDoesNotDivideIt) {
+  std::string text = text_.substr(0, text_.find("passes:"));
+  text +=
+      "choose:\n  heading_deg: [0, 0, 1]\n  depth_m: [0.9, 1.5, 0.2]\n  floor_rise: [0.1, 0.3, "
+      "0.15]\n  exit_z_m: [6, 6, 1]\n  start_m: [13.1, 0.4]\n  smooth_m: 3\n  crowd_max_m: 2.9\n"
+      "  teeth_m_s: 1.2\n";
+  const DigChoice choice = read(text).choice.value();
+  using testing::DoubleNear;
+  EXPECT_THAT(choice.depth_m,
+              testing::ElementsAre(0.9, DoubleNear(1.1, 1e-12), DoubleNear(1.3, 1e-12), 1.5));
+  EXPECT_THAT(choice.floor_rise, testing::ElementsAre(0.1, 0.25, 0.3));
+  EXPECT_THAT(choice.heading_rad, testing::ElementsAre(0));
+}
+
 TEST_F(PlanFileTest, EveryFaultIsNamed) {
   const auto with = [&](const std::string& from, const std::string& to) {
     std::string text = text_;
