@@ -14,6 +14,7 @@
 #include "coupler/check/check_parts.hpp"
 #include "coupler/check/cost_estimate.hpp"
 #include "coupler/check/dig_sweep.hpp"
+#include "coupler/check/dug_motion.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/stable_timestep.hpp"
@@ -58,7 +59,7 @@ std::string summary(const cases::Case& c) {
 void report_digs(const cases::Case& c, Reporter& reporter) {
   const machine::MachineData data = machine::load_machine(c.machine.model);
   int number = 0;
-  for (const DigSweep& sweep : dig_sweeps(c, data))
+  for (const DigSweep& sweep : dig_sweeps(c, data, dug_motion(c).motion))
     reporter.line(fmt::format(
         "pass {}: the teeth sweep {:.0f} m3{}, up to {:.1f} m deep; the dipper's struck volume is "
         "{:.3g} m3",
@@ -116,7 +117,7 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
   const bool plans = c.machine.operated_by == cases::OperatorKind::plan && c.op.passes > 1;
   reporter.line(to_string(cost_estimate(c)) +
                 (plans
-                     ? fmt::format("; of the motion's one pass, where the operator makes up to {}",
+                     ? fmt::format("; of machine.motion, where the operator makes up to {} passes",
                                    c.op.passes)
                      : ""));
   if (c.machine.kind == cases::MachineKind::shovel) report_digs(c, reporter);

@@ -12,12 +12,12 @@ namespace dipper::check {
 // Of the dipper's struck volume: rock also comes in from the sides.
 constexpr double kLeanPass = 0.5;
 
-std::vector<DigSweep> dig_sweeps(const cases::Case& c, const machine::MachineData& machine) {
+std::vector<DigSweep> dig_sweeps(const cases::Case& c, const machine::MachineData& machine,
+                                 const machine::Motion& motion) {
   const machine::ShovelKinematics shovel(machine, Pose{}, radians(c.machine.rake_angle_deg));
   const auto face = [&](double heading_rad) { return deck::bench_along_boom(c, heading_rad); };
   std::vector<DigSweep> sweeps;
-  for (const machine::SweptPass& pass :
-       swept_passes(machine::Motion::load(c.machine.motion), shovel, face)) {
+  for (const machine::SweptPass& pass : swept_passes(motion, shovel, face)) {
     const double volume_m3 = pass.area_m2 * machine.dipper.inside.y();
     sweeps.push_back({volume_m3, pass.deepest_m, pass.first,
                       pass.first && volume_m3 < kLeanPass * machine.dipper.struck_volume});
@@ -26,12 +26,17 @@ std::vector<DigSweep> dig_sweeps(const cases::Case& c, const machine::MachineDat
 }
 
 void warn_of_sweep(const CaseParts& parts, std::vector<Finding>& warnings) {
+  if (!parts.dug.none.empty())
+    warnings.push_back(cases::finding_at(parts.c, "machine.plan",
+                                         "on the bench as the case makes it the operator finds no "
+                                         "dig, so the run may end without a pass: " +
+                                             parts.dug.none));
   int number = 0;
-  for (const DigSweep& sweep : dig_sweeps(parts.c, parts.machine)) {
+  for (const DigSweep& sweep : dig_sweeps(parts.c, parts.machine, parts.motion)) {
     ++number;
     if (sweep.lean)
       warnings.push_back(cases::finding_at(
-          parts.c, "machine.motion",
+          parts.c, parts.planned() ? "machine.plan" : "machine.motion",
           fmt::format("pass {} cannot fill the dipper; plan it deeper or further out "
                       "(docs/motion.md)",
                       number)));

@@ -5,6 +5,7 @@
 
 #include "coupler/case/case.hpp"
 #include "machine/machine_data.hpp"
+#include "machine/motion.hpp"
 
 namespace dipper::check {
 
@@ -15,7 +16,8 @@ struct DigSweep {
   bool lean = false;     ///< the first in its lane, and too little to fill the dipper
 };
 
-/// One entry a dig of machine.motion.
-std::vector<DigSweep> dig_sweeps(const cases::Case& c, const machine::MachineData& machine);
+/// One entry a dig of the motion.
+std::vector<DigSweep> dig_sweeps(const cases::Case& c, const machine::MachineData& machine,
+                                 const machine::Motion& motion);
 
 }  // namespace dipper::check

@@ -5,6 +5,7 @@
 
 #include "common/mesh/triangle_mesh.hpp"
 #include "coupler/case/case.hpp"
+#include "coupler/check/dug_motion.hpp"
 #include "machine/kinematics.hpp"
 #include "machine/machine_data.hpp"
 #include "machine/motion.hpp"
@@ -14,10 +15,12 @@ namespace dipper::check {
 /// A sound case with what its files hold.
 struct CaseParts {
   explicit CaseParts(const cases::Case& c);
+  bool planned() const { return c.machine.operated_by == cases::OperatorKind::plan; }
 
   const cases::Case& c;
   machine::MachineData machine;
-  machine::Motion motion;
+  DugMotion dug;
+  const machine::Motion& motion;
   machine::ShovelKinematics shovel;
   mesh::TriangleMesh dipper, door;  ///< the door is empty when the case has none
   mesh::TriangleMesh truck;         ///< in W
@@ -44,7 +47,8 @@ void warn_of_pose_bodies(const cases::Case& c, std::vector<Finding>& warnings);
 /// the teeth.
 void warn_of_places(const CaseParts& parts, std::vector<Finding>& warnings);
 
-/// Passes whose teeth sweep too little of the bench to fill the dipper.
+/// An operator who finds no dig; passes whose teeth sweep too little of the bench to fill the
+/// dipper.
 void warn_of_sweep(const CaseParts& parts, std::vector<Finding>& warnings);
 
 /// A body's cavity that is beyond its mesh, each in the body's frame.

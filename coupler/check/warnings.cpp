@@ -11,7 +11,8 @@ namespace dipper::check {
 CaseParts::CaseParts(const cases::Case& the_case)
     : c(the_case),
       machine(machine::load_machine(c.machine.model)),
-      motion(machine::Motion::load(c.machine.motion)),
+      dug(dug_motion(c)),
+      motion(dug.motion),
       shovel(machine, Pose{Quaterniond::Identity(), c.machine.base_position_m},
              radians(c.machine.rake_angle_deg)),
       dipper(mesh::read_stl(c.bodies.at("dipper"))),

@@ -24,7 +24,7 @@
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/dry/dry_run.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/sides/dig_planner.hpp"
+#include "coupler/deck/dig_planner.hpp"
 #include "machine/motion_plan_file.hpp"
 #include "machine/motion_row.hpp"
 #include "machine/timed_path.hpp"
@@ -40,7 +40,7 @@ struct MotionOptions {
 
 /// The first pass of an operator who plans, on the bench as the case makes it.
 std::string chosen_rows(const cases::Case& c, const fs::path& file, Reporter& reporter) {
-  const machine::DigPlanner planner = sides::dig_planner(c, file);
+  const machine::DigPlanner planner = deck::dig_planner(c, file);
   const machine::DigDecision decision = planner.decide(
       deck::bench_map(c).on(planner.grid()), planner.start(),
       c.op.least_fill * planner.facts().capacity_kg, std::numeric_limits<double>::infinity());

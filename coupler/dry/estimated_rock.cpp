@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/gravity.hpp"
-#include "coupler/sides/dig_planner.hpp"
+#include "coupler/deck/dig_planner.hpp"
 #include "machine/cut_ahead.hpp"
 #include "machine/door.hpp"
 #include "machine/machine_data.hpp"
@@ -12,7 +12,7 @@
 namespace dipper::dry {
 
 DiggingEstimate digging_estimate(const cases::Case& c) {
-  const machine::DigFacts facts = sides::dig_facts(c);
+  const machine::DigFacts facts = deck::dig_facts(c);
   const machine::MachineData::Dipper dipper = machine::load_machine(c.machine.model).dipper;
   DiggingEstimate e;
   e.bulk_density_kg_m3 = facts.bulk_density_kg_m3;

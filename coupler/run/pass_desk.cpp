@@ -10,7 +10,7 @@
 #include "common/angles.hpp"
 #include "common/seconds.hpp"
 #include "common/text_file.hpp"
-#include "coupler/sides/dig_planner.hpp"
+#include "coupler/deck/dig_planner.hpp"
 #include "machine/machine_data.hpp"
 #include "machine/motion.hpp"
 
@@ -81,7 +81,7 @@ PassDesk::PassDesk(const cases::Case& c, const Sides& sides, std::filesystem::pa
       sides_(sides),
       folder_(std::move(folder)),
       reporter_(reporter),
-      planner_(sides::dig_planner(c, c.machine.plan)),
+      planner_(deck::dig_planner(c, c.machine.plan)),
       crowd_force_(core::channel_index(sides.machine_info, "crowd_force")),
       truck_(core::channel_index(sides.rock_info, "mass_in_truck")) {
   const machine::MachineData data = machine::load_machine(c.machine.model);

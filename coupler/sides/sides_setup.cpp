@@ -9,8 +9,8 @@
 #include "common/installation.hpp"
 #include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/collapse.hpp"
+#include "coupler/deck/dig_planner.hpp"
 #include "coupler/deck/pile_shape.hpp"
-#include "coupler/sides/dig_planner.hpp"
 
 namespace dipper::sides {
 namespace fs = std::filesystem;
@@ -110,7 +110,7 @@ setup::MachineSetup machine_setup(const cases::Case& c, const DipperLayers& laye
   setup.model = c.machine.model;
   setup.motion = c.machine.motion;
   setup.planned = c.machine.operated_by == cases::OperatorKind::plan;
-  if (setup.planned) setup.full_kg = dig_facts(c).capacity_kg;
+  if (setup.planned) setup.full_kg = deck::dig_facts(c).capacity_kg;
   setup.drives = c.machine.drives;
   setup.program_drives = program_drives;
   setup.contact_on_return = c.machine.contact_on_return;

@@ -9,6 +9,8 @@
 #include "common/mesh/stl.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/check/check.hpp"
+#include "coupler/check/dig_sweep.hpp"
+#include "coupler/check/dug_motion.hpp"
 #include "machine/kinematics.hpp"
 #include "tests/common/mesh/shapes.hpp"
 #include "tests/coupler/case/checkout.hpp"
@@ -57,6 +59,28 @@ std::vector<std::string> with_dipper(const Change& change, const std::string& fa
       cases::load_case(checkout.folder(), {{"rock.coarse_graining_limit_m", "1"}}, loaded);
   c.bodies.at("dipper") = checkout.folder() / "changed.stl";
   return messages(c);
+}
+
+// machine.motion is then only where the run starts; here it has three passes of another case.
+TEST(Warnings, AreOfTheFirstPassThatAnOperatorPlans) {
+  const auto quick = [](std::vector<cases::Override> set) {
+    set.push_back({"machine.motion", "../aitik/motion.csv"});
+    std::vector<Finding> findings;
+    cases::Case c = cases::load_case(test::source() / "cases/quick", set, findings);
+    test::expect_findings(findings, {});
+    return c;
+  };
+  const cases::Case planned = quick({});
+  const DugMotion dug = dug_motion(planned);
+  EXPECT_EQ(dug.none, "");
+  const auto sweeps = dig_sweeps(planned, machine::load_machine(planned.machine.model), dug.motion);
+  ASSERT_EQ(sweeps.size(), 1u);
+  EXPECT_NEAR(sweeps[0].volume_m3, 55, 3);
+
+  const cases::Case none = quick({{"machine.base_position_m", "[-5, 0, 0]"}});
+  EXPECT_THAT(messages(none, true),
+              testing::Contains(HasSubstr(
+                  "machine.plan: on the bench as the case makes it the operator finds no dig")));
 }
 
 TEST(Warnings, SoundCaseHasNone) { EXPECT_THAT(warnings_of(Checkout(true)), ElementsAre()); }

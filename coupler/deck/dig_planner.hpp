@@ -6,13 +6,13 @@
 #include "coupler/case/case.hpp"
 #include "machine/pass_choice.hpp"
 
-namespace dipper::sides {
+namespace dipper::deck {
 
-/// Throws as read_mesh_facts and load_machine do.
+/// Throws InputError where the file beside the dipper's mesh, or the machine's, is at fault.
 machine::DigFacts dig_facts(const cases::Case& c);
 
 /// The input of a plan file. Throws InputError with every fault and its line, also where the file
 /// plans passes instead of giving candidates.
 machine::DigPlanner dig_planner(const cases::Case& c, const std::filesystem::path& plan);
 
-}  // namespace dipper::sides
+}  // namespace dipper::deck
