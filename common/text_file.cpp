@@ -10,6 +10,8 @@
 namespace dipper {
 
 std::optional<std::string> read_bytes(const std::filesystem::path& file) {
+  std::error_code unknown;
+  if (std::filesystem::is_character_file(file, unknown)) return std::nullopt;  // may never end
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   std::string bytes;

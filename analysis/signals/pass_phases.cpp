@@ -50,7 +50,8 @@ std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignal
     p.t_end_s = k + 1 < passes.size() ? passes[k].t_end_s : s.time_s.back();
     p.phases = find_phases(drive, p.pass.t_start_s, p.t_end_s);
     if (p.pass.t_dump_s == p.pass.t_end_s) end_before_dump(p.phases);
-    if (const auto dig = p.dig()) {
+    const bool met_rock = p.pass.t_dig_s < p.pass.t_dump_s;
+    if (const auto dig = p.dig(); dig && met_rock) {
       p.dig_phases_force_mean_N = time_mean(
           s.time_s, dig->t_start_s, dig->t_end_s,
           [&](std::size_t i) { return std::hypot(s.crowd_force_N[i], s.hoist_force_N[i]); });

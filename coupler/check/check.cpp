@@ -39,7 +39,7 @@ std::vector<Finding> check_case(const cases::Case& c) {
   if (c.machine.kind == cases::MachineKind::poses) {
     check_poses(c, bodies, findings);
   } else if (const auto motion = check_motion(c, bodies, findings)) {
-    check_windows(c, motion->start_ns(), motion->end_ns(), findings);
+    check_windows(c, motion->end_ns(), findings);
   }
   check_rock(c, findings);
   return findings;

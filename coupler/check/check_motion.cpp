@@ -49,6 +49,16 @@ void check_times_of_motion(const cases::Case& c, Findings& findings) {
 constexpr double kShortest_s = 1;  // in which no drive goes far
 constexpr double kFar_m = 1;       // of the hoist
 
+// The machine stands as in the first row when the run begins.
+void check_start_of_motion(const cases::Case& c, const machine::Motion& motion,
+                           Findings& findings) {
+  if (motion.start_ns() == 0) return;
+  findings.push_back({c.machine.motion, 0, "time_s",
+                      fmt::format("the first row is at {:g} s, and a run begins at 0 s; count the "
+                                  "times from the first row",
+                                  seconds(motion.start_ns()))});
+}
+
 // False, and a finding, for a motion in hours or minutes.
 bool check_length_of_motion(const cases::Case& c, const machine::Motion& motion,
                             Findings& findings) {
@@ -82,14 +92,15 @@ constexpr double kLeastTurn_deg = 5;  // from the face to the truck, and of a do
 // An operator who plans has a plan to choose from.
 void check_operator(const cases::Case& c, const machine::MachineData& machine,
                     const machine::ShovelKinematics& shovel, Findings& findings) {
+  const bool given = !c.machine.plan.empty();
+  if (given && !file_exists(c, "machine.plan", c.machine.plan, findings)) return;
   if (c.machine.operated_by != cases::OperatorKind::plan) return;
-  if (c.machine.plan.empty()) {
+  if (!given) {
     findings.push_back(
         cases::finding_at(c, "machine.operator",
                           "plan needs machine.plan: a plan.yaml with `choose` (docs/operator.md)"));
     return;
   }
-  if (!file_exists(c, "machine.plan", c.machine.plan, findings)) return;
   try {
     const machine::PlanFile plan = machine::read_plan(
         c.machine.plan, machine, shovel, [&](const std::string&, double heading_rad) {
@@ -169,6 +180,7 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
       findings.push_back({c.machine.model, 0, "machine.model", fault});
     if (!faults.empty()) return motion;
   }
+  if (motion) check_start_of_motion(c, *motion, findings);
   if (!machine || !motion || !check_length_of_motion(c, *motion, findings)) return motion;
 
   const Pose X_W0{Quaterniond::Identity(), c.machine.base_position_m};
@@ -200,8 +212,7 @@ std::optional<machine::Motion> check_motion(const cases::Case& c,
   return motion;
 }
 
-void check_windows(const cases::Case& c, std::int64_t start_ns, std::int64_t end_ns,
-                   Findings& findings) {
+void check_windows(const cases::Case& c, std::int64_t end_ns, Findings& findings) {
   // Time is a whole number of nanoseconds and of steps; a step between two would drift from it.
   const double step_ns = c.dem.timestep_s * 1e9;
   if (std::abs(step_ns - std::round(step_ns)) > 1e-3 || step_ns < 0.5) {
@@ -209,11 +220,6 @@ void check_windows(const cases::Case& c, std::int64_t start_ns, std::int64_t end
         c, "dem.timestep_s",
         fmt::format("{:g} is not a whole number of nanoseconds; write {:.9g}", c.dem.timestep_s,
                     std::max(1.0, std::floor(step_ns)) * 1e-9)));
-  }
-  if (c.end_s > 0 && c.end_s <= seconds(start_ns)) {
-    findings.push_back(cases::finding_at(
-        c, "end_s",
-        fmt::format("{:g} s is before the motion starts, at {:g} s", c.end_s, seconds(start_ns))));
   }
   const double end_s = c.end_s > 0 ? c.end_s : seconds(end_ns);
   const double window_s = c.coupling.sync_steps * c.dem.timestep_s;

@@ -74,9 +74,8 @@ void check_bodies_in_domain(const cases::Case& c, const PoseAt& pose_at, std::in
                             const std::map<std::string, mesh::TriangleMesh>& bodies,
                             Findings& findings);
 
-/// Windows against the simulated time, of a motion from start to end.
-void check_windows(const cases::Case& c, std::int64_t start_ns, std::int64_t end_ns,
-                   Findings& findings);
+/// Windows against the simulated time, of a motion until end.
+void check_windows(const cases::Case& c, std::int64_t end_ns, Findings& findings);
 
 /// Shapes that exist, a rock at least in every class, a stable DEM step.
 void check_rock(const cases::Case& c, Findings& findings);

@@ -79,7 +79,7 @@ void check_poses(const cases::Case& c, const std::map<std::string, mesh::Triangl
     return std::optional(table->at(body, t_ns).X_WB);
   };
   check_bodies_in_domain(c, pose, 0, table->end_ns(), known, findings);
-  check_windows(c, 0, table->end_ns(), findings);
+  check_windows(c, table->end_ns(), findings);
 }
 
 }  // namespace dipper::check

@@ -72,6 +72,12 @@ void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings) {
         c, "crust.above_m",
         fmt::format("is {:g} m, not below the top of the bench, {:.3g} m: no rock is bonded",
                     c.crust.above_m, top)));
+  const auto steep = [](double angle_deg) {
+    return fmt::format("the face stands at {:.0f} degrees, and blasted rock rests at 30 to 45",
+                       angle_deg);
+  };
+  if (c.pile.profile.empty() && c.pile.face_angle_deg > kSteep_deg)
+    warnings.push_back(cases::finding_at(c, "pile.face_angle_deg", steep(c.pile.face_angle_deg)));
   if (c.pile.profile.empty() || outline.size() < 2) return;
   const auto say = [&](const std::string& what) {
     warnings.push_back({c.pile.profile, 0, "pile.profile", what});
@@ -86,14 +92,13 @@ void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings) {
     return std::find_if(outline.begin(), outline.end(),
                         [&](const auto& p) { return p.y() >= share * top; });
   };
-  const auto low = first_above(0.25), high = first_above(0.75);
-  if (low == outline.end() || high == outline.end() || low == high) return;
+  auto low = first_above(0.25);
+  const auto high = first_above(0.75);
+  if (low == outline.end() || high == outline.end()) return;
+  if (low == high && low != outline.begin()) --low;  // one segment holds both
+  if (low == high) return;
   const double angle = degrees(std::atan2(high->y() - low->y(), high->x() - low->x()));
-  if (angle > kSteep_deg)
-    say(fmt::format(
-        "the face stands at {:.0f} degrees, and blasted rock rests at 30 to 45: are the "
-        "heights in another unit than x?",
-        angle));
+  if (angle > kSteep_deg) say(steep(angle) + ": are the heights in another unit than x?");
 }
 
 }  // namespace dipper::check

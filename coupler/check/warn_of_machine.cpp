@@ -62,6 +62,11 @@ void warn_of_drives(const CaseParts& parts, std::vector<Finding>& warnings) {
               "is one of the three in another unit?",
               d.limit.power, d.limit.stall, of_limit));
   }
+  if (parts.c.machine.crowd_friction_N > m.drives.crowd.stall)
+    warnings.push_back(cases::finding_at(
+        parts.c, "machine.crowd_friction_N",
+        fmt::format("{:.3g} N are more than the crowd's stall force, {:.3g} N: it cannot move",
+                    parts.c.machine.crowd_friction_N, m.drives.crowd.stall)));
   const double full_kg = m.dipper.struck_volume * parts.c.rock.bulk_density_kg_m3;
   const double rated = m.dipper.rated_load;
   if (rated > 0 && (rated > kOtherLoad * full_kg || rated < full_kg / kOtherLoad))
@@ -89,6 +94,13 @@ void warn_of_ropes(const CaseParts& parts, std::vector<Finding>& warnings) {
   const double free_m =
       std::max(0.0, m.rope.length_at_zero_hoist - (m.boom.point - m.rope.drum).norm());
   const double stretch_m = pull_N * m.rope.elastic_fraction * free_m / m.rope.axial_stiffness;
+  const double soft = parts.c.machine.rope_compliance;
+  if (soft > 1 && soft * stretch_m > kMostStretch_m)
+    warnings.push_back(
+        cases::finding_at(parts.c, "machine.rope_compliance",
+                          fmt::format("with {:g} times the stretch the ropes give {:.2g} m under "
+                                      "the empty dipper",
+                                      soft, soft * stretch_m)));
   if (stretch_m > kMostStretch_m)
     warnings.push_back(
         {parts.c.machine.model, 0, "rope.axial_stiffness",

@@ -19,7 +19,6 @@ constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger roc
 constexpr double kShift_m = 0.5;
 constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
 constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
-constexpr double kDelay_s = 5;       ///< in which a motion may stand still before its first row
 constexpr double kLoosest = 0.4;     ///< rock in the volume of a pile; blasted rock has some 0.6
 constexpr double kWater_kg_m3 = 1000;
 constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
@@ -152,17 +151,6 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
             "a sync step of {:.3g} s is too long for the vibration of the dipper on its ropes, "
             "which takes at most {} steps; against rock take 1 to 1.5 ms (docs/coupling.md)",
             window_s, std::max(1.0, std::floor(kWindow_s / parts.c.dem.timestep_s)))));
-  if (parts.motion.start_ns() < 0)
-    warnings.push_back({parts.c.machine.motion, 0, "time_s",
-                        fmt::format("the first row is at {:g} s; the run begins at 0 s, so what is "
-                                    "before is left out",
-                                    seconds(parts.motion.start_ns()))});
-  if (seconds(parts.motion.start_ns()) > kDelay_s)
-    warnings.push_back(
-        {parts.c.machine.motion, 0, "time_s",
-         fmt::format("the first row is at {:g} s; the run begins at 0 s, and nothing "
-                     "moves until then",
-                     seconds(parts.motion.start_ns()))});
   for (std::int64_t t = parts.motion.start_ns(); t < parts.motion.end_ns();) {
     const std::int64_t next = std::min(parts.motion.next_row_ns(t), parts.motion.end_ns());
     const machine::Drives a = parts.motion.value(t), b = parts.motion.value(next);

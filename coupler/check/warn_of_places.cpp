@@ -18,10 +18,11 @@
 namespace dipper::check {
 namespace {
 
-constexpr double kDeep_m = 0.1;          ///< more overlap than facets can cause
-constexpr double kClosed_m = 0.05;       ///< heel below the path of the teeth, at most
-constexpr double kNearGround_m = 1.0;    ///< above that, rock can give way
-constexpr double kTurning_rad_s = 0.02;  ///< a swing that has not ended
+constexpr double kDeep_m = 0.1;                   ///< more overlap than facets can cause
+constexpr double kClosed_m = 0.05;                ///< heel below the path of the teeth, at most
+constexpr double kSunk_m = 0.1, kWheels_m = 3.0;  ///< of a truck's mesh, under and over the ground
+constexpr double kNearGround_m = 1.0;             ///< above that, rock can give way
+constexpr double kTurning_rad_s = 0.02;           ///< a swing that has not ended
 constexpr std::int64_t kPlaceSample_ns = 100'000'000;  ///< the dipper goes some 0.3 m meanwhile
 
 /// Height of the bench's surface; the ground's 0 elsewhere.
@@ -91,6 +92,16 @@ void warn_of_the_way(const CaseParts& parts, std::vector<Finding>& warnings) {
             "the dipper passes through the truck, {:.1f} m deep, at {:.1f} s; move the truck "
             "or lift the dipper higher",
             deepest, at_s)));
+}
+
+/// Checks that the truck stands on the ground. Its mesh may leave out the wheels.
+void warn_of_the_ground(const CaseParts& parts, std::vector<Finding>& warnings) {
+  const double low_m = mesh::bounding_box(parts.truck).min_m.z();
+  if (low_m > -kSunk_m && low_m < kWheels_m) return;
+  warnings.push_back(cases::finding_at(
+      parts.c, "truck.position_m",
+      fmt::format("the truck's lowest point is at z = {:.1f} m, and the ground at 0: does it {}?",
+                  low_m, low_m < 0 ? "stand in the ground" : "float")));
 }
 
 /// Checks that the truck is under the door when it opens.
@@ -165,6 +176,7 @@ void warn_of_the_heel(const CaseParts& parts, std::vector<Finding>& warnings) {
 void warn_of_places(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_the_start(parts, warnings);
   warn_of_the_way(parts, warnings);
+  warn_of_the_ground(parts, warnings);
   warn_of_the_dump(parts, warnings);
   warn_of_the_return(parts, warnings);
   warn_of_the_heel(parts, warnings);

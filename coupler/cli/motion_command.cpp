@@ -21,10 +21,10 @@
 #include "coupler/cli/preview_command.hpp"
 #include "coupler/cli/set_option.hpp"
 #include "coupler/deck/bench_map.hpp"
+#include "coupler/deck/dig_planner.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/dry/dry_run.hpp"
 #include "coupler/launch/interrupt.hpp"
-#include "coupler/deck/dig_planner.hpp"
 #include "machine/motion_plan_file.hpp"
 #include "machine/motion_row.hpp"
 #include "machine/timed_path.hpp"
@@ -61,6 +61,8 @@ void require_outputs(const MotionOptions& o, const cases::Case& c, const fs::pat
   require_output(page, "--page", inputs);
   inputs.erase(std::remove(inputs.begin(), inputs.end(), c.machine.motion), inputs.end());
   inputs.push_back(o.path.empty() ? plan_of(o, c) : fs::path(o.path));
+  if (fs::weakly_canonical(out) == fs::weakly_canonical(page))
+    throw InputError({{out, 0, "--out", "is the file of --page, too; name another file"}});
   require_output(out, "--out", inputs);
 }
 

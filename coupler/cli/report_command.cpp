@@ -29,13 +29,17 @@ void refuse_unfinished(const fs::path& folder) {
     throw InputError({{folder, 0, "", "a run is writing it; wait for its end"}});
 }
 
+void refuse_options_of_dumps(const ReportOptions& options) {
+  if (options.mesh.empty() && options.poses.empty()) return;
+  throw InputError({{options.folder, 0, "",
+                     "has a record of its own; --mesh and --poses are for dumps of other "
+                     "programs"}});
+}
+
 analysis::run::RunData open_folder(const ReportOptions& options) {
   const fs::path folder = options.folder;
   if (fs::exists(folder / "record.h5") || fs::exists(folder / "case.txt")) {
-    if (!options.mesh.empty())
-      throw InputError({{options.folder, 0, "",
-                         "has a record of its own; --mesh and --poses are for dumps of other "
-                         "programs"}});
+    refuse_options_of_dumps(options);
     return analysis::run::read_run_folder(options.folder);
   }
   if (options.mesh.empty() != options.poses.empty())
@@ -88,7 +92,9 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
     if (const std::string obstacle = analysis::report::film_obstacle(options.film);
         !obstacle.empty())
       throw InputError({{{}, 0, "", obstacle}});
+    refuse_what_would_be_lost(folder, options.folder);
     if (analysis::report::is_dry_run(options.folder)) {
+      refuse_options_of_dumps(options);
       if (options.film.any())
         throw InputError({{options.folder, 0, "", "a run without rock has no replay to film"}});
       fs::create_directories(folder);
@@ -96,7 +102,6 @@ int report_command(const ReportOptions& options, Reporter& reporter) {
       reporter.line((folder / "report.html").string());
       return 0;
     }
-    refuse_what_would_be_lost(folder, options.folder);
     refuse_unfinished(options.folder);
     analysis::run::RunData run = open_folder(options);
     analysis::io::DumpFolder dumps =

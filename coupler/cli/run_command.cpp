@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "analysis/report/dry_page.hpp"
 #include "common/cache_folder.hpp"
 #include "common/input_error.hpp"
 #include "common/installation.hpp"
@@ -141,7 +142,13 @@ int run(const RunOptions& o, Reporter& reporter) {
   const fs::path out = run_folder(o);
   // A resumed run keeps the options it was started with, except those given now.
   std::vector<cases::Override> set;
-  if (o.resume) set = run::read_settings(out);
+  if (o.resume) {
+    if (analysis::report::is_dry_run(out))
+      throw InputError({{out, 0, "--resume",
+                         "holds a run without rock, which takes seconds; start it again in "
+                         "another folder"}});
+    set = run::read_settings(out);
+  }
   const std::string mpirun = take(kMpirun, o.mpirun, set);
   const std::optional<operate::Program> program = take_program(o, set);
   for (const cases::Override& one : overrides_of(o.set, "coupling.scheme=serial"))

@@ -190,6 +190,10 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
   write_scene(c, folder);
   bool complete = false;
   double mbs_cpu_s = 0;
+  const auto failed = [&] {  // a folder with a record counts as a run
+    fs::remove(folder.record());
+    return run::RunStatus::failed;
+  };
   try {
     EstimatedRock estimated(deck::bench_map(c), estimate, c.dem.timestep_s);
     run::LoneMachine lone(machine_config(c, folder, program.has_value()), folder.logs());
@@ -198,14 +202,14 @@ run::RunStatus dry_run(const cases::Case& c, RockModel rock, const result::RunFo
   } catch (const launch::Interrupted&) {
   } catch (const transport::PeerError& e) {
     reporter.error(fmt::format("the {} side failed as it started: {}", e.side, e.what()));
-    return run::RunStatus::failed;
+    return failed();
   } catch (const std::exception& e) {
     reporter.error(e.what());
-    return run::RunStatus::failed;
+    return failed();
   }
   for (const fs::path& unused : {folder.dumps(), folder.checkpoints()}) fs::remove(unused);
   if (!complete) {
-    fs::remove(folder.record());  // a folder with a record counts as a run
+    fs::remove(folder.record());
     reporter.error("interrupted; the same command starts it again");
     return run::RunStatus::interrupted;
   }

@@ -6,6 +6,11 @@
 #include "common/record/columns.hpp"
 
 namespace dipper::dry {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of a drive that is at its limit
+
+}  // namespace
 
 std::vector<LimitUse> limit_uses(const std::filesystem::path& record,
                                  const machine::MachineData& machine) {
@@ -30,7 +35,7 @@ std::vector<LimitUse> limit_uses(const std::filesystem::path& record,
     const auto values = columns.get("machine/" + use.name);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double v = std::abs(values[i]);
-      if (v > use.limit && i > 0) use.over_s += time_s[i] - time_s[i - 1];
+      if (v > (1 + kRounding) * use.limit && i > 0) use.over_s += time_s[i] - time_s[i - 1];
       if (v <= use.most) continue;
       use.most = v;
       use.at_s = time_s[i];

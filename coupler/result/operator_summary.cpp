@@ -35,9 +35,10 @@ json operator_summary(const cases::Case& c, const RunFolder& folder) {
   const auto time_s = record::read_channel(folder.record(), "time_s");
   const auto truck = record::read_channel(folder.record(), "rock/mass_in_truck");
   const auto work = record::read_channel(folder.record(), "machine/drive_work");
-  if (begun_s.empty() || time_s.empty()) return nullptr;
   const json end = read_json(folder.decisions() / "end.json");
   const bool stopped = end.is_object();
+  if (begun_s.empty() && stopped) return {{"passes", 0}, {"stopped", end.at("reason")}};
+  if (begun_s.empty() || time_s.empty()) return nullptr;
   // A pass that the end of the run interrupts has no cycle, and its work no load.
   const std::size_t passes = begun_s.size() - (stopped ? 0 : 1);
   const double done_s = stopped ? end.at("t_s").get<double>() : begun_s.back();

@@ -83,9 +83,15 @@ json achieved(const cases::Case& c, const RunFolder& folder) {
   return rock;
 }
 
-/// What has left the domain, in kg; rock that comes down from above adds to the mass.
-double rock_lost(const RunFolder& folder) {
-  const std::vector<double> mass = record::read_channel(folder.record(), "rock/rock_mass");
+/// What has left the domain, in kg. Rock that comes down from above adds to the mass, and rock that
+/// is cleared away on a return without contact is taken out of it.
+double rock_lost(const cases::Case& c, const RunFolder& folder) {
+  std::vector<double> mass = record::read_channel(folder.record(), "rock/rock_mass");
+  if (!c.machine.contact_on_return)
+    for (const char* cleared : {"rock/cleared_overlap", "rock/cleared_floor"}) {
+      const std::vector<double> kg = record::read_channel(folder.record(), cleared);
+      for (std::size_t i = 0; i < mass.size(); ++i) mass[i] += kg.at(i);
+    }
   double lost = 0;
   for (std::size_t i = 1; i < mass.size(); ++i) lost += std::max(0.0, mass[i - 1] - mass[i]);
   return lost;
@@ -110,7 +116,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
     summary["start"] = {{"rocks_removed", first("rock/rocks_removed")},
                         {"mass_removed_kg", first("rock/mass_removed")}};
   }
-  if (facts.syncs > 0) summary["dem"]["rock_lost_kg"] = rock_lost(folder);
+  if (facts.syncs > 0) summary["dem"]["rock_lost_kg"] = rock_lost(c, folder);
   summary["rock"] = achieved(c, folder);
   const auto profile = c.pile.profile.empty() ? std::nullopt : achieved_profile(c, folder.dumps());
   if (profile) {

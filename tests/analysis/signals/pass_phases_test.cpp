@@ -52,6 +52,15 @@ TEST(PassPhases, TellTheDigsForceAndWhatPartOfItTheRopesAreSlack) {
   EXPECT_EQ(slack_fraction(cycle.pass, 100, 200), 0) << "nothing there";
 }
 
+TEST(PassPhases, APassThatMetNoRockHasNoDigForce) {
+  Cycle cycle;
+  for (double& force : cycle.pass.dipper_force_N) force = 0;
+  const auto passes = find_pass_phases(cycle.pass, cycle.drive);
+  ASSERT_EQ(passes.size(), 1U);
+  EXPECT_FALSE(passes[0].dig_phases_force_mean_N);
+  EXPECT_FALSE(passes[0].dig_slack_fraction);
+}
+
 /// A run may end at any sync step: with one row of a phase, two rows of a pass.
 TEST(PassPhases, ARunThatEndsAnywhereHasPhasesUpToItsEnd) {
   for (std::size_t n = 2; n <= 4001; n += n < 20 ? 1 : 17) {

@@ -350,6 +350,24 @@ TEST(CheckCase, MotionFileWithTimeRunningBackwards) {
                    {motion, 5, "machine.motion", "crowd_m is \"zero\""}});
 }
 
+TEST(CheckCase, MotionThatDoesNotBeginAtZero) {
+  const Checkout checkout;
+  const fs::path motion = checkout.folder() / "motion.csv";
+  for (const char* first : {"-10", "4.9"}) {
+    write_text(motion, std::string("time_s,hoist_m,crowd_m,swing_deg,door_deg\n") + first +
+                           ",-4,0.5,0,0\n30,-4,0.5,10,0\n");
+    expect_findings(check(checkout), {{motion, 0, "time_s",
+                                       std::string("the first row is at ") + first +
+                                           " s, and a run begins at 0 s"}});
+  }
+}
+
+TEST(CheckCase, APlanThatIsNotThere) {
+  Checkout checkout;
+  const int line = checkout.replace("motion:", "motion: motion.csv\nplan: none.yaml");
+  expect_findings(check(checkout), {{checkout.file(), line + 1, "machine.plan", "no such file: "}});
+}
+
 TEST(CheckCase, MotionBeyondRopeAndCrowd) {
   Checkout checkout;
   const fs::path motion = checkout.folder() / "motion.csv";
@@ -849,19 +867,6 @@ TEST(CheckCase, EndBeforeTheFirstStep) {
   Checkout checkout;
   expect_findings(check(checkout, {{"end_s", "1e-5"}, {"dem.timestep_s", "1e-4"}}),
                   {{"--set", 0, "end_s", "1e-05 s is shorter than a DEM step, 0.0001 s"}});
-}
-
-TEST(CheckCase, EndBeforeTheMotion) {
-  Checkout checkout;
-  const fs::path motion = checkout.folder() / "motion.csv";
-  std::string text = read_text(motion);
-  const auto first = text.find("\n0.0");  // the first row's time
-  ASSERT_NE(first, std::string::npos);
-  text.replace(first, text.find(',', first) - first, "\n0.2");
-  write_text(motion, text);
-  const int line = checkout.replace("seed", "seed: 1\nend_s: 0.1") + 1;
-  expect_findings(check(checkout), {{checkout.file(), line, "end_s",
-                                     "0.1 s is before the motion starts, at 0.2 s"}});
 }
 
 TEST(CheckCase, BodiesThatTheMachineDoesNotHave) {

@@ -161,6 +161,18 @@ class DryRun(RunTest):
         self.assertEqual(list(self.folder.iterdir()), [path])
         self.assertIn("excludes", self.motion(path, "--plan", "plan.yaml", status=2))
 
+    def test_is_not_resumed_and_a_failed_one_is_no_run(self):
+        out = self.folder / "whole"
+        self.run_case(out, "--no-rock", case=TINY)
+        settings = (out / "settings.txt").read_text()
+        _, said = self.run_case(out, "--resume", "--set", "coupling.timeout_s=7", status=2, case=TINY)
+        self.assertIn("holds a run without rock", said)
+        self.assertEqual((out / "settings.txt").read_text(), settings)
+        out = self.folder / "failed"
+        for _ in range(2):
+            _, said = self.run_case(out, "--no-rock=estimate", "--operator", "false", status=3, case=QUICK)
+            self.assertFalse((out / "record.h5").exists(), said)
+
     def test_is_begun_anew(self):
         out = self.folder / "none"
         _, said = self.run_case(out, "--no-rock", "--resume", status=2)

@@ -93,6 +93,12 @@ TEST_F(OperatorSummary, OfAFirstPassThatTheEndInterruptsHasNoFigures) {
   EXPECT_TRUE(s.at("energy_J_per_kg").is_null());
 }
 
+TEST_F(OperatorSummary, SaysWhyNoPassWasBegun) {
+  std::filesystem::create_directories(run_.decisions());
+  end(0);
+  EXPECT_EQ(summary(0), (json{{"passes", 0}, {"stopped", "full"}}));
+}
+
 TEST_F(OperatorSummary, IsNoneWhereNobodyPlans) {
   c_.machine.operated_by = cases::OperatorKind::motion;
   EXPECT_TRUE(operator_summary(c_, run_).is_null());
