@@ -76,7 +76,7 @@ def _assumed(model, mine, trucks):
     """The baseline against as many earlier trucks, which read as the model does."""
     drift = model.bias * drift_sigmas(mine.channels, mine.channels, model.responses)[:, None]
     n = len(model.baseline.mean)
-    reference = Reference(np.zeros((trucks, n)), model.baseline.own, drift, np.zeros(n))
+    reference = Reference(np.zeros((trucks, n)), model.baseline.own, model.baseline.common, drift, np.zeros(n))
     return replace(model.baseline, trucks=trucks, reference=reference, scatter=np.ones(n))
 
 

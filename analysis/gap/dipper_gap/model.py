@@ -72,8 +72,9 @@ class Model:
         of, rows, _ = then.of_mine(seen)
         rows = rows[:, indices_of(cells, of)]
         drift = self.bias * drift_sigmas(measured.channels, seen.channels, self.responses)[:, None]
+        common = self.bias * np.array([seen.channels[n].common_sigma for n in self.responses])[:, None]
         mean = rows.mean(axis=0)
-        return Reference(rows - mean, then.own[np.ix_(at, at)], drift, mean - models)
+        return Reference(rows - mean, then.own[np.ix_(at, at)], common, drift, mean - models)
 
 
 @dataclass(frozen=True)

@@ -215,7 +215,8 @@ def with_laws(out, model, prediction, measured, runner, before):
 
 def model_gap(b):
     """Mean square of what the reference differs by from the model, in the sd that the difference should have."""
-    plain = replace(b, reference=None, scatter=1.0, trucks=b.reference.trucks, own=b.reference.own)
+    plain = replace(b, reference=None, scatter=1.0, trucks=b.reference.trucks, own=b.reference.own,
+                    common=b.reference.common)
     return float(np.mean((b.reference.shift / plain.sd) ** 2))
 
 

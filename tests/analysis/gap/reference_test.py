@@ -1,6 +1,7 @@
 """What has changed since a reference: a mine that the model misses everywhere, before and now."""
 import functools
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -68,6 +69,13 @@ def test_what_has_changed_is_named_and_stands_against_the_reference():
     before_mass = np.mean([p.truck_mass_t for t in before.trucks() for p in t.passes if p.number == 1])
     assert shown["masses"][0]["before"] == pytest.approx(before_mass, abs=0.01)  # in the model's place
     assert np.mean(np.abs(np.subtract(shown["curves"][0]["measured"], shown["curves"][0]["before"]))) < 100
+
+
+def test_a_reference_has_its_own_instruments_shared_error():
+    now, before = periods([{}] * BEFORE, [{}] * TRUCKS, 1)
+    blunt = {n: replace(c, common_sigma=2 * c.common_sigma) for n, c in before.channels.items()}
+    usual, twice = (known().reference(now, replace(before, channels=c)).common for c in (before.channels, blunt))
+    assert np.allclose(twice, 2 * usual) and np.allclose(usual, known().baseline.common)
 
 
 def test_the_trucks_show_the_strength_that_is_named():

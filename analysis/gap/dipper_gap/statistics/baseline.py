@@ -119,11 +119,13 @@ class Baseline:
         return out
 
     def _less_shared(self, shift, variance):
-        """A shift (n,) less what an error that all readings of a channel share, as large as it may be, makes of it."""
-        shared = self.common.T[variance > 0] / np.sqrt(variance[variance > 0])[:, None]
+        """The reference's shift (n,) less what an error that all its readings of a channel share, as large as it may be,
+        makes of it."""
+        common = self.reference.common
+        shared = common.T[variance > 0] / np.sqrt(variance[variance > 0])[:, None]
         white = shift[variance > 0] / np.sqrt(variance[variance > 0])
-        sizes = np.linalg.solve(shared.T @ shared + np.eye(len(self.common)), shared.T @ white)
-        return shift - np.clip(sizes, -SHARED, SHARED) @ self.common
+        sizes = np.linalg.solve(shared.T @ shared + np.eye(len(common)), shared.T @ white)
+        return shift - np.clip(sizes, -SHARED, SHARED) @ common
 
     def with_deviations(self, more):
         """The same with the seeds' covariance known from (M, n) further deviations too."""

@@ -135,7 +135,7 @@ def test_an_effect_may_differ_more_where_the_mines_earlier_trucks_do():
     trucks = 4
     off = np.array([0.5 * (c.phase == "fill" and c.channel == "hoist_force_kN") for c in b.cells])
     mean = 50 * np.sqrt(np.diag(b.seed))
-    alike = Reference(np.zeros((trucks, N)), b.own, np.zeros((0, N)), 0 * mean)
+    alike = Reference(np.zeros((trucks, N)), b.own, b.common, np.zeros((0, N)), 0 * mean)
     b = replace(b, mean=mean, reference=alike)
     assert not b.unlike.any()
     other = replace(b, reference=replace(alike, shift=off * mean))
@@ -144,7 +144,7 @@ def test_an_effect_may_differ_more_where_the_mines_earlier_trucks_do():
     sizes = [np.sqrt(np.diag(signatures._shape_error(mean, x)[0]))[at] / mean[at] for x in (b, other)]
     assert (sizes[1] > 1.5 * sizes[0]).all()
     # What an error that all readings of a channel share may be is no difference of mine and model.
-    shared = replace(other, common=np.array([off * mean / 2]), reference=replace(alike, shift=0.99 * off * mean))
+    shared = replace(b, reference=replace(alike, common=np.array([off * mean / 2]), shift=0.99 * off * mean))
     assert shared.unlike.max() < 0.02
     # A mine that differs by as much everywhere leaves that in the strength.
     everywhere = replace(b, reference=replace(alike, shift=0.3 * mean))

@@ -10,6 +10,7 @@ from dipper_gap.statistics.baseline import make_baseline
 from dipper_gap.statistics.left_out import left_out_trucks
 from dipper_gap.statistics.null import Tails, simulate_null, statistics
 from dipper_gap.statistics.reference import Reference, drift_sigmas, with_scatter
+from dipper_gap.workflow import model_gap
 
 CELLS = [Cell(p, phase, "hoist_force_kN", f) for p in (1, 2, 3) for phase in ("fill", "swing")
          for f in ("mean", "slope", "peak")]
@@ -21,8 +22,18 @@ def baseline(seed=0, trucks=TRUCKS, before=BEFORE, scatter=1.0):
     """Unit variance from seed to seed; instruments err by OWN, and have drifted by DRIFT."""
     rng = np.random.default_rng(seed)
     b = make_baseline(CELLS, rng.standard_normal((RUNS, N)), np.eye(N) * OWN**2, np.ones((1, N)), (1, 2, 3), trucks)[0]
-    reference = Reference(np.zeros((before, N)), np.eye(N) * OWN**2, np.full((1, N), DRIFT), np.full(N, 7.0))
+    reference = Reference(np.zeros((before, N)), np.eye(N) * OWN**2, np.ones((1, N)), np.full((1, N), DRIFT),
+                          np.full(N, 7.0))
     return replace(b, reference=reference, scatter=np.full(N, scatter))
+
+
+def test_the_reference_differs_from_the_model_by_its_own_instruments_shared_error():
+    """What those of now share says nothing of it."""
+    b = baseline()
+    sharp = replace(b, common=0 * b.common)
+    assert model_gap(sharp) == model_gap(b) and np.array_equal(sharp.unlike, b.unlike)
+    blunt = replace(b, reference=replace(b.reference, common=np.full((1, N), 7.0)))
+    assert model_gap(blunt) == pytest.approx(1, rel=0.05) and model_gap(b) > 30  # its shift is 7
 
 
 def trucks(rng, count, size=1.0, level=0.0):
