@@ -48,7 +48,7 @@ def forecast(channels, simulator, catalogue, first_seed, say=print, before=None)
     if FACE in mine.channels:
         blind = mine.seen_by({n: c for n, c in mine.channels.items() if n != FACE})
         faceless, _ = _ways(plan, folders, catalogue, simulator.known, blind, before and before.seen_by(blind.channels))
-    return Forecast(TRUCKS, model.responses, limits, faceless, sum(r.how == "run" for r in requests),
+    return Forecast(TRUCKS, model.responses, limits, faceless, len(simulator.needed(requests)),
                     len(before.trucks()) if before else 0)
 
 

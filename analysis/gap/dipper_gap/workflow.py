@@ -46,15 +46,24 @@ class Runner:
     catalogue: dict
     say: object
     kept: dict = field(default_factory=dict)   # {request: folder} of what has been asked for
+    needed: set = field(default_factory=set)   # the runs that this has taken
 
     def run(self, strengths, seeds):
-        return self.simulator.run([request(strengths, s, self.catalogue) for s in seeds], self.say)
+        return self._made([request(strengths, s, self.catalogue) for s in seeds])
 
     def folders(self, requests):
         """{request: folder}; each is made, and read, once."""
         new = [r for r in dict.fromkeys(requests) if r not in self.kept]
-        self.kept.update(zip(new, self.simulator.run(new, self.say) if new else ()))
+        self.kept.update(zip(new, self._made(new) if new else ()))
         return {r: self.kept[r] for r in requests}
+
+    def runs(self, requests):
+        """How many runs it has asked for, or would with these requests besides."""
+        return len(self.needed.union(self.simulator.needed(requests)))
+
+    def _made(self, requests):
+        self.needed.update(self.simulator.needed(requests))
+        return self.simulator.run(requests, self.say)
 
 
 @dataclass(frozen=True)
@@ -149,10 +158,9 @@ def conclude(model, prediction, measured, runner, before=None):
     verdict = seen.verdict
     runner.say(f"gap: omnibus p {seen.disagreement.omnibus_p:.3g}; verdict {verdict.verdict}"
                + (f": {', '.join(verdict.members)}" if verdict.members else ""))
-    runs = sum(r.how == "run" for r in model.plan.requests())
     known = runner.simulator.known
     out = Outcome(seen, warnings=warnings(model, prediction, measured, before, known), inflation=model.inflation,
-                  trucks=len(measured.trucks()), runs=runs, known=known,
+                  trucks=len(measured.trucks()), known=known,
                   seeds={"baseline": [r.seed for r in model.plan.baseline]})
     after = ()
     if verdict.verdict == "named":
@@ -160,7 +168,7 @@ def conclude(model, prediction, measured, runner, before=None):
         fresh, after = named.confirmation, named.confirmation.folders
         out = replace(out, look=replace(seen, verdict=named.verdict), effects=named.effects,
                       intervals=named.intervals, stability=named.stability, second=named.second,
-                      runs=runs + FRESH_SEEDS, confirmed={"training": fresh.training, "holdout": fresh.holdout},
+                      confirmed={"training": fresh.training, "holdout": fresh.holdout},
                       seeds={**out.seeds, "fresh": fresh.seeds})
     elif verdict.verdict == "class":
         out = replace(out, intervals={n: interval(seen.matched, n, seen.training.signatures)
@@ -182,7 +190,8 @@ def conclude(model, prediction, measured, runner, before=None):
         out, with_them = with_laws(out, model, prediction, measured, runner, before)
         after = with_them or after
     lines, loads = drawn(model, prediction, seen.holdout, measured, after, before)
-    return replace(out, curves=lines, masses=loads, proposals=tuple(experiments(out)))
+    return replace(out, curves=lines, masses=loads, proposals=tuple(experiments(out)),
+                   runs=runner.runs(model.plan.requests()))
 
 
 def with_laws(out, model, prediction, measured, runner, before):
@@ -208,7 +217,7 @@ def with_laws(out, model, prediction, measured, runner, before):
         reasons = (*seen.verdict.reasons, *(f"a law ({effect.signature}) was added, but on the hold-out {o}"
                                             for o in objections))
         return replace(out, look=replace(seen, verdict=replace(seen.verdict, reasons=reasons))), ()
-    return replace(out, laws=laws, added=effect, runs=out.runs + FRESH_SEEDS,
+    return replace(out, laws=laws, added=effect,
                    confirmed={"training": fresh.training, "holdout": fresh.holdout},
                    seeds={**out.seeds, "fresh": fresh.seeds}), fresh.folders
 

@@ -10,12 +10,14 @@ import pytest
 import fake_mine
 import synthetic
 from dipper_gap.answer import write_answer
+from dipper_gap.decision.decide import Verdict
 from dipper_gap.gap_json import as_json, write_json
 from dipper_gap.history import within_the_shift
 from dipper_gap.readings.measured import write_measured
 from dipper_gap.model import learn, predict
 from dipper_gap.readings.passes import split
 from dipper_gap.readings.vectors import Vectors
+from dipper_gap.statistics.closure import Closure
 from dipper_gap.simulation.plan import LEAST_SEEDS, make_plan, statement
 from dipper_gap.report import page
 from dipper_gap.workflow import Runner, analyse, changing, conclude
@@ -182,6 +184,21 @@ def test_an_effect_outside_the_catalogue_is_unknown_with_a_law_that_closes_the_g
     assert len(simulator.laws) == 1 and a["runs"] == LEAST_SEEDS + 12 + 5
     data = page(out, a, SMALL, "synthetic")
     assert data["experiments"] and set(data["closures"]) == {"training", "holdout"}
+
+
+def test_runs_that_a_failed_name_and_a_law_share_are_counted_once(monkeypatch):
+    """Both are read from the same plain runs of fresh seeds."""
+    monkeypatch.setattr("dipper_gap.workflow.decide", lambda *_: Verdict("named", "scale_gain", ("scale_gain",)))
+    _, a, simulator = judge(mine_with({"outside": 3}, 4))
+    assert a["verdict"] == "unknown" and a["law"] and any("scale_gain" in r for r in a["reasons"])
+    assert a["runs"] == LEAST_SEEDS + 12 + 5
+
+
+def test_runs_of_a_law_that_fails_are_counted(monkeypatch):
+    monkeypatch.setattr(Closure, "objections", lambda self: ["the gap grows"])
+    _, a, _ = judge(mine_with({"outside": 3}, 4))
+    assert a["law"] is None and any("but on the hold-out the gap grows" in r for r in a["reasons"])
+    assert a["runs"] == LEAST_SEEDS + 12 + 5
 
 
 def test_what_is_no_law_of_the_motion_is_unknown_without_one():

@@ -72,6 +72,10 @@ class Simulator:
         """Whether a request needs a run of its own, besides the plain one of its seed."""
         return request.how == "run"
 
+    def needed(self, requests):
+        """The runs that requests take, each once: those of their own, or the plain ones of their seeds."""
+        return list(dict.fromkeys(r if self.takes_a_run(r) else r.plain for r in requests))
+
     def plan(self, requests):
         """(runs to make, runs kept from before, seconds a run takes or None)."""
         raise NotImplementedError
@@ -123,8 +127,7 @@ class DipperSimulator(Simulator):
         return self._possible(request).how == "run"
 
     def plan(self, requests):
-        requests = [self._possible(r) for r in requests]
-        need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
+        need = [self._possible(r) for r in self.needed(requests)]
         kept = [r for r in need if self._kept(r)]
         took = [self._kept(r)["wall_s"] for r in kept]
         return len(need) - len(kept), len(kept), (sum(took) / len(took) if took else self._guess())

@@ -119,8 +119,8 @@ class Baseline:
         return out
 
     def _less_shared(self, shift, variance):
-        """The reference's shift (n,) less what an error that all its readings of a channel share, as large as it may be,
-        makes of it."""
+        """The reference's shift (n,) less what an error that all its readings of a channel share, as large as it may
+        be, makes of it."""
         common = self.reference.common
         shared = common.T[variance > 0] / np.sqrt(variance[variance > 0])[:, None]
         white = shift[variance > 0] / np.sqrt(variance[variance > 0])

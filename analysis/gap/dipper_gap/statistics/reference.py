@@ -23,7 +23,7 @@ class Reference:
 
     rows: np.ndarray   # (T0, n) each truck less their mean
     own: np.ndarray    # (n, n) of one truck's instruments, then
-    common: np.ndarray  # (channels, n) shifts by one common_sigma of these instruments
+    common: np.ndarray  # (channels, n) shifts by one common_sigma of these
     drift: np.ndarray  # (channels, n) shifts by one sd of what each channel's shared error has changed by since
     shift: np.ndarray  # (n,) mean of the trucks less the model's mean, each as its instruments show it
     beyond: np.ndarray = None  # (n, m): beyond beyond' is what one run scatters by besides the scaled covariance
@@ -35,7 +35,8 @@ class Reference:
     def part(self, at):
         """The same over some of the cells."""
         return replace(self, rows=self.rows[:, at], own=self.own[np.ix_(at, at)], common=self.common[:, at],
-                       drift=self.drift[:, at], shift=self.shift[at], beyond=None if self.beyond is None else self.beyond[at])
+                       drift=self.drift[:, at], shift=self.shift[at],
+                       beyond=None if self.beyond is None else self.beyond[at])
 
 
 def drift_sigmas(now, before, names):

@@ -97,7 +97,7 @@ def test_another_machine_needs_a_run_where_the_drives_are_limited(world):
     simulator, catalogue, case, folder = world
     (case / "case.yaml").write_text("machine: {drives: limited}\n")
     asked = [request({"crowd_friction": 0.25}, 1, catalogue), request({"scale_gain": 0.1}, 1, catalogue)]
-    assert simulator().plan(asked)[:2] == (2, 0)
+    assert simulator().plan(asked)[:2] == (2, 0) and len(simulator().needed(asked)) == 2
     assert masses(simulator().run(asked, str)) == [81.25, 90]
     assert not [c for c in calls(folder) if c.startswith("replay ")]
 
