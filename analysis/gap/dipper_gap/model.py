@@ -17,7 +17,7 @@ from .statistics.isolability import with_nuisances
 from .statistics.left_out import left_out_trucks
 from .statistics.match import gains
 from .statistics.null import Null, Tails, find_tails, left_out_inflation, simulate_null
-from .statistics.reference import Reference, drift_sigmas, scatter_beyond, spread_over, with_scatter
+from .statistics.reference import Reference, drift_sigmas, spread_over, with_scatter
 from .statistics.signatures import deviations, fit_signature
 
 LEFT_OUT_DRAWS = 200
@@ -166,10 +166,9 @@ def predict_change(model, catalogue, measured, before):
     baseline = replace(baseline, scatter=spread_over(baseline.cells, part.cells, part.scatter))
     signatures = signatures_of(model, catalogue, baseline)
     along = np.column_stack([s.g for s in signatures] + [gains(baseline)])
-    reference = replace(reference, beyond=scatter_beyond(baseline, part, at, now, reference.rows, along))
-    baseline = replace(baseline, reference=reference)
-    factor = left_out_trucks(*rows, baseline.part(split(model.passes)[0])[0], model.tails)
-    return predicted(model, replace(baseline, scatter=baseline.scatter * factor), signatures)
+    part = with_scatter(replace(part, reference=replace(part.reference, along=along[at])), *rows)
+    baseline = replace(baseline, reference=replace(reference, along=along, sizes=part.reference.sizes))
+    return predicted(model, baseline.scattered(left_out_trucks(*rows, part, model.tails)), signatures)
 
 
 def prediction_of(model, catalogue, baseline):

@@ -100,12 +100,12 @@ def test_masses_alone_have_a_reference_too():
 
 
 def test_the_day_is_found_within_the_measured_trucks_and_reported():
-    """Friction since the third of four: named or not, as the trucks differ among themselves."""
-    now, before = periods([{}] * BEFORE, [{}] * 2 + [{"crowd_friction": 180}] * 2, 2)
+    """Friction since the second of four: named or not, as the trucks differ among themselves."""
+    now, before = periods([{}] * BEFORE, [{}] + [{"crowd_friction": 180}] * 3, 2)
     a = judge(now, before)[1]
     began = a["history"]["began"]
-    assert began["after_trucks"] == BEFORE + 2 and began["interval90_trucks"] == [BEFORE + 2] * 2
-    assert any("after 2 of the measured trucks" in w for w in a["warnings"])
+    assert began["after_trucks"] == BEFORE + 1 and began["interval90_trucks"] == [BEFORE + 1] * 2
+    assert any("after 1 of the measured trucks" in w for w in a["warnings"])
 
 
 def test_what_no_effect_explains_has_a_day_too():

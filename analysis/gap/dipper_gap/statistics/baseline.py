@@ -95,8 +95,7 @@ class Baseline:
         """Covariance by the seeds of one of the mine's own runs."""
         size = np.sqrt(self.scatter * np.ones(len(self.mean)))
         out = self.seed * np.outer(size, size)
-        beyond = self.reference.beyond if self.reference else None
-        return out if beyond is None else out + beyond @ beyond.T
+        return out + self.reference.beyond @ self.reference.beyond.T if self.reference else out
 
     @property
     def unlike(self):
@@ -131,9 +130,17 @@ class Baseline:
         """The same with the seeds' covariance known from (M, n) further deviations too."""
         return replace(self, more=more, seed=seed_covariance(self.values, self.grid, more))
 
+    def told_by(self, values, seed):
+        """The same with the mean of other runs (R, n), whose covariance is `seed`."""
+        return replace(self, mean=values.mean(axis=0), values=values, seed=seed)
+
     def inflated(self, factor):
-        """The same with the seeds' covariance times `factor`."""
-        return replace(self, seed=self.seed * factor)
+        """The same with the seeds' covariance, and what the mine's runs scatter by besides, times `factor`."""
+        return replace(self, seed=self.seed * factor, reference=self.reference and self.reference.scattered(factor))
+
+    def scattered(self, factor):
+        """The same with the covariance of the mine's own runs times `factor`."""
+        return replace(self, scatter=self.scatter * factor, reference=self.reference.scattered(factor))
 
     @property
     def sd(self):

@@ -1,10 +1,8 @@
 """Do the mine's trucks lie as far from one another as the prediction says?"""
-from dataclasses import replace
-
 import numpy as np
 
 from .baseline import seed_covariance
-from .null import make_runs, phase_labels, root
+from .null import besides, make_runs, phase_labels, root
 from .reference import with_scatter
 
 DRAWS = 60  # sets of trucks with which the left-out ones are compared
@@ -41,12 +39,11 @@ def _left_out(rows, baseline, periods):
 def _drawn(baseline, roots, trucks, tails, rng):
     """Trucks of two periods, and the baseline as their own set of runs tells it; `roots` of the seeds' covariance and
     of the instruments', now and then."""
-    runs, more, beyond = baseline.seeds, len(baseline.more), baseline.reference.beyond
+    runs, more = baseline.seeds, len(baseline.more)
     made = make_runs(roots[0], runs + sum(trucks) + more, tails, phase_labels(baseline.cells), rng)
     mine = made[runs:runs + sum(trucks)] * np.sqrt(baseline.scatter)
-    if beyond is not None:
-        mine = mine + rng.standard_normal((len(mine), beyond.shape[1])) @ beyond.T
+    mine = mine + besides(baseline.reference, len(mine), rng)
     rows = tuple(r + rng.standard_normal(r.shape) @ own.T
                  for r, own in zip((mine[:trucks[0]], mine[trucks[0]:]), roots[1:]))
     seed = seed_covariance(made[:runs], baseline.grid, made[len(made) - more:])
-    return rows, with_scatter(replace(baseline, seed=seed), *rows)
+    return rows, with_scatter(baseline.told_by(made[:runs], seed), *rows)

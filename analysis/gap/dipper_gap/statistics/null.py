@@ -4,7 +4,7 @@ Each draw makes R baseline runs and one more a truck as the mine would see it, f
 and as heavy-tailed as its runs are, then estimates everything from those R runs anew. So the null knows
 how little R runs tell.
 """
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import solve_triangular
@@ -117,6 +117,12 @@ def make_runs(covariance_root, count, tails, labels, rng):
     return rows
 
 
+def besides(reference, count, rng):
+    """(count, n) what runs of the mine scatter by along the reference's directions."""
+    beyond = reference.beyond
+    return rng.standard_normal((count, beyond.shape[1])) @ beyond.T
+
+
 def _scale(dof, shape, rng):
     return np.sqrt((dof - 2) / rng.chisquare(dof, shape))
 
@@ -171,25 +177,21 @@ def simulate_null(baseline, directions=None, draws=DRAWS, seed=0, passes=None, t
     before = reference.trucks if reference else 0
     before_root = root(reference.own) if reference else None
     errors = reference.drift if reference else baseline.common
-    beyond = reference.beyond if reference else None
     stats, fits, z = [], [], np.empty((draws, len(at)))
     asked = directions is not None and directions.size > 0
     for d in range(draws):
         made = make_runs(seed_root, runs + trucks + before + more, tails, labels, rng)
         mine = size * made[runs:runs + trucks] + rng.standard_normal((trucks, len(own_root))) @ own_root.T
-        if beyond is not None:
-            mine = mine + rng.standard_normal((trucks, beyond.shape[1])) @ beyond.T
         shared = rng.standard_normal(len(errors)) @ errors
         then, usual = None, made[:runs].mean(axis=0)
         if reference:
             then = (size * made[runs + trucks:runs + trucks + before]
                     + rng.standard_normal((before, len(own_root))) @ before_root.T)
-            if beyond is not None:
-                then = then + rng.standard_normal((before, beyond.shape[1])) @ beyond.T
+            mine, then = (x + besides(reference, len(x), rng) for x in (mine, then))
             usual, then = then.mean(axis=0), then[:, at]
         residual = (mine.mean(axis=0) + shared - usual)[at]
         one = seed_covariance(made[:runs], baseline.grid, made[runs + trucks + before:])[block]
-        seeds = with_scatter(replace(part, seed=one), mine[:, at], then).chance
+        seeds = with_scatter(part.told_by(made[:runs, at], one), mine[:, at], then).chance
         covariance = part.noise + seeds
         stats.append(statistics(residual, covariance, part.grid))
         if asked:

@@ -26,17 +26,27 @@ class Reference:
     common: np.ndarray  # (channels, n) shifts by one common_sigma of these
     drift: np.ndarray  # (channels, n) shifts by one sd of what each channel's shared error has changed by since
     shift: np.ndarray  # (n,) mean of the trucks less the model's mean, each as its instruments show it
-    beyond: np.ndarray = None  # (n, m): beyond beyond' is what one run scatters by besides the scaled covariance
+    along: np.ndarray = None  # (n, K) directions along which features move together, as an effect moves them
+    sizes: np.ndarray = None  # (K,) sd of one run along each, besides what the scaled covariance says; None: not known
 
     @property
     def trucks(self):
         return len(self.rows)
 
+    @property
+    def beyond(self):
+        """(n, K); beyond beyond' is what one run scatters by besides the scaled covariance."""
+        return np.zeros((len(self.shift), 0)) if self.sizes is None else self.along * self.sizes
+
+    def scattered(self, factor):
+        """The same with what one run scatters by along the directions times `factor`, a variance."""
+        return self if self.sizes is None else replace(self, sizes=self.sizes * np.sqrt(factor))
+
     def part(self, at):
         """The same over some of the cells."""
         return replace(self, rows=self.rows[:, at], own=self.own[np.ix_(at, at)], common=self.common[:, at],
                        drift=self.drift[:, at], shift=self.shift[at],
-                       beyond=None if self.beyond is None else self.beyond[at])
+                       along=None if self.along is None else self.along[at])
 
 
 def drift_sigmas(now, before, names):
@@ -75,12 +85,17 @@ def mine_scatter(now, before, own_now, own_before, seed, keys):
 
 
 def with_scatter(baseline, now, before=None):
-    """The baseline with the scatter of the mine's own trucks, (T, n) and those of the reference, (T0, n)."""
+    """The baseline with the scatter of the mine's own trucks, (T, n) and those of the reference, (T0, n); along the
+    reference's directions, where it has them, besides."""
     own, seed = np.diag(baseline.own), np.diag(baseline.seed)
     if baseline.reference is None:
         return replace(baseline, scatter=scatter(now, own, seed))
     keys = number([c.key for c in baseline.cells])
-    return replace(baseline, scatter=mine_scatter(now, before, own, np.diag(baseline.reference.own), seed, keys))
+    scaled = replace(baseline, scatter=mine_scatter(now, before, own, np.diag(baseline.reference.own), seed, keys),
+                     reference=replace(baseline.reference, sizes=None))
+    if scaled.reference.along is None:
+        return scaled
+    return replace(scaled, reference=replace(scaled.reference, sizes=_sizes_beyond(scaled, now, before)))
 
 
 def spread_over(cells, part, scatter_of_part):
@@ -90,23 +105,23 @@ def spread_over(cells, part, scatter_of_part):
     return np.array([known.get(c.key, usual) for c in cells])
 
 
-def scatter_beyond(baseline, part, at, now, before, directions):
-    """(n, m) what one of the mine's runs scatters by along `directions` (n, K), besides what its covariance says.
+def _sizes_beyond(b, now, before):
+    """(K,) sd of one of the mine's runs along each direction of the reference of `b`, besides what its covariance says.
 
     A covariance that few runs tell is shrunk, and promises too little where features move together: along a fuller
-    dipper, say, as an effect would have it too. Along the weights with which an effect is sought in the training
-    passes (`part`, the cells `at`), the variance of the trucks themselves, (T, n) and (T0, n), and of the model's runs
-    is counted instead. The largest excess is put in first, as one may explain another.
+    dipper, say, as an effect would have it too. Along the weights with which an effect is sought, the variance of the
+    trucks themselves, (T, n) and (T0, n), and of the model's runs is counted instead. The largest excess is put in
+    first, as one may explain another.
     """
-    rows = np.vstack([x - x.mean(axis=0) for x in (now, before)])[:, at]
-    dof = np.array([len(rows) - 2, baseline.seeds - 1])
-    g, columns = directions[at], []
-    runs = (baseline.values - baseline.mean)[:, at] * np.sqrt(part.scatter)
-    own = ((len(now) - 1) * part.own + (len(before) - 1) * part.reference.own) / max(dof[0], 1)
-    one = part.mine
-    share = 1.0 / part.trucks + 1.0 / part.reference.trucks
+    rows = np.vstack([x - x.mean(axis=0) for x in (now, before)])
+    dof = np.array([len(rows) - 2, b.seeds - 1])
+    g, variance = b.reference.along, np.zeros(b.reference.along.shape[1])
+    runs = (b.values - b.mean) * np.sqrt(b.scatter)
+    own = ((len(now) - 1) * b.own + (len(before) - 1) * b.reference.own) / max(dof[0], 1)
+    one = b.mine
+    share = 1.0 / b.trucks + 1.0 / b.reference.trucks
     for _ in range(2 * g.shape[1]):
-        w = np.linalg.solve(part.noise + one * share, g)
+        w = np.linalg.solve(b.noise + one * share, g)
         claimed = np.einsum("ik,ij,jk->k", w, one, w)
         trucks = ((rows @ w) ** 2).sum(axis=0) - dof[0] * np.einsum("ik,ij,jk->k", w, own, w)
         seen = (trucks + ((runs @ w) ** 2).sum(axis=0)) / dof.sum()
@@ -114,7 +129,7 @@ def scatter_beyond(baseline, part, at, now, before, directions):
         k = int(np.argmax(excess))
         if excess[k] < 1.0 + TOLERANCE:
             break
-        size = np.sqrt(seen[k] - claimed[k]) / abs(w[:, k] @ g[:, k])
-        columns.append(size * directions[:, k])
-        one = one + np.outer(columns[-1][at], columns[-1][at])
-    return np.array(columns).reshape(-1, len(directions)).T
+        more = (seen[k] - claimed[k]) / (w[:, k] @ g[:, k]) ** 2
+        variance[k] += more
+        one = one + more * np.outer(g[:, k], g[:, k])
+    return np.sqrt(variance)

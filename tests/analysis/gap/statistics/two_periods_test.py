@@ -8,7 +8,7 @@ from dipper_gap.readings.features import Cell
 from dipper_gap.readings.channels import Channel
 from dipper_gap.statistics.baseline import make_baseline
 from dipper_gap.statistics.left_out import left_out_trucks
-from dipper_gap.statistics.null import Tails, simulate_null, statistics
+from dipper_gap.statistics.null import Tails, scores, simulate_null, statistics
 from dipper_gap.statistics.reference import Reference, drift_sigmas, with_scatter
 from dipper_gap.workflow import model_gap
 
@@ -92,6 +92,35 @@ def test_the_null_of_two_periods_is_nominal():
         alarms.append(null.omnibus_p(statistics(residual, b.prediction, b.grid)) <= 0.2)
     print(f"two periods: {np.mean(alarms):.3f} at 0.2")
     assert 0.03 < np.mean(alarms) < 0.40  # three standard errors of 40
+
+
+def vary_along(b, rng, size):
+    """Trucks without a gap that vary along one direction besides, by which an effect is sought, as no run does: their
+    prediction, its null, and the squared score along that direction."""
+    g = rng.standard_normal((N, 3))
+    now, then = (trucks(rng, count) + size * rng.standard_normal((count, 1)) * g[:, 0] for count in (TRUCKS, BEFORE))
+    b = with_scatter(replace(b, reference=replace(b.reference, along=g)), now, then)
+    b = b.scattered(left_out_trucks(now, then, b, Tails()))
+    null = simulate_null(b, g, draws=100, tails=Tails())
+    residual = now.mean(axis=0) + DRIFT * rng.standard_normal() - then.mean(axis=0)
+    score = scores(residual, b.inflated(null.inflation(3)).prediction, g)[0]
+    return null.omnibus_p(statistics(residual, b.prediction, b.grid, g)), score, null
+
+
+def test_trucks_that_vary_along_an_effect_are_not_taken_for_it():
+    """Known from few trucks, it is as little known in each draw of the null."""
+    p, score, nulls = zip(*(vary_along(baseline(k), np.random.default_rng([8, k]), 1.5) for k in range(40)))
+    print(f"along an effect: {np.mean(np.array(p) <= 0.05):.3f} at 0.05, score {np.mean(score):.2f}")
+    assert np.mean(np.array(p) <= 0.05) < 0.15
+    assert np.mean([null.fits[:, 0, 0].mean() for null in nulls]) > 1.5
+    assert np.mean(score) < 2.5
+
+
+def test_what_the_trucks_scatter_by_along_an_effect_is_enlarged_with_the_rest():
+    b = baseline()
+    b = replace(b, reference=replace(b.reference, along=np.ones((N, 1)), sizes=np.array([2.0])))
+    assert np.allclose(b.inflated(3.0).mine, 3 * b.mine) and np.allclose(b.scattered(3.0).mine, 3 * b.mine)
+    assert np.allclose(b.inflated(3.0).seed, 3 * b.seed) and np.allclose(b.scattered(3.0).seed, b.seed)
 
 
 def test_errors_of_one_instrument_cancel_only_where_it_is_stated():
