@@ -381,7 +381,8 @@ def look_again(model, prediction, training, named, catalogue):
     g = signatures[index[first]].g
     left = training.y - after[:, training.at].mean(axis=0)
     low, high = named.intervals[first]
-    unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(g, g)
+    # What is not known of the first effect, its strength and what its model gets wrong, is no second one.
+    unsure = ((high - low) / TWO_SIDED_90) ** 2 * np.outer(g, g) + strength**2 * signatures[index[first]].wrong
     covariance = with_nuisances(training.baseline.against(len(after)) + unsure, training.nuisances)
     if prediction.null.plain().omnibus_p(statistics(left, covariance, training.baseline.grid)) >= OMNIBUS_P:
         return named

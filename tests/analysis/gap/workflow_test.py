@@ -3,6 +3,7 @@ import functools
 import json
 import re
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from dipper_gap.readings.vectors import Vectors
 from dipper_gap.statistics.closure import Closure
 from dipper_gap.simulation.plan import LEAST_SEEDS, make_plan, statement
 from dipper_gap.report import page
-from dipper_gap.workflow import Runner, analyse, changing, conclude
+from dipper_gap.workflow import Named, Runner, analyse, changing, compare, conclude, look_again
 from dipper_run.findings import BadInput
 from trucks import in_a_row
 
@@ -222,6 +223,20 @@ def test_a_second_effect_shows_beside_the_first():
     assert a["verdict"] == "named"
     named = {a["effect"], a["second"]["effect"]}
     assert named == {"fines", "crowd_friction"} and not named & {r["effect"] for r in a["rejected"]}
+
+
+def test_what_the_model_of_an_effect_gets_wrong_is_no_second_effect():
+    """One that differs from its model by two sd of what is assumed, along what errs most, and leaves nothing else."""
+    model, prediction, _ = known(6)
+    training = compare(model, prediction, in_a_row([synthetic.run()] * 6))[0]
+    s = next(s for s in training.signatures if s.name == "fines")
+    strength, (variance, shapes) = 0.3, np.linalg.eigh(s.wrong)
+    full = next(s for s in prediction.signatures if s.name == "fines").g
+    after = model.baseline.mean + strength * full + np.zeros((5, 1))
+    seen = training.baseline.mean + strength * (s.g + 2 * np.sqrt(variance[-1]) * shapes[:, -1])
+    named = Named(Verdict("named", "fines"), SimpleNamespace(after=after), {"fines": strength},
+                  {"fines": [0.28, 0.32]}, 1)
+    assert look_again(model, prediction, replace(training, y=seen), named, SMALL).second is None
 
 
 def test_masses_alone_cannot_tell(tmp_path):
