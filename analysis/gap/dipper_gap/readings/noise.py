@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from .features import TIME, FeatureMap
+from .features import TIME, FeatureMap, number
 from .channels import FACE, MASS, MOTION
 from .phases import find_phases
 
@@ -118,8 +118,8 @@ def noise_covariance(runs, channels):
     cells = runs[0].cells
     own = np.concatenate([r.own for r in runs])
     cov = own.T @ own / (len(own) - len(runs))
-    group = np.array([hash((c.pass_number, c.phase, c.channel)) for c in cells])
-    cov *= group[:, None] == group[None, :]
+    block = number([(c.pass_number, c.phase, c.channel) for c in cells])
+    cov *= block[:, None] == block
     for i, c in enumerate(cells):
         if c.channel == MASS:
             cov[i, i] += channels[MASS].sigma ** 2

@@ -30,14 +30,6 @@ class Effect:
     nuisance: bool = False
     affects: str = "settling"  # what its keys have to be made again from: the schema's word
 
-    @property
-    def prior_mean(self):
-        return 0.0
-
-    @property
-    def prior_scale(self):
-        return self.scale
-
     def reference(self, scales=STRONG):
         """A strength of so many prior scales but within bounds, on the side the effect can take."""
         up = min(scales * self.scale, self.high)

@@ -1,6 +1,6 @@
 """Gaussian evidence of a set of effects, their strengths within bounds and of one sign.
 
-    residual = sum a_k g_k + e,  e ~ N(0, C + sum a_k^2 V_k),  a_k ~ N(prior) cut to [low, high]
+    residual = sum a_k g_k + e,  e ~ N(0, C + sum a_k^2 V_k),  a_k ~ N(0, scale^2) cut to [low, high]
 
 C holds instruments, seeds and nuisances; V_k is the signature's own uncertainty, taken at the best
 strengths. What remains is linear and Gaussian, so the integral over the box is exact.
@@ -18,6 +18,7 @@ ABSOLUTE, RELATIVE = 1e-6, 1e-4       # error of a share of the box
 ORDERS = 16, 32, 64, 128, 256, 512    # of Gauss and Legendre's rule, until the next differs by less
 FAR = 8.5                             # sd: beyond is 1e-17
 TINY = 1e-12                          # variance of one effect given another, at least
+LEAST_SAMPLE = 20                     # of strengths within the bounds: with fewer the mode stands for them
 
 leggauss = functools.lru_cache(maxsize=None)(np.polynomial.legendre.leggauss)
 
@@ -49,16 +50,15 @@ def fit(residual, covariance, signatures, factor=None):
     inflated = covariance + sum(a * a * s.spread for a, s in zip(best, signatures))
     factor = prepare(inflated)
     mean, cov, best = _posterior(residual, factor, g, signatures)
-    prior_mean = np.array([s.effect.prior_mean for s in signatures])
-    prior_sd = np.array([s.effect.prior_scale for s in signatures])
+    prior_sd = np.array([s.effect.scale for s in signatures])
     # At the unconstrained mode, likelihood x prior x sqrt(2 pi)^m |cov|^1/2; then the share in the box.
     log_e = log_gaussian(residual - g @ mean, factor)
-    log_e += -0.5 * (((mean - prior_mean) / prior_sd) ** 2).sum() - np.log(prior_sd).sum()
+    log_e += -0.5 * ((mean / prior_sd) ** 2).sum() - np.log(prior_sd).sum()
     log_e += 0.5 * np.linalg.slogdet(cov)[1]
     low, high = _bounds(signatures)
     log_e += _log_box(mean, cov, low, high)
-    log_e -= sum(_log_box(prior_mean[k:k + 1], prior_sd[k:k + 1, None] ** 2, low[k:k + 1], high[k:k + 1])
-                 for k in range(len(prior_mean)))
+    log_e -= sum(_log_box(np.zeros(1), prior_sd[k:k + 1, None] ** 2, low[k:k + 1], high[k:k + 1])
+                 for k in range(len(prior_sd)))
     return Fit(tuple(s.name for s in signatures), float(log_e), best, mean, cov, g @ best)
 
 
@@ -69,10 +69,10 @@ def _bounds(signatures):
 
 def _posterior(residual, factor, g, signatures):
     """Mean and covariance without bounds, and the mode within them."""
-    precision = np.diag([1 / s.effect.prior_scale**2 for s in signatures])
+    precision = np.diag([1 / s.effect.scale**2 for s in signatures])
     weighted = cho_solve(factor, g, check_finite=False)
     a = g.T @ weighted + precision
-    b = weighted.T @ residual + precision @ [s.effect.prior_mean for s in signatures]
+    b = weighted.T @ residual
     cov = np.linalg.inv(a)
     mean = cov @ b
     low, high = _bounds(signatures)
@@ -131,8 +131,8 @@ def _share_of_three(low, high, corr):
 def sample(f, signatures, count, rng):
     """Strengths (count, m) from the posterior within the bounds, by rejection; falls back to the mode."""
     low, high = _bounds(signatures)
-    draws = rng.multivariate_normal(f.mean, f.covariance, size=20 * count, method="eigh")
-    kept = draws[((draws >= low) & (draws <= high)).all(axis=1)][:count]
-    if len(kept) < 20:
+    draws = rng.multivariate_normal(f.mean, f.covariance, size=20 * max(count, LEAST_SAMPLE), method="eigh")
+    kept = draws[((draws >= low) & (draws <= high)).all(axis=1)]
+    if len(kept) < LEAST_SAMPLE:
         return np.tile(f.best, (count, 1))
     return kept[rng.integers(len(kept), size=count)]

@@ -31,7 +31,7 @@ def with_nuisances(covariance, nuisances):
     """Prediction covariance that also holds the nuisances, each as large as its prior lets it be."""
     out = covariance.copy()
     for s in nuisances:
-        out += s.effect.prior_scale**2 * (np.outer(s.g, s.g) + s.spread)
+        out += s.effect.scale**2 * (np.outer(s.g, s.g) + s.spread)
     return out
 
 

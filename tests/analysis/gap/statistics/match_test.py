@@ -50,6 +50,17 @@ def test_evidence_of_two_effects_is_the_integral():
     assert f.log_evidence == pytest.approx(np.log(total), abs=5e-3)
 
 
+@pytest.mark.parametrize("count", [1, 5, 4000])
+def test_few_strengths_are_drawn_as_many_are(count):
+    """A set of effects that gets few of an interval's draws is not replaced by its mode."""
+    e, n = replace(fake_mine.CATALOGUE["fines"], low=0.0, high=0.5, scale=0.2), 3
+    s = Signature(e, np.ones(n), np.zeros((n, n)), np.zeros((n, n)))
+    f = evidence.fit(np.full(n, 0.1), 0.03 * np.eye(n), [s])
+    drawn = evidence.sample(f, [s], count, np.random.default_rng(1))[:, 0]
+    assert drawn.shape == (count,) and (drawn >= e.low).all() and (drawn <= e.high).all()
+    assert (drawn != f.best[0]).all()
+
+
 @pytest.mark.parametrize("a, b, c", [(0.0, 0.0, 0.0), (0.6, 0.3, 0.5), (-0.4, -0.4, 0.9), (0.98, 0.97, 0.98)])
 def test_the_share_of_three_in_a_corner_is_the_known_one(a, b, c):
     corr = np.array([[1, a, b], [a, 1, c], [b, c, 1]])
