@@ -142,7 +142,7 @@ def main(words=None):
     except (RunFailed, ProgramFailed) as e:
         print(f"gap: {e}", file=sys.stderr)
         return 3
-    except ValueError as e:
+    except BadInput as e:
         print(f"gap: {e}", file=sys.stderr)
         return 2
     say(f"gap: {', '.join(map(str, files))}")

@@ -7,6 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from dipper_run.findings import BadInput
+
 from .readings.channels import FACE, MASS
 from .readings.passes import common_passes, split
 from .readings.rest import at_rest
@@ -118,7 +120,7 @@ def learn(plan, folders, measured, before=None, known=None, earlier=None):
     numbers = common_passes(measured, [*folders.values(), *mines[1:]])
     base = [folders[r] for r in plan.baseline]
     if FACE in measured.channels and not all(FACE in m.channels for m in base):
-        raise ValueError(f"{FACE}: channels.yaml declares it, but runs of this case have no faces; leave it out there")
+        raise BadInput([f"{FACE}: channels.yaml declares it, but runs of this case have no faces; leave it out there"])
     known_rows = earlier.rows if earlier and earlier.passes == tuple(numbers) else {}
     vectors = earlier.vectors if known_rows else Vectors(measured.channels, numbers, base)
     mine_cells, *others = (vectors.of_mine(m)[0] for m in mines)

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import brentq
 
-from dipper_run.findings import Findings
+from dipper_run.findings import BadInput, Findings
 from dipper_run.section import Section
 from dipper_run.text_file import read_yaml
 
@@ -180,8 +180,8 @@ def resistance_of(factor, empty, plain):
         return np.mean(means) / np.mean(usual) - factor
 
     if off(0.0) >= 0:
-        raise ValueError(f"{FILE}: dig_force: {factor:g} of the model's is not possible: dipper and load alone need "
-                         f"{factor + off(0.0):.2f} of it; a larger factor")
+        raise BadInput([f"{FILE}: dig_force: {factor:g} of the model's is not possible: dipper and load alone need "
+                        f"{factor + off(0.0):.2f} of it; a larger factor"])
     return float(brentq(off, 0.0, MOST * max(1.0, factor), xtol=1e-6))
 
 

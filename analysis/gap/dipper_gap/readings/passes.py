@@ -1,4 +1,5 @@
 """The passes that an analysis compares: those that are there, to train on, and held out."""
+from dipper_run.findings import BadInput
 
 NEED_PASSES = 2  # one to train on and one to hold out
 
@@ -6,14 +7,14 @@ NEED_PASSES = 2  # one to train on and one to hold out
 def common_passes(measured, folders):
     """Numbers of the passes that are both measured and in every run.
 
-    Raises ValueError when they are too few.
+    Throws BadInput when they are too few.
     """
     common = set(p.number for p in measured.passes)
     for m in folders:
         common &= set(p.number for p in m.passes)
     if len(common) < NEED_PASSES:
-        raise ValueError(f"{len(common)} passes are both measured and simulated; {NEED_PASSES} or more "
-                         "are needed, one to train on and one to hold out")
+        raise BadInput([f"{len(common)} passes are both measured and simulated; {NEED_PASSES} or more "
+                        "are needed, one to train on and one to hold out"])
     return sorted(common)
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dipper_run import run_cache
+from dipper_run.findings import BadInput
 from dipper_run.kept_runs import QUIET, Job, KeptRuns, RunFailed
 from dipper_run.program import ask
 from dipper_run.quantities import minutes
@@ -195,7 +196,7 @@ def _values(effect, strength):
     """Settings of `dipper observe`, whose keys are off at 0."""
     for key, how, factor in effect.overlay:
         if how == "scale":
-            raise ValueError(f"effect {effect.name}: {key}: an observation effect adds or sets")
+            raise BadInput([f"effect {effect.name}: {key}: an observation effect adds or sets"])
         yield f"{key}={factor * strength:.9g}"
 
 

@@ -84,7 +84,7 @@ def test_the_dig_force_of_corrected_runs_is_the_stated_share(known):
 
 
 def test_a_share_below_what_the_weights_need_is_an_error():
-    with pytest.raises(ValueError, match="dipper and load alone need"):
+    with pytest.raises(BadInput, match="dipper and load alone need"):
         known_errors(Fidelity(Factor(0.1, 0.1, 0.1)), EMPTY, PLAIN)
 
 
