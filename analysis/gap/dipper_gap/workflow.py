@@ -120,7 +120,7 @@ class Outcome:
 
 
 def analyse(measured, simulator, catalogue, first_seed=1, say=print, before=None):
-    """The Outcome for a mine's folder, and one of its earlier trucks `before`; throws ValueError for one that cannot be
+    """The Outcome for a mine's folder, and one of its earlier trucks `before`; throws BadInput for one that cannot be
     compared with the case."""
     plan = make_plan(catalogue, len(measured.trucks()), first_seed, simulator.takes_a_run)
     first = without_runs(plan, simulator)
@@ -212,7 +212,7 @@ def with_laws(out, model, prediction, measured, runner, before):
     training, holdout = (replace(p, signatures=[*p.signatures, shown.part(p.at)])
                          for p in (seen.training, seen.holdout))
     fresh = confirm(model, training, holdout, seen.matched, {effect.name: 1.0}, knows)
-    objections = fresh.holdout.objections()
+    objections = fresh.holdout.objections() if fresh.holdout.reaches else ["it does not act"]
     if objections:
         reasons = (*seen.verdict.reasons, *(f"a law ({effect.signature}) was added, but on the hold-out {o}"
                                             for o in objections))

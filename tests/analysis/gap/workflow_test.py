@@ -195,6 +195,12 @@ def test_runs_that_a_failed_name_and_a_law_share_are_counted_once(monkeypatch):
     assert a["runs"] == LEAST_SEEDS + 12 + 5
 
 
+def test_a_law_that_does_not_act_on_the_hold_out_is_not_confirmed(monkeypatch):
+    monkeypatch.setattr("dipper_gap.statistics.closure.REACH", np.inf)
+    _, a, _ = judge(mine_with({"outside": 3}, 4))
+    assert a["law"] is None and any("but on the hold-out it does not act" in r for r in a["reasons"])
+
+
 def test_runs_of_a_law_that_fails_are_counted(monkeypatch):
     monkeypatch.setattr(Closure, "objections", lambda self: ["the gap grows"])
     _, a, _ = judge(mine_with({"outside": 3}, 4))
@@ -304,5 +310,5 @@ def test_what_goes_the_way_no_effect_can_is_unknown():
 
 def test_a_survey_is_refused_where_the_runs_have_no_faces():
     mine = synthetic.with_noise(synthetic.run(seed=905, faces=True), 5)
-    with pytest.raises(ValueError, match="face_m: channels.yaml declares it"):
+    with pytest.raises(BadInput, match="face_m: channels.yaml declares it"):
         analyse(mine, fake_mine.FakeSimulator(), SMALL, say=lambda text: None)
