@@ -2,7 +2,7 @@
 import numpy as np
 
 from .channels import FACE
-from .face import face_of, truck_faces
+from .face import before_and_after, face_of, truck_faces
 from .suspect import stretches
 
 LEAST_POINTS = 3          # of one height in a row,
@@ -24,6 +24,13 @@ def _of_use(m):
     if FACE not in m.channels:
         yield (f"channels.yaml has no {FACE}, so no truck's faces are compared with the model's: {FACE}: {{unit: m, "
                "role: response, sigma, common_sigma} says how well they are known")
+        return
+    trucks = m.trucks()
+    for number in dict.fromkeys(p.number for p in m.passes):
+        seen = sum(all(before_and_after(m, t.passes[0].truck, number)) for t in trucks)
+        if 0 < seen < len(trucks):
+            yield (f"pass {number} is surveyed before and after for {seen} of {len(trucks)} trucks: its faces are not "
+                   "compared, as all trucks need one")
 
 
 def _of_keys(m):

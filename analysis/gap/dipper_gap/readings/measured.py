@@ -173,6 +173,9 @@ def _signals(file, channels, passes, zones, found):
     if len(set(zones.values())) > 1:
         passes = []  # hours apart: what that leads to is no fault of its own
     if "time_s" not in table or not lines:
+        if "time_s" in table:
+            found.add(file, 0, "file", "has no readings", "a row for each; without signals.csv, and without its "
+                      "channels in channels.yaml, masses alone are compared")
         return np.zeros(0), {}
     for name in MOTION:
         if name not in declared:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import synthetic
+from trucks import in_a_row
 from dipper_gap.readings.face import truck_faces
 from dipper_gap.readings.measured import read_measured, write_measured
 
@@ -64,6 +65,15 @@ def test_faces_without_their_channel_are_asked_about_where_the_mine_left_it_out(
     channels = {n: c for n, c in m.channels.items() if n != "face_m"}
     assert ["face_m" in q for q in replace(m, channels=channels).questions()] == [True]
     assert m.seen_by(channels).questions() == ()
+
+
+def test_a_pass_that_some_trucks_are_not_surveyed_at_is_asked_about(tmp_path):
+    """Its faces are in no comparison: a feature is one of all trucks."""
+    m = in_a_row([synthetic.run({}, seed=k, faces=True) for k in range(3)])
+    assert not [q for q in m.questions() if q.startswith("profile.csv")]
+    fewer = replace(m, left={at: face for at, face in m.left.items() if at != (2, 3)})
+    assert [q.split(":")[1].strip() for q in fewer.questions() if q.startswith("profile.csv")] == [
+        "pass 3 is surveyed before and after for 2 of 3 trucks"]
 
 
 def test_the_sealed_sets_faces_raise_no_question():

@@ -122,6 +122,11 @@ def test_nan_and_text_are_found(folder):
     assert any("signals.csv:21: crowd_force_kN: is 'zero'" in f for f in all_of_it)
 
 
+def test_signals_without_a_row_are_not_taken_for_masses_alone(folder):
+    (folder / "signals.csv").write_text((folder / "signals.csv").read_text().splitlines()[0] + "\n")
+    assert [f for f in findings(folder) if "signals.csv" in f and "has no readings" in f]
+
+
 def test_too_few_passes_or_readings(folder):
     assert any("3 found; 4 or more are needed" in f for f in findings(folder, 4))
     rows = (folder / "signals.csv").read_text().splitlines()
