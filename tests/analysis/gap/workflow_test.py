@@ -11,6 +11,7 @@ import pytest
 import fake_mine
 import synthetic
 from dipper_gap.answer import write_answer
+from dipper_gap.comparison_warnings import changing
 from dipper_gap.decision.decide import Verdict
 from dipper_gap.gap_json import as_json, write_json
 from dipper_gap.history import within_the_shift
@@ -21,7 +22,7 @@ from dipper_gap.readings.vectors import Vectors
 from dipper_gap.statistics.closure import Closure
 from dipper_gap.simulation.plan import LEAST_SEEDS, make_plan, statement
 from dipper_gap.report import page
-from dipper_gap.workflow import Named, Runner, analyse, changing, compare, conclude, look_again
+from dipper_gap.workflow import Named, Runner, analyse, compare, conclude, look_again
 from dipper_run.findings import BadInput
 from trucks import in_a_row
 

@@ -17,7 +17,7 @@ class Proposal:
     answers: tuple   # (what one would see, effects it would speak for)
 
 
-def propose(weights, file=EXPERIMENTS):
+def propose(weights):
     """Experiments that tell the effects of `weights` {effect: probability} apart, the best per minute first.
 
     Each experiment gives each effect an expected response, in words; effects with the same response stay
@@ -25,7 +25,7 @@ def propose(weights, file=EXPERIMENTS):
     """
     total = sum(weights.values())
     out = []
-    for name, e in yaml.safe_load(Path(file).read_text()).items():
+    for name, e in yaml.safe_load(EXPERIMENTS.read_text()).items():
         groups = {}
         for effect in weights:
             groups.setdefault(e["responses"].get(effect, "nothing new"), []).append(effect)

@@ -22,13 +22,13 @@ class NoisyFeatures:
     durations: list
 
 
-def noisy_features(measured, channels, pass_numbers, seed=0, replicas=REPLICAS):
+def noisy_features(measured, channels, pass_numbers, replicas=REPLICAS):
     """Features of a noise-free folder under the noise of `channels`.
 
     The same draws are used for every folder, so that differences between folders are not blurred by them.
     """
     fmap = FeatureMap(measured, pass_numbers)
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     clean = {n: measured.signals[n] for n in fmap.responses}
     masses = fmap.masses()
     copies = {n: v + channels[n].sigma * rng.standard_normal((replicas, len(v))) for n, v in clean.items()}
