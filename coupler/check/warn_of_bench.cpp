@@ -67,6 +67,17 @@ void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings) {
   const auto& outline = c.pile.outline_m;
   double top = c.pile.profile.empty() ? c.pile.height_m : 0;
   for (const auto& p : outline) top = std::max(top, p.y());
+  if (const double layer = c.pile.held_layer_m;
+      layer > 0 && (layer >= top || layer >= c.pile.width_m / 2))
+    warnings.push_back(cases::finding_at(
+        c, "pile.held_layer_m",
+        fmt::format("{:g} m hold all rock of a bench {:.3g} m high and {:g} m wide", layer, top,
+                    c.pile.width_m)));
+  if (c.pile.settle_s == 0 && c.pile.relax_s == 0)
+    warnings.push_back(
+        cases::finding_at(c, "pile.settle_s",
+                          "with pile.relax_s 0 as well the pile is not settled: rock is poured "
+                          "and falls as the run begins"));
   if (c.crust.tensile_strength_Pa > 0 && top > 0 && c.crust.above_m >= top)
     warnings.push_back(cases::finding_at(
         c, "crust.above_m",

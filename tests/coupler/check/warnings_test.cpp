@@ -378,6 +378,14 @@ TEST(Warnings, DrivesThatCannotMoveAndRopesThatDoNotHold) {
               ElementsAre(HasSubstr("machine.rope_compliance: with 100 times the stretch")));
 }
 
+TEST(Warnings, APileThatCannotMoveOrHasNotSettled) {
+  const Checkout checkout;
+  EXPECT_THAT(warnings_of(checkout, {{"pile.held_layer_m", "10"}}),
+              testing::Contains(HasSubstr("pile.held_layer_m: 10 m hold all rock of a bench")));
+  EXPECT_THAT(warnings_of(checkout, {{"pile.settle_s", "0"}, {"pile.relax_s", "0"}}),
+              testing::Contains(HasSubstr("pile.settle_s: with pile.relax_s 0")));
+}
+
 TEST(Warnings, AFaceSteeperThanRockRests) {
   const Checkout checkout;
   EXPECT_THAT(warnings_of(checkout, {{"pile.face_angle_deg", "89"}}),
