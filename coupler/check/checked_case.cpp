@@ -14,7 +14,6 @@
 #include "coupler/check/check_parts.hpp"
 #include "coupler/check/cost_estimate.hpp"
 #include "coupler/check/dig_sweep.hpp"
-#include "coupler/check/dug_motion.hpp"
 #include "coupler/check/warnings.hpp"
 #include "coupler/deck/deck.hpp"
 #include "coupler/deck/stable_timestep.hpp"
@@ -56,16 +55,15 @@ std::string summary(const cases::Case& c) {
 }
 
 /// The volume that the teeth sweep under the bench's nominal surface in each pass.
-void report_digs(const cases::Case& c, Reporter& reporter) {
-  const machine::MachineData data = machine::load_machine(c.machine.model);
+void report_digs(const CaseParts& parts, Reporter& reporter) {
   int number = 0;
-  for (const DigSweep& sweep : dig_sweeps(c, data, dug_motion(c).motion))
+  for (const DigSweep& sweep : dig_sweeps(parts))
     reporter.line(fmt::format(
         "pass {}: the teeth sweep {:.0f} m3{}, up to {:.1f} m deep; the dipper's struck volume is "
         "{:.3g} m3",
         ++number, sweep.volume_m3,
         sweep.first ? "" : " of the remaining face, if no rock comes down", sweep.deepest_m,
-        data.dipper.struck_volume));
+        parts.machine.dipper.struck_volume));
 }
 
 json as_json(const Finding& f) {
@@ -120,8 +118,15 @@ std::optional<cases::Case> checked_case(const std::filesystem::path& folder,
                      ? fmt::format("; of machine.motion, where the operator makes up to {} passes",
                                    c.op.passes)
                      : ""));
-  if (c.machine.kind == cases::MachineKind::shovel) report_digs(c, reporter);
-  for (const Finding& warning : warnings(c)) reporter.line("warning: " + to_string(warning));
+  std::vector<Finding> warned;
+  if (c.machine.kind == cases::MachineKind::shovel) {
+    const CaseParts parts(c);
+    report_digs(parts, reporter);
+    warned = warnings(parts);
+  } else {
+    warned = warnings(c);
+  }
+  for (const Finding& warning : warned) reporter.line("warning: " + to_string(warning));
   return c;
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "common/angles.hpp"
-#include "coupler/check/warning_parts.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "machine/swept_face.hpp"
 
@@ -12,12 +11,14 @@ namespace dipper::check {
 // Of the dipper's struck volume: rock also comes in from the sides.
 constexpr double kLeanPass = 0.5;
 
-std::vector<DigSweep> dig_sweeps(const cases::Case& c, const machine::MachineData& machine,
-                                 const machine::Motion& motion) {
-  const machine::ShovelKinematics shovel(machine, Pose{}, radians(c.machine.rake_angle_deg));
-  const auto face = [&](double heading_rad) { return deck::bench_along_boom(c, heading_rad); };
+std::vector<DigSweep> dig_sweeps(const CaseParts& parts) {
+  const machine::MachineData& machine = parts.machine;
+  const machine::ShovelKinematics shovel(machine, Pose{}, radians(parts.c.machine.rake_angle_deg));
+  const auto face = [&](double heading_rad) {
+    return deck::bench_along_boom(parts.c, heading_rad);
+  };
   std::vector<DigSweep> sweeps;
-  for (const machine::SweptPass& pass : swept_passes(motion, shovel, face)) {
+  for (const machine::SweptPass& pass : swept_passes(parts.motion, shovel, face)) {
     const double volume_m3 = pass.area_m2 * machine.dipper.inside.y();
     sweeps.push_back({volume_m3, pass.deepest_m, pass.first,
                       pass.first && volume_m3 < kLeanPass * machine.dipper.struck_volume});
@@ -32,7 +33,7 @@ void warn_of_sweep(const CaseParts& parts, std::vector<Finding>& warnings) {
                                          "dig, so the run may end without a pass: " +
                                              parts.dug.none));
   int number = 0;
-  for (const DigSweep& sweep : dig_sweeps(parts.c, parts.machine, parts.motion)) {
+  for (const DigSweep& sweep : dig_sweeps(parts)) {
     ++number;
     if (sweep.lean)
       warnings.push_back(cases::finding_at(

@@ -3,9 +3,7 @@
 
 #include <vector>
 
-#include "coupler/case/case.hpp"
-#include "machine/machine_data.hpp"
-#include "machine/motion.hpp"
+#include "coupler/check/warning_parts.hpp"
 
 namespace dipper::check {
 
@@ -16,8 +14,7 @@ struct DigSweep {
   bool lean = false;     ///< the first in its lane, and too little to fill the dipper
 };
 
-/// One entry a dig of the motion.
-std::vector<DigSweep> dig_sweeps(const cases::Case& c, const machine::MachineData& machine,
-                                 const machine::Motion& motion);
+/// One entry a dig of the parts' motion.
+std::vector<DigSweep> dig_sweeps(const CaseParts& parts);
 
 }  // namespace dipper::check

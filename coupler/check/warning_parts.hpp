@@ -15,6 +15,7 @@ namespace dipper::check {
 /// A sound case with what its files hold.
 struct CaseParts {
   explicit CaseParts(const cases::Case& c);
+  CaseParts(const CaseParts&) = delete;  // `motion` points into it
   bool planned() const { return c.machine.operated_by == cases::OperatorKind::plan; }
 
   const cases::Case& c;
@@ -25,6 +26,9 @@ struct CaseParts {
   mesh::TriangleMesh dipper, door;  ///< the door is empty when the case has none
   mesh::TriangleMesh truck;         ///< in W
 };
+
+/// The warnings of a shovel's case (warnings.hpp).
+std::vector<Finding> warnings(const CaseParts& parts);
 
 /// A sieve curve that says nothing of the coarsest rock, is cut short by more than half of its
 /// mass, or may have a share of 1.

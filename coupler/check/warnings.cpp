@@ -22,15 +22,19 @@ CaseParts::CaseParts(const cases::Case& the_case)
 }
 
 std::vector<Finding> warnings(const cases::Case& c) {
+  if (c.machine.kind == cases::MachineKind::shovel) return warnings(CaseParts(c));
   std::vector<Finding> found;
   warn_of_sieve(c, found);
   warn_of_bench(c, found);
-  if (c.machine.kind == cases::MachineKind::poses) {
-    warn_of_poses(c, found);
-    warn_of_pose_bodies(c, found);
-    return found;  // the rest is of shovels
-  }
-  const CaseParts parts(c);
+  warn_of_poses(c, found);
+  warn_of_pose_bodies(c, found);
+  return found;
+}
+
+std::vector<Finding> warnings(const CaseParts& parts) {
+  std::vector<Finding> found;
+  warn_of_sieve(parts.c, found);
+  warn_of_bench(parts.c, found);
   warn_of_numbers(parts, found);
   warn_of_machine(parts, found);
   const auto of_the_mesh = [](const Finding& warning) { return warning.key == "bodies.dipper"; };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -20,7 +19,6 @@
 #include "coupler/cli/output_file.hpp"
 #include "coupler/cli/preview_command.hpp"
 #include "coupler/cli/set_option.hpp"
-#include "coupler/deck/bench_map.hpp"
 #include "coupler/deck/dig_planner.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "coupler/dry/dry_run.hpp"
@@ -41,9 +39,7 @@ struct MotionOptions {
 /// The first pass of an operator who plans, on the bench as the case makes it.
 std::string chosen_rows(const cases::Case& c, const fs::path& file, Reporter& reporter) {
   const machine::DigPlanner planner = deck::dig_planner(c, file);
-  const machine::DigDecision decision = planner.decide(
-      deck::bench_map(c).on(planner.grid()), planner.start(),
-      c.op.least_fill * planner.facts().capacity_kg, std::numeric_limits<double>::infinity());
+  const machine::DigDecision decision = deck::first_dig(c, planner, planner.start());
   if (decision.chosen < 0) throw InputError({{file, 0, "choose", decision.reason}});
   reporter.line(decision.reason);
   return decision.rows;

@@ -1,8 +1,11 @@
 #include "coupler/deck/dig_planner.hpp"
 
+#include <limits>
+
 #include "common/angles.hpp"
 #include "common/input_error.hpp"
 #include "coupler/case/mesh_facts.hpp"
+#include "coupler/deck/bench_map.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "coupler/deck/pile_shape.hpp"
 #include "machine/cut_ahead.hpp"
@@ -36,6 +39,13 @@ machine::DigPlanner dig_planner(const cases::Case& c, const std::filesystem::pat
     throw InputError({{plan, 0, "choose",
                        "missing; operator plan needs the digs to choose from (docs/operator.md)"}});
   return {*file.choice, file.plan, dig_facts(c), data, c.machine.base_position_m, rake, c.op.goal};
+}
+
+machine::DigDecision first_dig(const cases::Case& c, const machine::DigPlanner& planner,
+                               const machine::PassStart& from) {
+  return planner.decide(bench_map(c).on(planner.grid()), from,
+                        c.op.least_fill * planner.facts().capacity_kg,
+                        std::numeric_limits<double>::infinity());
 }
 
 }  // namespace dipper::deck

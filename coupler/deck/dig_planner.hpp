@@ -15,4 +15,8 @@ machine::DigFacts dig_facts(const cases::Case& c);
 /// plans passes instead of giving candidates.
 machine::DigPlanner dig_planner(const cases::Case& c, const std::filesystem::path& plan);
 
+/// His dig before any other, on the bench as the case makes it, from where the dipper is.
+machine::DigDecision first_dig(const cases::Case& c, const machine::DigPlanner& planner,
+                               const machine::PassStart& from);
+
 }  // namespace dipper::deck

@@ -32,12 +32,12 @@ json operator_summary(const cases::Case& c, const RunFolder& folder) {
     begun_s.push_back(one.at("t_s"));
     to_dig_s.push_back(one.at("dig_at_s").get<double>() - one.at("begins_at_s").get<double>());
   }
-  const auto time_s = record::read_channel(folder.record(), "time_s");
-  const auto truck = record::read_channel(folder.record(), "rock/mass_in_truck");
-  const auto work = record::read_channel(folder.record(), "machine/drive_work");
   const json end = read_json(folder.decisions() / "end.json");
   const bool stopped = end.is_object();
   if (begun_s.empty() && stopped) return {{"passes", 0}, {"stopped", end.at("reason")}};
+  const auto time_s = record::read_channel(folder.record(), "time_s");
+  const auto truck = record::read_channel(folder.record(), "rock/mass_in_truck");
+  const auto work = record::read_channel(folder.record(), "machine/drive_work");
   if (begun_s.empty() || time_s.empty()) return nullptr;
   // A pass that the end of the run interrupts has no cycle, and its work no load.
   const std::size_t passes = begun_s.size() - (stopped ? 0 : 1);

@@ -10,7 +10,6 @@
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/check/check.hpp"
 #include "coupler/check/dig_sweep.hpp"
-#include "coupler/check/dug_motion.hpp"
 #include "machine/kinematics.hpp"
 #include "tests/common/mesh/shapes.hpp"
 #include "tests/coupler/case/checkout.hpp"
@@ -71,9 +70,9 @@ TEST(Warnings, AreOfTheFirstPassThatAnOperatorPlans) {
     return c;
   };
   const cases::Case planned = quick({});
-  const DugMotion dug = dug_motion(planned);
-  EXPECT_EQ(dug.none, "");
-  const auto sweeps = dig_sweeps(planned, machine::load_machine(planned.machine.model), dug.motion);
+  const CaseParts parts(planned);
+  EXPECT_EQ(parts.dug.none, "");
+  const auto sweeps = dig_sweeps(parts);
   ASSERT_EQ(sweeps.size(), 1u);
   EXPECT_NEAR(sweeps[0].volume_m3, 55, 3);
 
