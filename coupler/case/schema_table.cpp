@@ -319,7 +319,7 @@ std::vector<KeySpec> make_schema() {
        CHOICE(c.coupling.scheme, Scheme::corrected, Scheme::serial)},
       {"coupling.sync_steps", "", between(1, 1000000), {}, required, dig,
        "DEM steps per sync step", SLOT(c.coupling.sync_steps)},
-      {"coupling.timeout_s", "s", up_to(86400), {}, required, output,
+      {"coupling.timeout_s", "s", between(1, 86400), {}, required, output,
        "wall time without a reply after which a side counts as failed",
        SLOT(c.coupling.timeout_s)},
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/angles.hpp"
+#include "common/gravity.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/check/warning_parts.hpp"
 
@@ -12,6 +13,7 @@ namespace dipper::check {
 namespace {
 
 constexpr double kSteep_deg = 60;  // as dipper survey: blasted rock rests at 30 to 45
+constexpr double kSoft = 0.05;     // of a rock's diameter; cases here have some 0.005
 constexpr double kStep = 0.25;     // of the height, at once at the toe or at one point
 constexpr double kSlope = 1;       // steeper than 45 degrees on both sides no rock rests
 
@@ -61,12 +63,29 @@ void warn_of_lone_point(const cases::Case& c, double top, std::vector<Finding>& 
   if (!what.empty()) warnings.push_back({c.pile.profile, 0, "pile.profile", what});
 }
 
+/// How far the lowest rock overlaps under the bench's weight, as a share of its diameter d. Of
+/// spheres of density rho with z contacts each, packed to the share s of the volume, a stress p
+/// gives each contact F = p pi d^2 / (z s), and K_n = C K d / 4 (contact_table.hpp).
+double overlap(const cases::Case& c, double top_m) {
+  constexpr double kContactsOfOne = 5;
+  const double solid = c.rock.bulk_density_kg_m3 / c.rock.density_kg_m3;
+  const double stress_Pa = c.rock.bulk_density_kg_m3 * kGravity_m_s2 * top_m;
+  const double bulk_Pa = c.rock.youngs_modulus_Pa / (3 * (1 - 2 * c.rock.poisson_ratio));
+  return 4 * M_PI * stress_Pa / (kContactsOfOne * solid * c.contact.normal_scale * bulk_Pa);
+}
+
 }  // namespace
 
 void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings) {
   const auto& outline = c.pile.outline_m;
   double top = c.pile.profile.empty() ? c.pile.height_m : 0;
   for (const auto& p : outline) top = std::max(top, p.y());
+  if (const double share = overlap(c, top); share > kSoft)
+    warnings.push_back(cases::finding_at(
+        c, "contact.normal_scale",
+        fmt::format("under the weight of the bench rocks overlap by {:.0f} % of their diameter; "
+                    "write {:.1g} or more for {:.0f} %",
+                    100 * share, c.contact.normal_scale * share / kSoft, 100 * kSoft)));
   if (const double layer = c.pile.held_layer_m;
       layer > 0 && (layer >= top || layer >= c.pile.width_m / 2))
     warnings.push_back(cases::finding_at(

@@ -9,6 +9,7 @@
 #include "common/seconds.hpp"
 #include "coupler/check/warning_parts.hpp"
 #include "coupler/deck/contact_table.hpp"
+#include "machine/door.hpp"
 
 namespace dipper::check {
 namespace {
@@ -21,6 +22,8 @@ constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
 constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
 constexpr double kLoosest = 0.4;     ///< rock in the volume of a pile; blasted rock has some 0.6
 constexpr double kWater_kg_m3 = 1000;
+constexpr double kReadings = 10;  ///< that dipper gap needs of each pass
+constexpr std::int64_t kDoorEvery_ns = 50'000'000;
 constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
 
 void warn_of_mesh(const CaseParts& parts, std::vector<Finding>& warnings) {
@@ -151,6 +154,13 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
             "a sync step of {:.3g} s is too long for the vibration of the dipper on its ropes, "
             "which takes at most {} steps; against rock take 1 to 1.5 ms (docs/coupling.md)",
             window_s, std::max(1.0, std::floor(kWindow_s / parts.c.dem.timestep_s)))));
+  const double rate_Hz = parts.c.observation.rate_Hz, motion_s = seconds(parts.motion.end_ns());
+  if (parts.c.origins.count("observation.rate_Hz") && rate_Hz * motion_s < kReadings)
+    warnings.push_back(cases::finding_at(
+        parts.c, "observation.rate_Hz",
+        fmt::format("{:g} Hz is a reading every {:.3g} s in a motion of {:.4g} s, and dipper gap "
+                    "needs {:g} per pass",
+                    rate_Hz, 1 / rate_Hz, motion_s, kReadings)));
   for (std::int64_t t = parts.motion.start_ns(); t < parts.motion.end_ns();) {
     const std::int64_t next = std::min(parts.motion.next_row_ns(t), parts.motion.end_ns());
     const machine::Drives a = parts.motion.value(t), b = parts.motion.value(next);
@@ -166,6 +176,24 @@ void warn_of_times(const CaseParts& parts, std::vector<Finding>& warnings) {
   }
 }
 
+/// A run that ends before its first load is in the truck, and so has no pass.
+void warn_of_end(const CaseParts& parts, std::vector<Finding>& warnings) {
+  const machine::Motion& motion = parts.motion;
+  std::int64_t t = motion.start_ns();
+  const auto is_open = [&] { return machine::door_is_open(motion.value(t).door); };
+  while (t < motion.end_ns() && is_open()) t += kDoorEvery_ns;  // left open after the last dump
+  while (t < motion.end_ns() && !is_open()) t += kDoorEvery_ns;
+  if (!is_open())
+    warnings.push_back({parts.c.machine.motion, 0, "door_deg",
+                        "never opens after the start: the run has no pass and loads no truck"});
+  else if (parts.c.end_s > 0 && parts.c.end_s <= seconds(t))
+    warnings.push_back(cases::finding_at(
+        parts.c, "end_s",
+        fmt::format("the run ends at {:g} s, before the door opens over the truck at {:.1f} s: its "
+                    "first pass is not complete",
+                    parts.c.end_s, seconds(t))));
+}
+
 /// Keys that the case sets and nothing reads.
 void warn_of_unused_keys(const cases::Case& c, std::vector<Finding>& warnings) {
   const auto say = [&](const std::string& section, const std::string& why) {
@@ -176,6 +204,8 @@ void warn_of_unused_keys(const cases::Case& c, std::vector<Finding>& warnings) {
   if (c.machine.operated_by == cases::OperatorKind::motion)
     say("operator.", "machine.operator: motion; write machine.operator: plan");
   if (c.collapse.height_m == 0) say("collapse.at_s", "collapse.height_m: 0");
+  if (c.collapse.height_m > 0 && c.end_s > 0 && c.collapse.at_s >= c.end_s)
+    say("collapse.", fmt::format("end_s: {:g}; the slab comes down later", c.end_s));
 }
 
 }  // namespace
@@ -186,6 +216,7 @@ void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_masses(parts, warnings);
   warn_of_rock(parts, warnings);
   warn_of_times(parts, warnings);
+  warn_of_end(parts, warnings);
   warn_of_unused_keys(parts.c, warnings);
 }
 

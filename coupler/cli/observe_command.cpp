@@ -27,6 +27,7 @@ int observe(const ObserveOptions& o) {
   }
   const fs::path record = fs::path(o.folder) / "record.h5";
   result::require_no_measured(o.out);
+  result::require_readings(record, observation.rate_Hz);
   make_writable(o.out);
   result::write_observed(record, observation, o.out);
   return 0;

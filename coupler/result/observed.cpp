@@ -31,6 +31,7 @@ constexpr const char* kChannels =
     "swing_rad: {unit: rad, role: driven, sigma: 0, common_sigma: 0}\n"
     "hoist_force_kN: {unit: kN, role: response, sigma: 0, common_sigma: 0}\n"
     "crowd_force_kN: {unit: kN, role: response, sigma: 0, common_sigma: 0}\n";
+constexpr double kReadings = 10;  // that dipper gap needs of each pass
 constexpr const char* kFaceChannel =
     "face_m: {unit: m, role: response, sigma: 0, common_sigma: 0}\n";
 
@@ -88,6 +89,16 @@ void require_no_measured(const fs::path& out) {
     if (fs::exists(out / name))
       throw InputError(
           {{out / name, 0, "--out", "is no observation, and would be lost; name another folder"}});
+}
+
+void require_readings(const fs::path& record, double rate_Hz) {
+  const auto time_s = analysis::run::read_drive_signals(record).drive.time_s;
+  const double span_s = time_s.empty() ? 0 : time_s.back();
+  if (rate_Hz * span_s >= 2) return;
+  throw InputError(
+      {{record, 0, "observation.rate_Hz",
+        fmt::format("{:g} Hz gives no two readings of this run of {:.4g} s; write {:.2g} or more",
+                    rate_Hz, span_s, kReadings / span_s)}});
 }
 
 void set_observation(cases::ObservationCase& observation, const cases::Override& set) {

@@ -23,6 +23,9 @@ void write_observed(const analysis::signals::DriveSignals& drives,
 /// Throws InputError for a folder with files that these would replace and did not write: a mine's.
 void require_no_measured(const std::filesystem::path& out);
 
+/// Throws InputError where the rate gives less than two readings of the run with this record.h5.
+void require_readings(const std::filesystem::path& record, double rate_Hz);
+
 /// The observation.* lines of a run's case.txt. Throws std::runtime_error naming file and line.
 cases::ObservationCase read_observation(const std::filesystem::path& case_txt);
 

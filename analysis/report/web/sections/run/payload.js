@@ -18,7 +18,7 @@ function ways(pass) {
   const rows = [
     ['rocks inside the dipper', w.inside_kg, `mean over ${span(w)}`],
     ['weight on dipper and door', w.wrench_kg, `while it hangs still, ${span(w)}`],
-    ['gained by the truck', w.truck_kg, 'to the end of the pass'],
+    ['gained by the truck', pass.dumped === false ? NaN : w.truck_kg, 'to the end of the pass'],
     ['the shovel\'s monitor', pass.monitor_payload_kg, `from hoist and crowd force, ${monitored(pass)}`],
   ].filter(([, kg]) => Number.isFinite(kg));
   const first = rows[0][1];
