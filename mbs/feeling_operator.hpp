@@ -19,7 +19,7 @@ class FeelingOperator final : public Operator {
   FeelingOperator(std::shared_ptr<const machine::Motion> motion,
                   const machine::MachineData& machine, double rake, double full_kg);
 
-  /// \param state  of the path follower, then lift, its rate, and the load
+  /// \param state  of the path follower, then lift, its rate, the load, and whether it has landed
   void reset(double t_s, const std::vector<double>& state) override;
   void update(double t_s, const std::function<Felt()>& feel) override;
   std::string kind() const override { return "limited, with rules of the dig"; }

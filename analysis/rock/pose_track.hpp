@@ -18,8 +18,8 @@ class PoseTrack {
   double start_s() const { return time_s_.front(); }
   double end_s() const { return time_s_.back(); }
 
-  /// Between two times the body moves at constant twist; before the first and after the last time
-  /// it stands still.
+  /// Between two times the body moves at constant twist. Before the first and after the last time
+  /// it has the pose and the twist of that time.
   BodyState at(double t) const;
 
  private:

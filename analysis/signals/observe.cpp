@@ -78,16 +78,15 @@ std::vector<LoggedSample> log_signals(const DriveSignals& s, const Instruments& 
 
 std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instruments& instruments) {
   std::vector<WeighedPass> out;
-  // A run may end within a pass that has not dumped: the last load on the truck is then the
-  // previous one.
-  const auto last =
-      std::find_if(passes.rbegin(), passes.rend(), [](const Pass& p) { return p.truck_kg > 0; });
+  const auto last = std::find_if(passes.rbegin(), passes.rend(),
+                                 [](const Pass& p) { return p.dumped && p.truck_kg > 0; });
   for (const Pass& p : passes) {
+    if (!p.dumped) continue;
     const double kept = last != passes.rend() && &p == &*last ? 1 - instruments.truck_spillage : 1;
     double mass_t =
         1e-3 * p.truck_kg * (1 - instruments.door_leak) * kept * (1 + instruments.scale_gain);
-    if (p.truck_kg > 0) mass_t = std::max(0.0, mass_t + instruments.scale_offset_t);
-    out.push_back({p.pass, p.t_start_s, p.t_end_s, mass_t});
+    if (p.truck_kg > 0) mass_t += instruments.scale_offset_t;
+    out.push_back({p.pass, p.t_start_s, p.t_end_s, std::max(0.0, mass_t)});
   }
   return out;
 }

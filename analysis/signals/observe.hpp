@@ -43,8 +43,9 @@ struct WeighedPass {
 std::vector<LoggedSample> log_signals(const DriveSignals& signals, const Instruments& instruments,
                                       const std::vector<TimeSpan>& passes = {});
 
-/// The scale reads (1 + scale_gain) times the mass of each pass, plus scale_offset_t for each pass
-/// with rock, never below 0; door_leak is lost from every pass, truck_spillage from the last one.
+/// The scale reads (1 + scale_gain) times the mass of each pass that has dumped, plus
+/// scale_offset_t for each pass with rock, never below 0; door_leak is lost from every pass,
+/// truck_spillage from the last one.
 std::vector<WeighedPass> weigh(const std::vector<Pass>& passes, const Instruments& instruments);
 
 }  // namespace dipper::analysis::signals

@@ -20,6 +20,16 @@ void end_before_dump(std::vector<Phase>& phases) {
   }
 }
 
+/// Of a pass without a swing: the load leaves from where it was dug, and the rest is the dump.
+void dump_without_swing(std::vector<Phase>& phases, double t_dump_s) {
+  const bool swings = std::any_of(phases.begin(), phases.end(),
+                                  [](const Phase& p) { return p.name >= PhaseName::swing; });
+  if (swings || phases.empty() || phases.back().t_start_s >= t_dump_s) return;
+  const double end_s = phases.back().t_end_s;
+  phases.back().t_end_s = t_dump_s;
+  phases.emplace_back(PhaseName::dump, t_dump_s, end_s);
+}
+
 }  // namespace
 
 const Phase* PassPhases::phase(PhaseName name) const {
@@ -49,7 +59,10 @@ std::vector<PassPhases> find_pass_phases(const PassSignals& s, const DriveSignal
     p.pass = passes[k];
     p.t_end_s = k + 1 < passes.size() ? passes[k].t_end_s : s.time_s.back();
     p.phases = find_phases(drive, p.pass.t_start_s, p.t_end_s);
-    if (p.pass.t_dump_s == p.pass.t_end_s) end_before_dump(p.phases);
+    if (p.pass.t_dump_s == p.pass.t_end_s)
+      end_before_dump(p.phases);
+    else
+      dump_without_swing(p.phases, p.pass.t_dump_s);
     const bool met_rock = p.pass.t_dig_s < p.pass.t_dump_s;
     if (const auto dig = p.dig(); dig && met_rock) {
       p.dig_phases_force_mean_N = time_mean(

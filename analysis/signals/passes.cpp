@@ -29,8 +29,9 @@ Pass measure(const PassSignals& s, std::size_t begin, std::size_t dump, std::siz
   p.t_dig_s = s.time_s[dig];
   p.t_dump_s = s.time_s[dump];
   p.t_end_s = s.time_s[end];
+  const bool opens = dump > begin && machine::door_is_open(s.door_rad[dump]);
   std::size_t n = 0;
-  for (std::size_t i = dump; s.time_s[i] >= p.t_dump_s - kPayloadWindow_s; --i) {
+  for (std::size_t i = opens ? dump - 1 : dump; s.time_s[i] >= p.t_dump_s - kPayloadWindow_s; --i) {
     p.payload_kg += s.dipper_mass_kg[i];
     ++n;
     if (i == begin) break;

@@ -25,11 +25,19 @@ double crossing(const std::vector<double>& t, const std::vector<double>& x, std:
 struct Readings {
   std::vector<double> t, crowd, swing;
 
-  /// The first reading with the crowd nearly all out.
-  std::size_t out(double share) const {
-    const auto [least, most] = std::minmax_element(crowd.begin(), crowd.end());
-    const double nearly = *least + share * (*most - *least);
-    std::size_t i = 0;
+  /// The first reading with the crowd nearly all out in the dig: the crowd's longest way out while
+  /// the house holds its heading. Over the truck the crowd may be further out.
+  std::size_t out(const PhaseRules& rules) const {
+    const auto [left, right] = std::minmax_element(swing.begin(), swing.end());
+    const double range = *right - *left;
+    const double turned = range > rules.least_swing_rad ? rules.swing_from * range : range;
+    std::size_t in = 0, dig_in = 0, dig_out = 0;
+    for (std::size_t i = 0; i < crowd.size(); ++i) {
+      if (crowd[i] < crowd[in] || std::abs(swing[i] - swing[in]) > turned) in = i;
+      if (crowd[i] - crowd[in] > crowd[dig_out] - crowd[dig_in]) dig_in = in, dig_out = i;
+    }
+    const double nearly = crowd[dig_in] + rules.breakout_from * (crowd[dig_out] - crowd[dig_in]);
+    std::size_t i = dig_in;
     while (crowd[i] < nearly) ++i;
     return i;
   }
@@ -54,16 +62,17 @@ Readings in_pass(const DriveSignals& s, double t_start_s, double t_end_s) {
 double dig_heading_rad(const DriveSignals& s, double t_start_s, double t_end_s,
                        const PhaseRules& rules) {
   const Readings r = in_pass(s, t_start_s, t_end_s);
-  return r.swing[r.out(rules.breakout_from)];
+  return r.swing[r.out(rules)];
 }
 
 std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t_end_s,
                                const PhaseRules& rules) {
-  auto [t, crowd, turned] = in_pass(s, t_start_s, t_end_s);
-  // The shovel faces the rock at the heading at which the crowd is nearly all out. A pass may begin
+  const Readings readings = in_pass(s, t_start_s, t_end_s);
+  auto [t, crowd, turned] = readings;
+  // The shovel faces the rock at the heading at which it digs. A pass may begin
   // while the house still swings back, and may end at another heading.
   const std::size_t n = t.size();
-  const std::size_t out = Readings{{}, crowd, {}}.out(rules.breakout_from);
+  const std::size_t out = readings.out(rules);
   const double heading = turned[out];
   for (double& a : turned) a = std::abs(a - heading);
   const double swing = *std::max_element(turned.begin() + static_cast<long>(out), turned.end());

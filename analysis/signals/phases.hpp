@@ -43,8 +43,8 @@ struct PhaseRules {
 std::vector<Phase> find_phases(const DriveSignals& s, double t_start_s, double t_end_s,
                                const PhaseRules& rules = {});
 
-/// The house's angle during that pass's dig: where the crowd is nearly all out for the first time.
-/// Throws std::invalid_argument as find_phases does.
+/// The house's angle during that pass's dig: where the crowd, on its longest way out at one
+/// heading, is nearly all out. Throws std::invalid_argument as find_phases does.
 double dig_heading_rad(const DriveSignals& s, double t_start_s, double t_end_s,
                        const PhaseRules& rules = {});
 

@@ -88,7 +88,7 @@ std::vector<KeySpec> make_schema() {
       {"machine.hoist_loss", "", between(0, 0.5), {}, optional, machine,
        "fraction of the hoist rope's tension lost in the sheaves; default 0",
        SLOT(c.machine.hoist_loss)},
-      {"machine.rope_compliance", "", up_to(100), {}, optional, dig,
+      {"machine.rope_compliance", "", between(1e-3, 100), {}, optional, dig,
        "stretch of the hoist ropes, as a multiple of the machine file's; default 1",
        SLOT(c.machine.rope_compliance)},
       {"machine.liner_thickness_m", "m", between(0, 0.5), {}, optional, dig,

@@ -20,9 +20,13 @@ constexpr double kLargestRock = 1.0 / 3;  ///< of the dipper's mouth: larger roc
 constexpr double kShift_m = 0.5;
 constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
 constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
-constexpr double kLoosest = 0.4;     ///< rock in the volume of a pile; blasted rock has some 0.6
+constexpr double kLoosest = 0.4, kDensest = 0.8;  ///< rock in a pile's volume; blasted, some 0.6
 constexpr double kWater_kg_m3 = 1000;
 constexpr double kReadings = 10;  ///< that dipper gap needs of each pass
+constexpr double kBlind_m = 1;    ///< of a scan
+constexpr double kFewSteps = 20;  ///< between two checkpoints
+constexpr double kDump_s = 1;     ///< a load needs longer to leave
+constexpr double kLongest = 2;    ///< times the motion's duration, which limited drives may take
 constexpr std::int64_t kDoorEvery_ns = 50'000'000;
 constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
 
@@ -119,11 +123,12 @@ void warn_of_rock(const CaseParts& parts, std::vector<Finding>& warnings) {
         fmt::format("rocks of {:.2f} m are larger than a third of the dipper's mouth ({:g} m) and "
                     "bridge it; write rock.coarse_graining_limit_m: {:.2g} or less",
                     largest, mouth, kLargestRock * mouth)));
-  if (c.rock.bulk_density_kg_m3 > c.rock.density_kg_m3)
+  if (const double solid = c.rock.bulk_density_kg_m3 / c.rock.density_kg_m3; solid > kDensest)
     warnings.push_back(cases::finding_at(
         c, "rock.bulk_density_kg_m3",
-        fmt::format("{:g} kg/m3 is more than the density of solid rock, {:g} kg/m3",
-                    c.rock.bulk_density_kg_m3, c.rock.density_kg_m3)));
+        fmt::format("{:g} kg/m3 is {:.0f} % of solid rock's, {:g} kg/m3, and blasted rock has some "
+                    "60: is it the density of solid rock?",
+                    c.rock.bulk_density_kg_m3, 100 * solid, c.rock.density_kg_m3)));
   if (c.rock.density_kg_m3 < kWater_kg_m3)
     warnings.push_back(
         cases::finding_at(c, "rock.density_kg_m3",
@@ -186,12 +191,44 @@ void warn_of_end(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (!is_open())
     warnings.push_back({parts.c.machine.motion, 0, "door_deg",
                         "never opens after the start: the run has no pass and loads no truck"});
-  else if (parts.c.end_s > 0 && parts.c.end_s <= seconds(t))
+  else if (parts.c.end_s > 0 && parts.c.end_s <= seconds(t) + kDump_s)
     warnings.push_back(cases::finding_at(
         parts.c, "end_s",
-        fmt::format("the run ends at {:g} s, before the door opens over the truck at {:.1f} s: its "
+        fmt::format("the run ends at {:g} s, and the door opens over the truck at {:.1f} s: its "
                     "first pass is not complete",
                     parts.c.end_s, seconds(t))));
+  if (const double end_s = seconds(motion.end_ns());
+      parts.c.machine.operated_by == cases::OperatorKind::motion &&
+      parts.c.end_s > kLongest * end_s)
+    warnings.push_back(cases::finding_at(
+        parts.c, "end_s",
+        fmt::format("the run ends at {:g} s, and the motion at {:.1f} s: the machine stands still "
+                    "after it",
+                    parts.c.end_s, end_s)));
+}
+
+/// Settings far from what they are for.
+void warn_of_settings(const CaseParts& parts, std::vector<Finding>& warnings) {
+  const cases::Case& c = parts.c;
+  const double full_t = 1e-3 * c.rock.bulk_density_kg_m3 * parts.machine.dipper.struck_volume;
+  if (c.truck.rated_t > 0 && c.truck.rated_t < full_t / 2)
+    warnings.push_back(cases::finding_at(
+        c, "truck.rated_t",
+        fmt::format("{:g} t is less than half of a full dipper, {:.0f} t: is it in kt?",
+                    c.truck.rated_t, full_t)));
+  if (c.op.scan_error_m > kBlind_m)
+    warnings.push_back(cases::finding_at(
+        c, "operator.scan_error_m",
+        fmt::format("with an error of {:g} m the operator cannot tell where the face is; scanners "
+                    "have some 0.05 m",
+                    c.op.scan_error_m)));
+  const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
+  if (c.output.checkpoint_every_s > 0 && c.output.checkpoint_every_s < kFewSteps * window_s)
+    warnings.push_back(cases::finding_at(
+        c, "output.checkpoint_every_s",
+        fmt::format("{:g} s are {:.2g} sync steps, and a checkpoint costs as much as some hundred; "
+                    "write 5",
+                    c.output.checkpoint_every_s, c.output.checkpoint_every_s / window_s)));
 }
 
 /// Keys that the case sets and nothing reads.
@@ -217,6 +254,7 @@ void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_rock(parts, warnings);
   warn_of_times(parts, warnings);
   warn_of_end(parts, warnings);
+  warn_of_settings(parts, warnings);
   warn_of_unused_keys(parts.c, warnings);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <stdexcept>
+#include <utility>
 
 #include "common/json_values.hpp"
 #include "common/seconds.hpp"
@@ -15,6 +16,20 @@ namespace {
 /// Beside a machine's state: a line of ours, and the program's own as it said it.
 fs::path beside(const fs::path& machine_state) {
   return machine_state.parent_path() / "operator.state";
+}
+
+std::pair<nlohmann::json, std::string> read_state(const fs::path& machine_state) {
+  const fs::path file = beside(machine_state);
+  std::ifstream in(file);
+  std::string ours, its;
+  if (!std::getline(in, ours) || !std::getline(in, its))
+    throw std::runtime_error(file.string() +
+                             ": cannot be read; a program did not drive this run so far");
+  try {
+    return {nlohmann::json::parse(ours), its};
+  } catch (const nlohmann::json::exception& e) {
+    throw std::runtime_error(file.string() + ": " + e.what());
+  }
 }
 
 json limits_of(const machine::MachineData& m) {
@@ -114,21 +129,20 @@ void OperatedMachine::save(const fs::path& file) {
 }
 
 void OperatedMachine::load(const fs::path& file) {
-  std::ifstream in(beside(file));
-  std::string ours, its;
-  if (!std::getline(in, ours) || !std::getline(in, its))
-    throw std::runtime_error(beside(file).string() +
-                             ": cannot be read; a program did not drive this run so far");
+  const auto [ours, its] = read_state(file);
   try {
-    const nlohmann::json j = nlohmann::json::parse(ours);
-    looked_ = j.at("looked");
-    done_ = j.at("done");
-    instruments_.remember(j.at("instruments"));
+    looked_ = ours.at("looked");
+    done_ = ours.at("done");
+    instruments_.remember(ours.at("instruments"));
   } catch (const nlohmann::json::exception& e) {
     throw std::runtime_error(beside(file).string() + ": " + e.what());
   }
   inner_.load(file);
   greet(its);
+}
+
+bool had_done(const fs::path& machine_state) {
+  return read_state(machine_state).first.value("done", false);
 }
 
 }  // namespace dipper::operate

@@ -67,4 +67,8 @@ class OperatedMachine final : public core::Machine {
   bool done_ = false;
 };
 
+/// Whether the program had said that the run may end when this state of the machine was saved.
+/// Throws std::runtime_error naming the file.
+bool had_done(const std::filesystem::path& machine_state);
+
 }  // namespace dipper::operate

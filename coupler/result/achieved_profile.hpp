@@ -12,10 +12,10 @@ namespace dipper::result {
 /// median over y of a scanned surface, from toe to rear wall. A face steeper than the angle of
 /// repose slumps before it is dug; these figures show by how much.
 struct AchievedProfile {
-  double below_mean_m = 0;    ///< outline less surface, mean
-  double below_most_m = 0;    ///< largest, as a mean over one largest rock's width of x
-  double below_most_x_m = 0;  ///< x of below_most_m
-  double face_deg = 0;        ///< slope of the flank (analysis/rock/pile_angle.hpp); 0: no flank
+  double below_mean_m = 0;         ///< outline less surface, mean
+  double below_most_m = 0;         ///< largest, as a mean over one largest rock's width of x
+  double below_most_x_m = 0;       ///< x of below_most_m
+  std::optional<double> face_deg;  ///< slope of the flank (analysis/rock/pile_angle.hpp)
 };
 
 /// Reads the first frame of the particle dumps in `dumps`. Empty when there is no frame, or no rock

@@ -20,6 +20,7 @@ using json = nlohmann::ordered_json;
 constexpr double kMuchSlack = 0.05;     // of a dig: below, a dipper that is let down onto rock
 constexpr double kMuchResidual = 0.01;  // of the work
 constexpr double kLostMass_kg = 1000;
+constexpr double kMostMissed = 0.5;   // of a payload
 constexpr double kMuchRattle = 0.05;  // of a dig's windows; at true size up to 0.03
 constexpr double kHighPeak = 6;       // times the mean; whole digs have 3 to 5
 constexpr double kMuchBeyond = 0.33;  // of a dig; at true size up to 0.29
@@ -60,11 +61,17 @@ void warn_of_pass(const cases::Case& c, const json& p, bool whole,
         fmt::format("pass {}: unfinished: the run ends before its load is dumped; continue it with "
                     "a later end_s",
                     pass));
-  if (number("truck_kg") < -kLostMass_kg)
+  const double payload_kg = number("payload_kg"), truck_kg = number("truck_kg");
+  if (p.value("dumped", false) && payload_kg > kLostMass_kg && truck_kg >= -kLostMass_kg &&
+      truck_kg < kMostMissed * payload_kg)
+    warnings.push_back(fmt::format(
+        "pass {}: of {:.1f} t in the dipper {:.1f} t reach the truck: is it under the door?", pass,
+        1e-3 * payload_kg, 1e-3 * truck_kg));
+  if (truck_kg < -kLostMass_kg)
     warnings.push_back(fmt::format(
         "pass {}: {:.1f} t more leave the truck than enter it: is it in the pile at the "
         "start?",
-        pass, -1e-3 * number("truck_kg")));
+        pass, -1e-3 * truck_kg));
 }
 
 }  // namespace
@@ -94,6 +101,10 @@ std::vector<std::string> run_warnings(const cases::Case& c, const json& summary)
                       "stalls permanently (docs/drives.md)",
                       path_s, motion_s));
   }
+  if (whole && c.collapse.height_m > 0 && summary.value("sim_s", 0.0) < c.collapse.at_s)
+    warnings.push_back(
+        fmt::format("the run ends at {:.1f} s, before collapse.at_s: {:g}; no slab has come down",
+                    summary.value("sim_s", 0.0), c.collapse.at_s));
   if (const double lost = summary.at("dem").value("rock_lost_kg", 0.0); lost > kLostMass_kg)
     warnings.push_back(fmt::format(
         "{:.1f} t of rock left the domain: domain.min_m and domain.max_m farther out keep it, "

@@ -98,10 +98,11 @@ double rock_lost(const cases::Case& c, const RunFolder& folder) {
 }
 
 json describe(const AchievedProfile& p) {
-  return {{"below_profile_mean_m", p.below_mean_m},
-          {"below_profile_most_m", p.below_most_m},
-          {"below_profile_most_x_m", p.below_most_x_m},
-          {"face_deg", p.face_deg}};
+  json out = {{"below_profile_mean_m", p.below_mean_m},
+              {"below_profile_most_m", p.below_most_m},
+              {"below_profile_most_x_m", p.below_most_x_m}};
+  if (p.face_deg) out["face_deg"] = *p.face_deg;
+  return out;
 }
 
 }  // namespace
@@ -122,9 +123,9 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
   if (profile) {
     summary["pile"] = describe(*profile);
     reporter.line(fmt::format(
-        "pile: {:.2f} m below its profile on average, {:.2f} m at x = {:.1f} m; its face at "
-        "{:.0f} deg",
-        profile->below_mean_m, profile->below_most_m, profile->below_most_x_m, profile->face_deg));
+        "pile: {:.2f} m below its profile on average, {:.2f} m at x = {:.1f} m{}",
+        profile->below_mean_m, profile->below_most_m, profile->below_most_x_m,
+        profile->face_deg ? fmt::format("; its face at {:.0f} deg", *profile->face_deg) : ""));
   }
   report_drives(c, folder.record(), summary, reporter);
   if (const auto truck = truck_load(c.truck.rated_t, summary.at("passes"))) {

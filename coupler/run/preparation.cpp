@@ -15,6 +15,7 @@
 #include "coupler/case/case_hash.hpp"
 #include "coupler/case/machine_kind.hpp"
 #include "coupler/deck/deck.hpp"
+#include "coupler/operate/operated_machine.hpp"
 #include "coupler/result/dump_index.hpp"
 #include "coupler/run/pass_desk.hpp"
 #include "coupler/run/pile.hpp"
@@ -68,6 +69,7 @@ RunEnd run_end(const cases::Case& c, bool program_drives) {
 
 bool is_done(const RunEnd& end, const Checkpoint& last, const fs::path& record) {
   return last.coupling.dem_step >= end.step || is_finished(last.desk) ||
+         (end.program_drives && operate::had_done(last.machine())) ||
          (end.path_s && record::read_channel(record, "machine/path_time").back() >= *end.path_s);
 }
 

@@ -57,6 +57,7 @@ TEST(Observe, TheScaleReadsItsGainAndTheLastPassSpills) {
   for (int i = 0; i < 3; ++i) {
     passes[static_cast<std::size_t>(i)].pass = i + 1;
     passes[static_cast<std::size_t>(i)].truck_kg = 80e3;
+    passes[static_cast<std::size_t>(i)].dumped = true;
   }
   Instruments instruments;
   instruments.scale_gain = 0.05;
@@ -67,13 +68,16 @@ TEST(Observe, TheScaleReadsItsGainAndTheLastPassSpills) {
   EXPECT_NEAR(weighed[1].truck_mass_t, 84, 1e-9);
   EXPECT_NEAR(weighed[2].truck_mass_t, 63, 1e-9);
   passes.emplace_back();  // begun, but the run ends before it dumps
+  ASSERT_EQ(weigh(passes, instruments).size(), 3U);
   EXPECT_NEAR(weigh(passes, instruments)[2].truck_mass_t, 63, 1e-9);
 }
 
 TEST(Observe, AnOffsetIsOfEachPassThatBroughtRock) {
   std::vector<Pass> passes(3);
+  for (Pass& p : passes) p.dumped = true;
   passes[0].truck_kg = 80e3;
   passes[1].truck_kg = 2e3;
+  passes[2].truck_kg = -1e3;  // slid off the truck
   Instruments instruments;
   instruments.scale_offset_t = -3;
   instruments.scale_gain = 0.1;

@@ -52,6 +52,17 @@ TEST(PassPhases, TellTheDigsForceAndWhatPartOfItTheRopesAreSlack) {
   EXPECT_EQ(slack_fraction(cycle.pass, 100, 200), 0) << "nothing there";
 }
 
+TEST(PassPhases, APassThatDoesNotSwingEndsItsDigWithTheDump) {
+  Cycle cycle;
+  for (double& swing : cycle.drive.swing_rad) swing = 0.2;
+  const auto passes = find_pass_phases(cycle.pass, cycle.drive);
+  ASSERT_EQ(passes.size(), 1U);
+  ASSERT_TRUE(passes[0].dig());
+  EXPECT_DOUBLE_EQ(passes[0].dig()->t_end_s, passes[0].pass.t_dump_s);
+  EXPECT_EQ(passes[0].phases.back().name, PhaseName::dump);
+  EXPECT_DOUBLE_EQ(passes[0].phases.back().t_end_s, 40);
+}
+
 TEST(PassPhases, APassThatMetNoRockHasNoDigForce) {
   Cycle cycle;
   for (double& force : cycle.pass.dipper_force_N) force = 0;

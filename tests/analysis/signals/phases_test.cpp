@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -57,6 +58,39 @@ TEST(Phases, APassThatEndsWhileDiggingHasNoSwing) {
   ASSERT_EQ(p.size(), 4u);
   EXPECT_EQ(p[3].name, PhaseName::breakout);
   EXPECT_DOUBLE_EQ(p[3].t_end_s, 14);
+}
+
+TEST(Phases, TheCrowdMayBeFurtherOutOverTheTruck) {
+  DriveSignals s = cycle(0.01);
+  for (std::size_t i = 0; i < s.time_s.size(); ++i)  // 1.5 m more from 16 to 24 s, in from 36 s
+    s.crowd_m[i] += 1.5 * (std::clamp((s.time_s[i] - 16) / 8, 0.0, 1.0) -
+                           std::clamp((s.time_s[i] - 36) / 8, 0.0, 1.0)) +
+                    4 * std::clamp((s.time_s[i] - 20) / 20, 0.0, 1.0) -
+                    4 * std::clamp((s.time_s[i] - 36) / 8, 0.0, 1.0);
+  ASSERT_GT(*std::max_element(s.crowd_m.begin(), s.crowd_m.end()), 4);
+  expect_cycle(find_phases(s, 0, 50), 1e-9);
+  EXPECT_DOUBLE_EQ(dig_heading_rad(s, 0, 50), 0.3);
+}
+
+TEST(Phases, APassMayBeginOverTheTruckWithTheCrowdOut) {
+  DriveSignals s = cycle(0.01);
+  for (std::size_t i = 0; i < s.time_s.size(); ++i) {  // until 1.5 s, and swings back by then
+    const double left = 1 - std::clamp(s.time_s[i] / 1.5, 0.0, 1.0);
+    s.crowd_m[i] += 4.2 * left;
+    s.swing_rad[i] += left;
+  }
+  expect_cycle(find_phases(s, 0, 50), 1e-9);
+}
+
+TEST(Phases, TheHouseMayTurnBeforeTheCrowdIsAllOut) {
+  DriveSignals s = cycle(0.01);
+  for (std::size_t i = 0; i < s.time_s.size(); ++i)  // from 10 s on, so past 5 % at 10.5 s
+    s.swing_rad[i] = 0.3 + std::clamp((s.time_s[i] - 10) / 10, 0.0, 1.0);
+  const auto p = find_phases(s, 0, 34);
+  ASSERT_GE(p.size(), 4U);
+  EXPECT_EQ(p[1].name, PhaseName::penetrate);
+  EXPECT_NEAR(p[1].t_start_s, 2.85, 0.05);
+  EXPECT_NEAR(p[3].t_end_s, 10.5, 0.3);
 }
 
 TEST(Phases, TooFewReadingsAreRefused) {

@@ -391,6 +391,24 @@ TEST(Warnings, ALoggerTooSlowForAPass) {
               testing::Contains(HasSubstr("observation.rate_Hz: 0.05 Hz is a reading every 20 s")));
 }
 
+TEST(Warnings, SettingsFarFromWhatTheyAreFor) {
+  const Checkout checkout;
+  const auto of = [&](const std::string& key, const std::string& value) {
+    return warnings_of(checkout, {{key, value}});
+  };
+  EXPECT_THAT(of("rock.bulk_density_kg_m3", "3200"),
+              testing::Contains(HasSubstr("is it the density of solid rock?")));
+  EXPECT_THAT(of("truck.rated_t", "0.22"),
+              testing::Contains(HasSubstr("truck.rated_t: 0.22 t is less than half")));
+  EXPECT_THAT(of("output.checkpoint_every_s", "0.01"),
+              testing::Contains(HasSubstr("output.checkpoint_every_s: 0.01 s are")));
+  EXPECT_THAT(of("end_s", "100"), testing::Contains(HasSubstr("the machine stands still after")));
+  std::vector<Finding> findings;
+  EXPECT_THAT(messages(cases::load_case(test::source() / "cases/quick",
+                                        {{"operator.scan_error_m", "5"}}, findings)),
+              testing::Contains(HasSubstr("operator.scan_error_m: with an error of 5 m")));
+}
+
 TEST(Warnings, ContactsSoSoftThatRocksOverlap) {
   const Checkout checkout;
   EXPECT_THAT(warnings_of(checkout, {{"contact.normal_scale", "1e-4"}}),

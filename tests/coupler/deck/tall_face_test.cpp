@@ -40,8 +40,8 @@ TEST(TallFace, IsReproducedAtTheCut) {
   for (const auto& [name, f] : {std::pair{"cut", cut}, std::pair{"relaxed 1.5 s", relaxed}})
     fmt::print(
         "{}: face {:.1f} deg; {:.2f} m below the profile in the mean, {:.2f} m at x = {:.1f}\n",
-        name, f.face_deg, f.below_mean_m, f.below_most_m, f.below_most_x_m);
-  EXPECT_NEAR(cut.face_deg, kFace_deg, 4);
+        name, f.face_deg.value(), f.below_mean_m, f.below_most_m, f.below_most_x_m);
+  EXPECT_NEAR(cut.face_deg.value(), kFace_deg, 4);
   // A rock stays when its centre is under the outline: the surface seen from above, tops and the
   // hollows between them, lies about it.
   EXPECT_LT(std::abs(cut.below_mean_m), kRock / 2);

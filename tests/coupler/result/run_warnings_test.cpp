@@ -49,6 +49,8 @@ TEST(RunWarnings, SayWhatFiguresAreNoDigs) {
               ElementsAre(HasSubstr("the crowd takes more force than the machine has in 40 %")));
   EXPECT_THAT(warnings({{"truck_kg", -28e3}}),
               ElementsAre(HasSubstr("28.0 t more leave the truck")));
+  EXPECT_THAT(warnings({{"dumped", true}, {"truck_kg", 2e3}}),
+              ElementsAre(HasSubstr("of 70.0 t in the dipper 2.0 t reach the truck")));
   EXPECT_THAT(warnings({{"dumped", false}}), ElementsAre(HasSubstr("pass 1: unfinished")));
   EXPECT_THAT(warnings({{"dumped", false}}, 0, "interrupted"), ElementsAre()) << "it goes on";
   EXPECT_THAT(warnings({}, 0, "complete", 27e3),

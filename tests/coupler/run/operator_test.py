@@ -65,6 +65,11 @@ class Operator(RunTest):
         stops = self.program("stops.py", text)
         out, _ = self.driven("done", f"python3 {stops}", "--no-rock", "--set", "end_s=0")
         self.assertAlmostEqual(self.summary(out)["sim_s"], 1.0, delta=0.01)
+        out, _ = self.driven("dug", f"python3 {self.program('soon.py', text.replace('0.95', '0.15'))}", "--set", "end_s=0")
+        before = (out / "summary.json").read_bytes()
+        said, _ = self.run_case(out, "--resume")
+        self.assertIn("complete already", said)
+        self.assertEqual((out / "summary.json").read_bytes(), before)
 
     def test_dies_goes_on_and_is_the_same_run_and_a_learner_begins_there(self):
         whole, _ = self.driven("whole", f"python3 {FOLLOWER}", "--set", "end_s=0.5")
