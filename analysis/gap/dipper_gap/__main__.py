@@ -18,7 +18,7 @@ from dipper_run.program import ProgramFailed, check_json, program
 from .answer import check_answer_folder, write_answer
 from .forecast import as_lines, forecast, write_forecast
 from .readings.before import check_channels, check_reference
-from .readings.channels import ASSUMED, read_channels
+from .readings.channels import ASSUMED, FACE, FORCES, MASS, MOTION, read_channels
 from .readings.fidelity import read_fidelity
 from .readings.measured import read_measured
 from .readings.motion import compare_motion, read_motion
@@ -47,7 +47,10 @@ def read_values(case):
     if told["effects"]:
         raise BadInput([f"{file}: effects: the case has some already ({', '.join(told['effects'])}); give the case "
                         "without them"])
-    if told["values"]["machine.operator"] == "plan":
+    if "machine.motion" not in told["values"]:
+        raise BadInput([f"{file}: machine.kind: has no motion of a shovel's drives, whose forces are compared; give a "
+                        "case with machine.kind: shovel"])
+    if told["values"].get("machine.operator") == "plan":
         raise BadInput([f"{file}: machine.operator: is plan, so each run digs where its operator chooses; give the "
                         "case the measured motion, and motion here"])
     return told["values"]
@@ -124,6 +127,7 @@ def main(words=None):
             simulator = Corrected(simulator, fidelity)
             channels = fidelity.compared(channels)
             measured = measured and measured.seen_by(fidelity.compared(measured.channels))
+        require_comparable(channels if args.plan else measured.channels, args)
         if args.plan:
             planned = forecast(channels, simulator, catalogue, first_seed, say, earlier)
             folder.mkdir(parents=True, exist_ok=True)
@@ -162,10 +166,23 @@ def readings(args, values):
     questions = [*measured.questions(), *compare_motion(measured, read_motion(args.case, values))]
     before = read_measured(args.reference, NEED_PASSES) if args.reference else None
     if before:
-        questions += check_reference(measured, before)
+        questions += [*(f"the reference: {q}" for q in before.questions()), *check_reference(measured, before)]
     for question in questions:
         say(f"gap: {question}")
     return measured, before
+
+
+def require_comparable(channels, args):
+    """Throws BadInput for channels that leave nothing to compare, or forces without the motion that has the phases."""
+    forces = [n for n in FORCES if n in channels]
+    folder = args.measured or args.reference
+    if not forces and MASS not in channels and FACE not in channels:
+        raise BadInput([f"{folder}: channels.yaml: nothing is left to compare; give one of "
+                        f"{', '.join((*FORCES, MASS, FACE))}"])
+    missing = [n for n in MOTION if n not in channels]
+    if forces and missing:
+        raise BadInput([f"{folder}: channels.yaml: has {', '.join(forces)} without {', '.join(missing)}, from which the "
+                        "phases of a pass are found; declare them"])
 
 
 def usable_fidelity(case, with_reference):

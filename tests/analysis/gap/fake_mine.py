@@ -61,7 +61,7 @@ class FakeSimulator(Simulator):
             self.made.append(r)
         # A chaotic run shares nothing with the plain one of its seed; what the instruments do is no run.
         chaos = 0 if r.how != "run" or not r.effects else zlib.crc32(repr(r.effects).encode()) % 10**6
-        effects = {"no_rock": 1.0} if r.how == "empty" else dict(r.effects)
+        effects = {"no_rock": 1.0 if r.how == "empty" else 0.0, **dict(r.effects)}
         made = synthetic.run(effects, r.seed + 17 * chaos, spread=self.spread, faces=self.faces)
         for name, strength in r.effects:
             made = with_law(made, self.laws[name].overlay, strength) if name in self.laws else made

@@ -10,6 +10,7 @@ from dipper_gap.model import learn, predict
 from dipper_gap.readings.fidelity import Factor, Fidelity
 from dipper_gap.simulation.corrected import Corrected
 from dipper_gap.simulation.plan import make_plan
+from dipper_gap.simulation.simulator import Request
 from dipper_gap.workflow import Runner, conclude
 from trucks import in_a_row
 
@@ -62,3 +63,11 @@ def test_an_effect_that_looks_like_it_is_not_distinguished_from_it():
     """The resistance's factor is off by a tenth: within what was stated."""
     a = answer({"resists": 0.55}, 4)
     assert a["verdict"] == "no-gap"
+
+
+def test_what_an_instrument_adds_is_not_corrected_as_if_it_were_rock():
+    simulator = Corrected(fake_mine.FakeSimulator(), STATED)
+    plain, seen = simulator.run([Request((), 1), Request((("scale_gain", 0.1), ("zero", 100.0)), 1, "observe")])
+    more = seen.signals["hoist_force_kN"] - plain.signals["hoist_force_kN"]
+    assert more.min() == pytest.approx(100) and more.max() == pytest.approx(100)
+    assert [p.truck_mass_t for p in seen.passes] == pytest.approx([1.1 * p.truck_mass_t for p in plain.passes])

@@ -1,5 +1,7 @@
 """The case with the named effects added: a folder that `dipper run` takes as it is."""
+import json
 import os
+import re
 import shutil
 from pathlib import Path
 
@@ -7,6 +9,7 @@ import yaml
 
 from dipper_run.findings import BadInput
 
+PLAIN = re.compile(r"[\w./-]+")  # of a path that YAML takes without quotes
 MARK = "# added by dipper gap"
 
 
@@ -26,7 +29,8 @@ def write_patched_case(case, effects, out, files=None):
         raise BadInput([f"{case / 'case.yaml'}: effects: the case has some already; "
                         "dipper gap needs a case without effects"])
     for start, end, value in reversed(_paths(text, case)):
-        text = text[:start] + os.path.relpath(case / value, out) + text[end:]
+        path = os.path.relpath(os.path.realpath(case / value), os.path.realpath(out))
+        text = text[:start] + (path if PLAIN.fullmatch(path) else json.dumps(path, ensure_ascii=False)) + text[end:]
     if effects:
         text = _without_effects(text).rstrip("\n") + f"\n\neffects:                     {MARK}\n"
         text += "".join(f"  {name}: {strength:.6g}\n" for name, strength in effects.items())

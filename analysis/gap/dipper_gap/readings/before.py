@@ -5,7 +5,7 @@ import numpy as np
 
 from dipper_run.findings import Findings
 
-from .channels import FACE, MASS, MOTION, RESPONSE
+from .channels import FACE, MASS, MOTION
 from .passes import NEED_PASSES
 
 RATES = 1.5          # ratio of two loggers' rates from which peaks differ by what the slower one misses
@@ -20,10 +20,6 @@ def check_reference(measured, before):
         found.add(then, 0, "--reference", "is the measured folder itself", "a folder of earlier trucks")
         found.raise_if_any()
     check_channels(measured.channels, now, before, found)
-    for name in (*measured.responses(), MASS, FACE):
-        if name in measured.channels and name in before.channels and before.channels[name].role != RESPONSE:
-            found.add(then / "channels.yaml", 0, f"{name}.role", f"is {before.channels[name].role}",
-                      f"{RESPONSE}, as in {now}")
     passes = [{p.number for p in m.passes} for m in (measured, before)]
     both = sorted(passes[0] & passes[1])
     if len(both) < NEED_PASSES:
@@ -67,11 +63,17 @@ def _questions(measured, before, both, passes):
 
 
 def _same_trucks(measured, before):
-    """[(truck, its number in the reference)] that are in both by the durations and masses of all their passes."""
-    def mark(truck):
-        return tuple((p.number, round(p.t_end_s - p.t_start_s, 3), p.truck_mass_t) for p in truck.passes)
+    """[(truck, its number in the reference)] that are in both, by the durations and masses of all their passes and the
+    first force in each."""
+    forces = [n for n in measured.responses() if n in before.signals]
+    weighed = MASS in measured.channels and MASS in before.channels
 
-    if MASS not in measured.channels or MASS not in before.channels:
+    def mark(truck):
+        first = np.searchsorted(truck.time_s, [p.t_start_s for p in truck.passes])
+        return (*((p.number, round(p.t_end_s - p.t_start_s, 3), p.truck_mass_t if weighed else 0) for p in truck.passes),
+                *(tuple(truck.signals[n][first]) for n in forces))
+
+    if not forces and not weighed:
         return []
     known = {mark(t): t.passes[0].truck for t in before.trucks()}
     return [(t.passes[0].truck, known[mark(t)]) for t in measured.trucks() if mark(t) in known]

@@ -35,6 +35,7 @@ KNOWN = {
 MASS = "truck_mass_t"
 FACE = "face_m"  # heights of profile.csv
 MOTION = ("hoist_m", "crowd_m", "swing_rad")
+FORCES = ("hoist_force_kN", "crowd_force_kN")
 
 
 @dataclass(frozen=True)

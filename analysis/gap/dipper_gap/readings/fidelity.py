@@ -19,7 +19,7 @@ from dipper_run.findings import BadInput, Findings
 from dipper_run.section import Section
 from dipper_run.text_file import read_yaml
 
-from .channels import FACE, KNOWN, MASS
+from .channels import FACE, FORCES, MASS
 from .phases import find_phases
 
 FILE = "fidelity.yaml"
@@ -78,8 +78,8 @@ def read_fidelity(case):
     by_phase = dig.number("by_phase", 0.0, "a relative sd, 0 to 1", needed=bool(dig), allowed=lambda x: 0 <= x <= 1)
     not_compared = section.texts("not_compared", "a list of response channels") if "not_compared" in section else []
     for name in not_compared:
-        if name not in (MASS, FACE, "hoist_force_kN", "crowd_force_kN"):
-            section.wrong("not_compared", f"has {name}", "response channels of " + ", ".join(KNOWN))
+        if name not in (*FORCES, MASS, FACE):
+            section.wrong("not_compared", f"has {name}", "of " + ", ".join((*FORCES, MASS, FACE)))
     out = Fidelity(_factor(dig), by_phase, _factor(payload), tuple(not_compared), str(file))
     section.end()
     found.raise_if_any()
@@ -107,9 +107,10 @@ class KnownErrors:
     empty: object        # Measured of the empty cycle
     resistance: Factor
 
-    def corrected(self, m):
-        """A run's folder as a mine would show it."""
-        return self._scaled(m, self.resistance.value, self.fidelity.payload.value)
+    def corrected(self, m, empty=None, offset_t=0.0):
+        """A run's folder as a mine would show it; `empty` and `offset_t` as its instruments show the empty cycle, and
+        what its scale adds to each load."""
+        return self._scaled(m, self.resistance.value, self.fidelity.payload.value, empty, offset_t)
 
     def directions(self, folders, rows_of, cells):
         """(K, n) shifts of features by one sd of what is not known of the corrected runs `folders`, alike in all
@@ -148,11 +149,11 @@ class KnownErrors:
             signals[name] = signals[name] - np.where(at & (name in forces), resists + weighs, 0.0)
         return replace(m, signals=signals)
 
-    def _scaled(self, m, resistance, load):
+    def _scaled(self, m, resistance, load, empty=None, offset_t=0.0):
         signals = dict(m.signals)
-        for name, resists, weighs in rock_forces(m, self.empty):
+        for name, resists, weighs in rock_forces(m, empty or self.empty):
             signals[name] = signals[name] + (resistance - 1) * resists + (load - 1) * weighs
-        passes = tuple(replace(p, truck_mass_t=load * p.truck_mass_t) for p in m.passes)
+        passes = tuple(replace(p, truck_mass_t=offset_t + load * (p.truck_mass_t - offset_t)) for p in m.passes)
         return replace(m, signals=signals, passes=passes)
 
 

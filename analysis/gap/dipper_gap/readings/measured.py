@@ -77,6 +77,8 @@ class Measured:
                 *(f"{c.name}: role is response, but positions follow the measured motion in every run: not compared"
                   for c in self.channels.values() if c.role == RESPONSE and c.name in MOTION),
                 *(mass_warnings(self.passes) if MASS in self.channels else ()),
+                *([f"channels.yaml has no {MASS}, so the masses in passes.csv are not compared"]
+                  if MASS not in self.channels and any(math.isfinite(p.truck_mass_t) for p in self.passes) else []),
                 *force_warnings(self.time_s, self.signals), *face_warnings(self))
 
     def responses(self):
@@ -233,8 +235,10 @@ def _profiles(file, found):
             found.add(file, line, "pass", f"is {number:g} of truck {truck:g}", "whole numbers from 1")
     for *key, is_after in dict.fromkeys(zip(trucks.tolist(), table["pass"].tolist(), after.tolist())):
         at = np.flatnonzero((trucks == key[0]) & (table["pass"] == key[1]) & (after == is_after))
+        if not len(at):
+            continue  # no numbers, which the table has reported
         x, column = np.unique(table["x_m"][at], return_inverse=True)
-        if len(at) and len(x) < LEAST_POINTS:
+        if len(x) < LEAST_POINTS:
             found.add(file, lines[at[0]], "x_m", f"{len(x)} points of pass {key[1]:g}", f"{LEAST_POINTS} or more")
         truck, number = (int(k) if np.isfinite(k) else 0 for k in key)
         z, height = np.bincount(column, table["z_m"][at]) / np.bincount(column), _heights(column, table["z_m"][at])

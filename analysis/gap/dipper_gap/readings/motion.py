@@ -54,34 +54,48 @@ def compare_motion(measured, plan):
     out = []
     if len(both) < len(numbers) or len(both) < len(plan.passes):
         out.append(f"{len(numbers)} passes are measured and the case digs {len(plan.passes)}: {len(both)} are compared")
-    first = measured.trucks()[0]
-    passes = [p for p in first.passes if p.number in both]
-    for p in passes:
-        start, end = plan.passes[p.number - 1]
-        mine, planned = p.t_end_s - p.t_start_s, end - start
-        if abs(mine - planned) > DURATION * planned:
-            out.append(f"pass {p.number} takes {mine:.1f} s in the mine and {planned:.1f} s in the case: "
-                       + MEASURED_ONE)
-    if len(first.time_s):
-        out += dict.fromkeys(line for m in measured.trucks() for p in m.passes if p.number in both
-                             for line in _of_readings(m.time_s, p, plan.step_s))
-    names = [n for n in MOTION if n in first.signals]
-    if names:
-        def misfit(lag):
-            return sum((x / LARGEST_RMS[n]) ** 2 for n, x in _rms(first, passes, plan, names, lag).items())
+    trucks = measured.trucks()
 
-        rms = _rms(first, passes, plan, names, best_lag_s(misfit))
-        out += [f"{n} is {rms[n]:.2g} {n.rsplit('_', 1)[1]} (rms) off the case's motion: {MEASURED_ONE}"
-                for n in names if rms[n] > LARGEST_RMS[n]]
+    def of_truck(m):
+        return f" of truck {m.passes[0].truck}" if len(trucks) > 1 else ""
+
+    for number in both:
+        start, end = plan.passes[number - 1]
+        mine, m = max(((_duration(m, number), m) for m in trucks), key=lambda x: abs(x[0] - (end - start)))
+        if abs(mine - (end - start)) > DURATION * (end - start):
+            out.append(f"pass {number}{of_truck(m)} takes {mine:.1f} s in the mine and {end - start:.1f} s in the case: "
+                       + MEASURED_ONE)
+    if len(measured.time_s):
+        out += dict.fromkeys(line for m in trucks for p in m.passes if p.number in both
+                             for line in _of_readings(m.time_s, p, plan.step_s))
+    names = [n for n in MOTION if n in measured.signals]
+    off = [(_least_rms(m, [p for p in m.passes if p.number in both], plan, names), m) for m in trucks] if names else []
+    for n in names:
+        rms, m = max(((rms[n], m) for rms, m in off), key=lambda x: x[0])
+        if rms > LARGEST_RMS[n]:
+            out.append(f"{n}{of_truck(m)} is {rms:.2g} {n.rsplit('_', 1)[1]} (rms) off the case's motion: "
+                       + MEASURED_ONE)
     return tuple(out)
+
+
+def _duration(m, number):
+    return next(p.t_end_s - p.t_start_s for p in m.passes if p.number == number)
+
+
+def _least_rms(m, passes, plan, names):
+    """_rms with the lag at which it is least."""
+    def misfit(lag):
+        return sum((x / LARGEST_RMS[n]) ** 2 for n, x in _rms(m, passes, plan, names, lag).items())
+
+    return _rms(m, passes, plan, names, best_lag_s(misfit))
 
 
 def _of_readings(time_s, p, plan):
     """Whether a pass is read as often as the runs are, every `plan` s: peaks and slopes depend on it."""
-    steps = np.diff(time_s[(time_s >= p.t_start_s) & (time_s <= p.t_end_s)])
-    if not len(steps):
+    inside = time_s[(time_s >= p.t_start_s) & (time_s <= p.t_end_s)]
+    if len(inside) < 2:
         return
-    median, longest = np.median(steps), steps.max()
+    median, longest = np.median(np.diff(inside)), np.diff([p.t_start_s, *inside, p.t_end_s]).max()
     if not 1 / RATES <= median / plan <= RATES:
         yield (f"a reading every {median:.3g} s, and the case's every {plan:.3g} s: set observation.rate_Hz in the "
                "case")

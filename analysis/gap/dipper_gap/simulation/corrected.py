@@ -5,6 +5,8 @@ from dataclasses import replace
 from ..readings.fidelity import known_errors
 from .simulator import EMPTY, Simulator
 
+OFFSET = "observation.scale_offset_t"  # what the scale adds, whatever was loaded
+
 
 class Corrected(Simulator):
     """A Simulator whose runs are corrected by a Fidelity; the same runs are made, and one empty cycle."""
@@ -28,7 +30,17 @@ class Corrected(Simulator):
         others = dict.fromkeys(p for p, r in zip(pairs, requests) if p != r)
         found = dict(zip(others, self._simulator.run(list(others), say) if others else ()))
         plain = [found.get(p, m) if p != r else m for p, r, m in zip(pairs, requests, made)]
-        return [_moved(self.known.corrected(p), p, m) for p, m in zip(plain, made)]
+        # What the instruments add to the empty machine's force is not due to the rock either.
+        seen = [replace(r, seed=EMPTY.seed, how="empty") if r.how == "observe" else EMPTY for r in pairs]
+        empty = dict(zip(dict.fromkeys(seen), self._simulator.run(list(dict.fromkeys(seen)), say)))
+        return [_moved(self.known.corrected(p, empty[e], self._offset(r)), p, m)
+                for p, m, e, r in zip(plain, made, seen, pairs)]
+
+    def _offset(self, r):
+        """t that the scale adds to each load."""
+        catalogue = self._simulator.catalogue
+        return sum(factor * strength for name, strength in r.effects if name in catalogue
+                   for key, _, factor in catalogue[name].overlay if key == OFFSET)
 
     def with_effect(self, effect):
         other = copy.copy(self)
@@ -37,7 +49,7 @@ class Corrected(Simulator):
 
     def _pair(self, r):
         """The run on the same rock beside which a run shows a force of machine or law, which no rock's error is in; the
-        run itself where there is none: instruments show more or less of the force that is there."""
+        run itself where there is none."""
         if self._law in dict(r.effects):
             effects = tuple(e for e in r.effects if e[0] != self._law)
             return replace(r, effects=effects, how=r.how if effects else "run")

@@ -16,7 +16,6 @@ from dipper_run.quantities import minutes
 from ..readings.measured import read_measured
 
 JOBS = 2  # runs at a time, unless asked otherwise
-MADE = ("run", "empty")  # by `dipper run`; what else is asked is of a run that was
 
 
 @dataclass(frozen=True)
@@ -25,7 +24,8 @@ class Request:
 
     how: `run`; or, of the plain run of the same seed, `observe` (the effects change only what the
     instruments show) or `replay` (some change the machine's forces but not its motion, so the rock's
-    recorded force on it stays what it was); or `empty`, the machine's cycle without rock.
+    recorded force on it stays what it was); or `empty`, the machine's cycle without rock as the
+    instruments show it.
     """
 
     effects: tuple
@@ -34,7 +34,8 @@ class Request:
 
     @property
     def plain(self):
-        return Request((), self.seed)
+        """The run that is looked at, with other instruments or another machine."""
+        return EMPTY if self.how == "empty" else Request((), self.seed)
 
     def __str__(self):
         said = ", ".join(f"{n} {s:.4g}" for n, s in self.effects) or "unchanged"
@@ -59,6 +60,7 @@ class Simulator:
     """What the workflow needs; `DipperSimulator` is the real one, tests have a fake."""
 
     jobs = JOBS
+    catalogue = {}  # {name: Effect}
     known = None  # readings.fidelity.KnownErrors by which runs are corrected
 
     def run(self, requests, say=print):
@@ -135,7 +137,7 @@ class DipperSimulator(Simulator):
 
     def run(self, requests, say=print):
         requests = [self._possible(r) for r in requests]
-        need = list(dict.fromkeys(r if r.how in MADE else r.plain for r in requests))
+        need = list(dict.fromkeys(r if r.how == "run" else r.plain for r in requests))
         jobs = [self._job(r) for r in need if not self._kept(r)]
         began, ended, failures = time.monotonic(), [], []
 
@@ -168,7 +170,7 @@ class DipperSimulator(Simulator):
 
     def _again(self, r):
         """Words that look at the plain run once more, with other instruments or another machine."""
-        plain = str(self._job(r if r.how == "empty" else r.plain).run)
+        plain = str(self._job(r.plain).run)
         if r.how == "replay":
             # The run may be of a like case elsewhere that is gone.
             return [self.program, "replay", plain, "--side", "mbs", "--case", str(self.case)] + _settings(r.effects)

@@ -29,6 +29,16 @@ def test_the_patched_case_keeps_the_text_and_finds_its_files(case, tmp_path):
     assert not (out / "effects").exists()
 
 
+def test_the_patched_case_finds_its_files_through_links_and_odd_names(case, tmp_path):
+    (tmp_path / "far" / "away").mkdir(parents=True)  # deeper than the link
+    (tmp_path / "runs").symlink_to(tmp_path / "far" / "away")
+    odd = tmp_path / "two # of: them"
+    os.rename(tmp_path / "cases", odd)
+    out = write_patched_case(odd / "one", {"fines": 0.1}, tmp_path / "runs" / "case")
+    data = yaml.safe_load((out / "case.yaml").read_text())
+    assert os.path.samefile(out / data["rock"]["mesh"], odd / "rock.stl") and data["effects"] == {"fines": 0.1}
+
+
 def test_the_patched_case_takes_the_cases_own_effect_along(case, tmp_path):
     (case / "effects").mkdir()
     (case / "effects" / "mine.yaml").write_text(FINES)

@@ -46,6 +46,8 @@ def test_a_truck_in_both_is_found(two):
     again = replace(now, passes=tuple(replace(p, truck=1) for p in late.passes), time_s=late.time_s,
                     signals=late.signals)
     assert "truck 2 is truck 1 of now" in findings(again, before)[0]
+    forces = [n for n in now.channels if n != "truck_mass_t"]
+    assert "truck 2 is truck 1 of now" in findings(again.seen_by(forces), before.seen_by(forces))[0]
 
 
 def test_what_is_doubtful_is_asked(two):

@@ -48,7 +48,7 @@ def test_a_file_beside_the_case_is_read(tmp_path):
     ("factor: 0.726", "factor: much", "fidelity.yaml:1: dig_force.factor: is much; a number above 0"),
     (", by_phase: 0.15", "", "fidelity.yaml:1: dig_force.by_phase: missing; a relative sd, 0 to 1"),
     (", source: a study", "", "fidelity.yaml:1: dig_force.source: missing"),
-    ("[face_m]", "[hoist_m]", "fidelity.yaml:3: not_compared: has hoist_m; response channels"),
+    ("[face_m]", "[hoist_m]", "fidelity.yaml:3: not_compared: has hoist_m; of hoist_force_kN"),
     ("payload:", "load:", "fidelity.yaml:2: load: unknown key")])
 def test_faults_name_file_line_and_key(tmp_path, wrong, right, said):
     (tmp_path / "fidelity.yaml").write_text(RIGHT.replace(wrong, right))

@@ -57,6 +57,20 @@ def test_masses_alone_are_enough(folder):
     assert read_measured(folder, 3).signals == {}
 
 
+def test_masses_that_are_not_declared_are_asked_about(folder):
+    lines = (folder / "channels.yaml").read_text().splitlines(keepends=True)
+    (folder / "channels.yaml").write_text("".join(x for x in lines if not x.startswith("truck_mass_t")))
+    assert "channels.yaml has no truck_mass_t, so the masses in passes.csv are not compared" in \
+        read_measured(folder).questions()
+
+
+@pytest.mark.parametrize("row", ["nan,20,3,0,1", "pass,x_m,z_m,after,truck", "1,20,3,0"])
+def test_faces_of_no_pass_are_found(folder, row):
+    points = "".join(f"1,{x},{x - 10},0,1\n" for x in range(12, 20))
+    (folder / "profile.csv").write_text(f"pass,x_m,z_m,after,truck\n{points}{row}\n")
+    assert findings(folder)
+
+
 def test_passes_that_all_bring_nothing_are_refused(folder):
     rows = [line.split(",") for line in (folder / "passes.csv").read_text().splitlines()]
     at = rows[0].index("truck_mass_t")

@@ -2,12 +2,14 @@
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import synthetic
 from dipper_gap.readings.measured import read_measured
 from dipper_gap.readings.motion import PlannedMotion, compare_motion, read_motion
 from dipper_run.program import check_json
+from trucks import in_a_row
 
 CASE = Path(__file__).resolve().parents[4] / "cases/screening"
 VALUES = {"machine.motion": "motion.csv", "end_s": 0, "observation.rate_Hz": 1}
@@ -33,6 +35,29 @@ def test_a_hole_in_a_pass_is_asked_about():
     there = [i for i, t in enumerate(m.time_s) if not 60 < t < 70]
     m = replace(m, time_s=m.time_s[there], signals={n: v[there] for n, v in m.signals.items()})
     assert "10 s without a reading in pass 2 of truck 1" in compare_motion(m, plan)
+
+
+def cut(m, keep):
+    there = np.flatnonzero(keep(m.time_s))
+    return replace(m, time_s=m.time_s[there], signals={n: v[there] for n, v in m.signals.items()})
+
+
+def test_a_log_that_begins_late_or_ends_early_is_asked_about():
+    m, plan = synthetic.run(), read_motion(CASE, VALUES)
+    end = m.passes[-1].t_end_s
+    assert "12 s without a reading in pass 1 of truck 1" in compare_motion(cut(m, lambda t: t >= 12), plan)
+    assert "25 s without a reading in pass 3 of truck 1" in compare_motion(cut(m, lambda t: t <= end - 25), plan)
+
+
+def test_every_truck_is_compared_with_the_motion():
+    one = synthetic.run()
+    off = replace(one, signals={**one.signals, "hoist_m": one.signals["hoist_m"] + 8.0})
+    time, hoist, crowd, swing = synthetic.motion(10.0)
+    plan = PlannedMotion(time, {"hoist_m": hoist, "crowd_m": crowd, "swing_rad": swing},
+                         tuple((48.0 * k, 48.0 * (k + 1)) for k in range(3)), 1.0)
+    assert compare_motion(in_a_row([one, one]), plan) == ()
+    assert compare_motion(in_a_row([one, off]), plan) == (
+        "hoist_m of truck 2 is 8 m (rms) off the case's motion: is its motion the measured one?",)
 
 
 def test_the_runs_rate_is_the_cases():
