@@ -164,6 +164,10 @@ def _merge(log, index, stamp, interval, what, path, found, notes):
     line, clock_set_at = log.lines[index], what.time.clock_set_at
     time = stamp.copy()
     shift = 0.0
+    unknown = sorted(set(clock_set_at) - set(line[1:].tolist()))
+    if unknown:
+        found.add(path, 0, "time.clock_set_at", f"has {', '.join(map(str, unknown))}, where no row with a time begins",
+                  f"lines of rows after the first, {int(line[1])} to {int(line[-1])}" if len(line) > 1 else "no line")
     starts = np.flatnonzero(np.append(True, (np.diff(stamp) < 0) | np.isin(line[1:], list(clock_set_at))))
     for start, end in zip(starts, np.append(starts[1:], len(stamp))):
         time[start:end] += shift

@@ -133,6 +133,8 @@ def test_a_clock_that_is_set_forward(tmp_path):
     assert len(read.found.all) == 1
     assert "log.csv:121: time: nothing for 3600.1 s, up to line 122; 2 s at most (longest_gap_s)" in read.found.all[0]
     assert read.found.all[0].endswith("was the clock set? time.clock_set_at: [122]")
+    unknown = Read(tmp_path, stamps, clock_set_at=frozenset([1, 99999]))
+    assert "time.clock_set_at: has 1, 99999, where no row with a time begins" in unknown.found.all[0]
     read = Read(tmp_path, stamps, clock_set_at=frozenset([122]))
     assert read.is_whole() and "the clock is set forward by 3600 s at line 122" in read.notes[0]
 
