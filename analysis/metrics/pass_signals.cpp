@@ -5,13 +5,12 @@
 
 #include "analysis/signals/time_mean.hpp"
 #include "common/gravity.hpp"
+#include "machine/door.hpp"
 
 namespace dipper::analysis::metrics {
 namespace {
 
-constexpr double kWindow_s = 1.0;  // as for the payload in passes.cpp
 constexpr double kStill_m_s = 0.05;
-constexpr double kLatched_rad = 1e-5;  // at larger angles the door is opening and carries no weight
 
 }  // namespace
 
@@ -44,9 +43,9 @@ std::optional<StaticWeight> static_weight(const run::RunSignals& s, const signal
   double sum = 0;
   std::size_t still = 0, all = 0;
   for (std::size_t i = 0; i < t.size(); ++i) {
-    if (t[i] < pass.t_dump_s - kWindow_s || t[i] > pass.t_dump_s) continue;
+    if (t[i] < pass.t_dump_s - signals::kPayloadWindow_s || t[i] > pass.t_dump_s) continue;
     ++all;
-    if (std::abs(s.pass.door_rad[i]) > kLatched_rad) continue;
+    if (!machine::door_is_latched(s.pass.door_rad[i])) continue;
     if (std::abs(dipper.at(t[i]).V_WB_W.v.z()) > kStill_m_s) continue;
     if (still == 0) w.from_s = t[i];
     w.to_s = t[i];

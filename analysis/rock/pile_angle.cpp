@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "analysis/rock/median.hpp"
 #include "common/angles.hpp"
 
 namespace dipper::analysis::rock {
@@ -14,13 +15,6 @@ namespace {
 constexpr std::size_t kFewestBins = 5;
 constexpr int kResamples = 200;
 
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  if (v.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(v.begin(), middle)) / 2;
-}
-
 /// Running median over `width` bins, over fewer at the ends.
 std::vector<double> smoothed(const std::vector<double>& z, std::size_t width) {
   const std::size_t half = width / 2;
@@ -28,7 +22,7 @@ std::vector<double> smoothed(const std::vector<double>& z, std::size_t width) {
   for (std::size_t i = 0; i < z.size(); ++i) {
     const std::size_t reach = std::min({half, i, z.size() - 1 - i});
     const auto first = z.begin() + static_cast<std::ptrdiff_t>(i - reach);
-    out.push_back(median_of({first, first + static_cast<std::ptrdiff_t>(2 * reach + 1)}));
+    out.push_back(median({first, first + static_cast<std::ptrdiff_t>(2 * reach + 1)}));
   }
   return out;
 }
@@ -58,7 +52,7 @@ double theil_sen(const std::vector<double>& x, const std::vector<double>& z) {
   slopes.reserve(x.size() * (x.size() - 1) / 2);
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t j = i + 1; j < x.size(); ++j) slopes.push_back((z[j] - z[i]) / (x[j] - x[i]));
-  return median_of(std::move(slopes));
+  return median(std::move(slopes));
 }
 
 double angle_deg(double slope) { return degrees(std::atan(std::abs(slope))); }
@@ -130,13 +124,8 @@ PileAngle pile_angle(const SurfaceProfile& profile, double grain_m,
   std::vector<double> residual;
   for (std::size_t i = 0; i < x.size(); ++i)
     residual.push_back(z[i] - out.slope * (x[i] - out.x0_m));
-  out.z0_m = median_of(residual);
-  double squares = 0;
-  for (double& r : residual) {
-    r -= out.z0_m;
-    squares += r * r;
-  }
-  out.rms_m = std::sqrt(squares / static_cast<double>(residual.size()));
+  out.z0_m = median(residual);
+  for (double& r : residual) r -= out.z0_m;
   out.sigma_deg = bootstrap_sigma_deg(x, residual, out.slope, std::min(block, x.size()));
   return out;
 }

@@ -26,7 +26,6 @@ struct PileAngle {
   double slope = 0;                 ///< dz/dx, signed
   double x0_m = 0, z0_m = 0;        ///< a point on the line: the flank's centre
   double x_from_m = 0, x_to_m = 0;  ///< the flank
-  double rms_m = 0;                 ///< of the profile about the line
   double height_m = 0;              ///< of the pile over the floor
 };
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "analysis/rock/median.hpp"
+
 namespace dipper::analysis::rock {
 namespace {
 
@@ -28,13 +30,6 @@ Extent extent(const std::vector<Sphere>& balls) {
     e.smallest_m = std::min(e.smallest_m, b.radius_m);
   }
   return e;
-}
-
-double median(std::vector<double>& v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  if (v.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(v.begin(), middle)) / 2;
 }
 
 }  // namespace

@@ -11,8 +11,7 @@ namespace dipper::analysis::signals {
 namespace {
 
 constexpr double kFirstContact_N = 20e3;  // the weight of a 2 t rock: more than a loose rock
-constexpr double kPayloadWindow_s = 1.0;
-constexpr double kDump_s = 1.0;                   // a load needs longer to leave
+constexpr double kDump_s = 1.0;           // a load needs longer to leave
 constexpr double kLook_s = 0.5, kLeaving = 0.05;  // of the load: still under way at the end
 constexpr double kStray_kg = 2000;                // of that rock: less is not a load
 

@@ -17,6 +17,8 @@ struct PassSignals {
   std::vector<double> truck_mass_kg;   ///< rock in the truck's bed
 };
 
+constexpr double kPayloadWindow_s = 1;  ///< before the door opens, in which the load is weighed
+
 struct Pass {
   int pass = 0;                 ///< from 1
   double t_start_s = 0;         ///< the previous pass's end, or the run's start with the door shut
@@ -24,7 +26,7 @@ struct Pass {
   double t_dump_s = 0;          ///< the door starts to open, above the truck
   double t_end_s = 0;           ///< the door has closed again, or the run ended
   bool dumped = false;          ///< the door has opened and the load has left before the run's end
-  double payload_kg = 0;        ///< in the dipper, mean over the last second before the door opens
+  double payload_kg = 0;        ///< in the dipper, mean over kPayloadWindow_s before the door opens
   double truck_kg = 0;          ///< gained by the truck during the pass
   double dig_force_mean_N = 0;  ///< sqrt(crowd² + hoist²), t_dig to t_dump (paper, Eq. 11)
   double dig_force_peak_N = 0;

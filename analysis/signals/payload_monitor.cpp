@@ -4,13 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "machine/door.hpp"
+
 namespace dipper::analysis::signals {
 namespace {
 
 constexpr double kStands_m_s = 0.1;
 constexpr double kShortest_s = 0.5;       // if shorter, the drives never stood still
 constexpr double kHalf_s = 0.25;          // half of the time over which speeds are taken
-constexpr double kLatched_rad = 1e-5;     // at larger angles the door is opening
 constexpr double kLeastFraction = 1e-12;  // of g^2: below, neither balance shows the load
 
 /// The rate of change of a signal at a reading.
@@ -46,7 +47,7 @@ std::optional<MonitorReading> PayloadMonitor::weigh(const DriveSignals& s,
   double still_s = 0;
   for (std::size_t i = 1; i < t.size(); ++i) {
     if (t[i] < swing->t_start_s || t[i] > pass.pass.t_dump_s) continue;
-    if (std::abs(door_rad[i]) > kLatched_rad) continue;
+    if (!machine::door_is_latched(door_rad[i])) continue;
     all.push_back(i);
     if (std::abs(speed_at(t, s.hoist_m, i)) > kStands_m_s) continue;
     if (std::abs(speed_at(t, s.crowd_m, i)) > kStands_m_s) continue;

@@ -63,8 +63,8 @@ def compare_motion(measured, plan):
         start, end = plan.passes[number - 1]
         mine, m = max(((_duration(m, number), m) for m in trucks), key=lambda x: abs(x[0] - (end - start)))
         if abs(mine - (end - start)) > DURATION * (end - start):
-            out.append(f"pass {number}{of_truck(m)} takes {mine:.1f} s in the mine and {end - start:.1f} s in the case: "
-                       + MEASURED_ONE)
+            out.append(f"pass {number}{of_truck(m)} takes {mine:.1f} s in the mine and {end - start:.1f} s in the "
+                       f"case: {MEASURED_ONE}")
     if len(measured.time_s):
         out += dict.fromkeys(line for m in trucks for p in m.passes if p.number in both
                              for line in _of_readings(m.time_s, p, plan.step_s))
