@@ -166,7 +166,8 @@ def readings(args, values):
     questions = [*measured.questions(), *compare_motion(measured, read_motion(args.case, values))]
     before = read_measured(args.reference, NEED_PASSES) if args.reference else None
     if before:
-        questions += [*(f"the reference: {q}" for q in before.questions()), *check_reference(measured, before)]
+        questions += [f"the reference: {q}" for q in before.questions()]
+        questions += check_reference(measured, before)
     for question in questions:
         say(f"gap: {question}")
     return measured, before
@@ -181,8 +182,8 @@ def require_comparable(channels, args):
                         f"{', '.join((*FORCES, MASS, FACE))}"])
     missing = [n for n in MOTION if n not in channels]
     if forces and missing:
-        raise BadInput([f"{folder}: channels.yaml: has {', '.join(forces)} without {', '.join(missing)}, from which the "
-                        "phases of a pass are found; declare them"])
+        raise BadInput([f"{folder}: channels.yaml: has {', '.join(forces)} without {', '.join(missing)}, from which "
+                        "the phases of a pass are found; declare them"])
 
 
 def usable_fidelity(case, with_reference):

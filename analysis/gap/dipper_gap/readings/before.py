@@ -70,7 +70,7 @@ def _same_trucks(measured, before):
 
     def mark(truck):
         first = np.searchsorted(truck.time_s, [p.t_start_s for p in truck.passes])
-        return (*((p.number, round(p.t_end_s - p.t_start_s, 3), p.truck_mass_t if weighed else 0) for p in truck.passes),
+        return (*((p.number, round(p.t_end_s - p.t_start_s, 3), weighed and p.truck_mass_t) for p in truck.passes),
                 *(tuple(truck.signals[n][first]) for n in forces))
 
     if not forces and not weighed:
