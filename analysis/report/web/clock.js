@@ -1,5 +1,17 @@
 // The one time of the page: the replay, the curves and the keyboard all read and set it.
 
+/// Index of the last of rising times at or before a time; 0 where there is none.
+export function lastUpTo(times, time) {
+  let low = 0;
+  let high = times.length - 1;
+  while (low < high) {
+    const mid = (low + high + 1) >> 1;
+    if (times[mid] <= time) low = mid;
+    else high = mid - 1;
+  }
+  return low;
+}
+
 export class Clock extends EventTarget {
   constructor(times) {
     super();
@@ -29,14 +41,7 @@ export class Clock extends EventTarget {
 
   /// The last frame at or before a time.
   index(time) {
-    let low = 0;
-    let high = this.times.length - 1;
-    while (low < high) {
-      const mid = (low + high + 1) >> 1;
-      if (this.times[mid] <= time) low = mid;
-      else high = mid - 1;
-    }
-    return low;
+    return lastUpTo(this.times, time);
   }
 
   toggle() {

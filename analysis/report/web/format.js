@@ -19,9 +19,12 @@ export function fixed(x, places) {
   return typeof x === 'number' && Number.isFinite(x) ? grouped((Math.abs(x) < 0.5 * 10 ** -places ? 0 : x).toFixed(places)) : '–';
 }
 
-/// A number beside an axis: no more digits than it has.
+/// A number beside an axis: no more digits than it has, a power of ten as that.
 export function tick(x) {
-  if (x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e6)) return `10${power(Math.round(Math.log10(Math.abs(x))))}`;
+  if (x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e6)) {
+    const e = Math.log10(x);
+    return Math.abs(e - Math.round(e)) < 1e-9 ? `10${power(Math.round(e))}` : number(x, 3);
+  }
   return grouped(String(Number(x.toPrecision(6))));
 }
 

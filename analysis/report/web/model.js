@@ -1,7 +1,7 @@
 // What the page draws, made from metrics.json (docs/metrics.md) and the curves of the record.
 
 const FLOW_FASTER = 0.1; // m/s against the dipper; docs/metrics.md
-const DIGS = ['penetrate', 'dig', 'fill', 'breakout', 'lift'];
+const DIGS = ['penetrate', 'fill', 'breakout'];
 
 export class Model {
   constructor(head) {
@@ -27,6 +27,7 @@ export class Model {
     };
     this.phases = (m.phases ?? []).map((p) => ({ name: p.phase, from: p.t_start_s, to: p.t_end_s }));
     this.run = m.run ?? {};
+    this.program = typeof this.run.operator === 'string' ? this.run.operator : null; // the command of one that drives
     this.classes = new Map((m.sizes ?? []).map((c) => [c.class, c])); // by a sphere's type
   }
 

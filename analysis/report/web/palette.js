@@ -16,8 +16,7 @@ export const SIZE = ['#e6e3dc', '#a9c3cf', '#5f97b3', '#2b6490', '#12305c'];
 export const PRESSED = ['#fbe3a6', '#f0a93b', '#d0542c', '#86204f', '#2a0a45'];
 
 const PHASES = {
-  penetrate: 'phase-in', dig: 'phase-fill', fill: 'phase-fill', breakout: 'phase-lift', lift: 'phase-lift',
-  swing: 'phase-swing', dump: 'phase-dump',
+  penetrate: 'phase-in', fill: 'phase-fill', breakout: 'phase-lift', swing: 'phase-swing', dump: 'phase-dump',
 };
 /// The name of the tone of a phase.
 export const phaseTone = (name) => PHASES[name] ?? 'phase-idle';

@@ -57,6 +57,6 @@ int main(int argc, char** argv) {
                       {"payload_ways", {{"inside_kg", 16e3}, {"truck_kg", 16e3}}}}}},
                    {"phases",
                     {{{"phase", "reach"}, {"t_start_s", 0}, {"t_end_s", 0.2 * T}},
-                     {{"phase", "dig"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
+                     {{"phase", "fill"}, {"t_start_s", 0.2 * T}, {"t_end_s", T}}}}};
   write_report_page("A synthetic dig", input, argv[1]);
 }

@@ -51,9 +51,10 @@ class SyntheticDig : public analysis::report::ReplaySource {
       s.rock = i % 3 == 0 ? -1 : static_cast<std::int64_t>(i / 6);
       s.type = 1 + static_cast<int>(i % 4);
       s.radius_m = static_cast<float>(0.5 * pitch);
+      const std::size_t layer = i / side / side;
       const Vector3d rest(4 + pitch * static_cast<double>(i % side),
                           -8 + pitch * static_cast<double>(i / side % side),
-                          pitch * (0.5 + static_cast<double>(i / side / side)));
+                          pitch * (0.5 + static_cast<double>(layer)));
       // The dipper takes what is in its way from the moment it gets there; it tumbles inside.
       const double T = times_.back(), met = T * (rest.x() - 2) / 20;
       Vector3d p = rest;

@@ -57,7 +57,7 @@ def find_trend(strength, before, variance, drift):
     step = float(p[steps].sum())
     shape = "step" if step >= SURELY else "ramp" if step <= 1 - SURELY else "unclear"
     began = np.bincount([c for _, c, _ in shapes], p)
-    allowed = np.ones(len(p), bool) if shape == "unclear" else steps == (shape == "step")
+    allowed = steps == (shape != "ramp")
     best = int(np.argmax(np.where(allowed, p, -1.0)))
     return Trend(shapes[best][1], _interval(began, shapes[best][1]), shape, *fits[best][1:])
 

@@ -3,6 +3,7 @@ import { foot, masthead, showPage } from '../page.js';
 import { seconds } from '../format.js';
 import { forces } from '../sections/dry/forces.js';
 import { limits } from '../sections/dry/limits.js';
+import { demand } from '../sections/run/demand.js';
 import { passes } from '../sections/dry/passes.js';
 import { way } from '../sections/dry/way.js';
 import { work } from '../sections/work.js';
@@ -30,7 +31,8 @@ showPage((data) => {
     section('replay', 'The machine at work', 'The bench is the case\'s, before the first pass. A line shows the path of the teeth in each pass.',
       h('p.zones', data.ways.map(({ pass }) => h('span.key', h('i', { style: `background:var(--${passColour(pass)})` }), `pass ${pass}`))),
       replay(data.replay, frames, clock, phases, { sizes: [], classes: new Map() })),
-    limits(summary.limits),
+    limits(summary.limits, summary.drives),
+    summary.drives && demand(summary.passes, false),
     way(data.ways, summary.faces),
     forces(data),
     work(summary.passes),

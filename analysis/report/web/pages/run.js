@@ -33,7 +33,7 @@ showPage((data) => {
     filling(model, clock),
     signals(model, clock),
     work(model.passes),
-    demand(model.passes),
+    demand(model.passes, model.program),
     payload(model),
     rock(model),
     coupling(model, clock),

@@ -1,4 +1,5 @@
 // Forces and masses at the time shown, over the picture.
+import { lastUpTo } from '../clock.js';
 import { h } from '../dom.js';
 import { meganewtons, tonnes } from '../format.js';
 
@@ -15,16 +16,10 @@ export function readout(model) {
   return {
     element,
     show(t) {
-      let low = 0;
-      let high = time.length - 1;
-      while (low < high) {
-        const mid = (low + high + 1) >> 1;
-        if (time[mid] <= t) low = mid;
-        else high = mid - 1;
-      }
+      const row = lastUpTo(time, t);
       phase.textContent = model.phases.find((p) => p.from <= t && t <= p.to)?.name ?? '';
       wanted.forEach(([label, channel, text, unit], k) => {
-        const value = channel[low];
+        const value = channel[row];
         lines[k].replaceChildren(...(Number.isFinite(value) ? [h('b', text(value)), ` ${unit} ${label}`] : []));
       });
     },

@@ -63,11 +63,13 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
         h('i', { style: `background:${classColour(type)}` }), className(classes.get(type), type))));
     },
   };
-  const colour = choice('Colour by', [['speed', 'speed'], ['size', 'size'], ['class', 'class']], 'speed', (value) => {
+  const moves = head.speed_max_m_s > 0; // dumps may have no speeds
+  const first = moves ? 'speed' : 'size';
+  const colour = choice('Colour by', [moves && ['speed', 'speed'], ['size', 'size'], ['class', 'class']].filter(Boolean), first, (value) => {
     colourBy[value]();
     stage.ask();
   });
-  colourBy.speed();
+  colourBy[first]();
 
   const walls = wallColours(head, stage);
   const views = cameraViews(stage);
@@ -105,7 +107,7 @@ export function replay(head, frames, clock, phases, { sizes, classes }, readout)
   show();
   canvas.stage = stage; // for measurements of the drawing speed
   const picture = film(stage, clock, () => [clockFace.textContent, ...[...(readout?.element.children ?? [])].map((line) => line.textContent)],
-    head.spheres > 0 && { what: 'speed of the rock', stops: SPEED, low: '0', high: `≥ ${SPEED_TOP} m/s` });
+    head.spheres > 0 && moves && { what: 'speed of the rock', stops: SPEED, low: '0', high: `≥ ${SPEED_TOP} m/s` });
   canvas.film = (...of) => { views.All(); return picture(...of); };
   return h('div.replay', face, screen,
     h('div.transport', play, track, rate),

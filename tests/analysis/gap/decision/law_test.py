@@ -57,7 +57,7 @@ def test_a_pass_keeps_its_number_where_others_are_left_out():
     """Of passes 1 and 3 the second is the third, as in the run that is to show the law."""
     now, before = periods([{}] * BEFORE, [{}] * TRUCKS, 7)
     some = replace(now, passes=tuple(p for p in now.passes if p.number != 2))
-    readings = dict(_readings(replace(model(), passes=(1, 3)), some, before))["hoist_force_kN"]
+    readings = dict(_readings(replace(model(), passes=(1, 3)), model().baseline, (3,), some, before))["hoist_force_kN"]
     numbers = readings.terms[:, FORMS.index("pass")]
     assert set(numbers) == {1, 3} and np.array_equal(numbers, readings.passes)
 

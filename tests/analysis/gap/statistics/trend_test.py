@@ -63,3 +63,10 @@ def test_weights_are_blind_to_the_other_directions():
     directions, covariance = rng.standard_normal((6, 2)), np.cov(rng.standard_normal((6, 40)))
     w = weights(directions, covariance)
     assert w @ directions == pytest.approx([1, 0], abs=1e-9)
+
+
+def test_where_step_and_ramp_are_as_likely_it_is_drawn_as_a_step():
+    """So its size is that of the best step, not of a ramp's end, which no truck has."""
+    y = np.array([0, 0, 0, 0.3, 0.6, 1, 1.1])
+    t = find_trend(y, 3, np.full(7, 0.3), 0.0)
+    assert t.shape == "unclear" and t.size == pytest.approx(y[t.began:].mean() - y[:t.began].mean(), abs=0.05)

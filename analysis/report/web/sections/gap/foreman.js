@@ -1,7 +1,7 @@
 // The answer for whoever runs the shovel: what, where, how much, how sure, since when, and what to measure next.
-import { percent } from '../../format.js';
+import { number, percent } from '../../format.js';
 import { facts } from '../../parts/table.js';
-import { channelName, lawText, strengthText, title } from './words.js';
+import { channelName, lawText, strengthText, title, unitText } from './words.js';
 
 const PLACES = 3;
 const LEVELS = ['mean', 'mass', 'balance'];
@@ -49,7 +49,7 @@ function howMuch(data) {
   if (answer.verdict !== 'class') return null;
   return answer.class.filter((name) => answer.intervals[name]).map((name) => {
     const [low, high] = answer.intervals[name];
-    return `${title(data, name)}: ${low.toPrecision(2)} to ${high.toPrecision(2)} ${data.effects?.[name]?.unit ?? ''}`;
+    return `${title(data, name)}: ${number(low, 2)} to ${number(high, 2)} ${unitText(data.effects?.[name]?.unit ?? '')}`.trim();
   }).join('; ');
 }
 

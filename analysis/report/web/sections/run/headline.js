@@ -13,7 +13,7 @@ export function head(model) {
       run.sim_s && `${seconds(run.sim_s, 1)} of digging`,
       run.cpu_s && `computed in ${duration(run.cpu_s)} of processor time`,
       run.seed !== undefined && `seed ${run.seed}`,
-      run.operator && (program(run) ? `driven by ${program(run)}` : 'each pass planned by the operator'),
+      run.operator && (model.program ? `driven by ${model.program}` : 'each pass planned by the operator'),
     ].filter(Boolean).join(' · '),
     run.status && run.status !== 'complete' && `This run is ${run.status}: the figures cover the part that exists.`,
     ...(run.warnings ?? []));
@@ -33,14 +33,16 @@ export function headline(model) {
     { name: 'peak', alone: 'Dig force, peak', unit: 'MN', cell: (p) => meganewtons(p.dig_force_peak_N, 1) },
     { name: 'Dig work', unit: 'MJ', cell: (p) => megajoules(p.dig_work_J) },
     { name: 'per payload', alone: 'Dig work per payload', unit: 'J/kg', cell: (p) => fixed(p.specific_dig_energy_J_kg, 0) },
-    { name: 'Spilt', unit: 't', cell: (p) => tonnes(p.spillage_kg, 2) },
+    { name: 'Spilt', unit: 't', cell: (p) => tonnes(p.dumped === false ? NaN : p.spillage_kg, 2) },
     timeColumn,
     { name: 'Cost', unit: 'CPU s', cell: (p) => number((p.t_end_s - p.t_start_s) * run.cpu_s_per_sim_s, 3) },
   ].filter((column) => passes.some((p) => column.cell(p) !== '–'));
   const sum = (key) => passes.reduce((total, p) => total + (p[key] ?? NaN), 0);
+  const whole = dumped(passes);
+  const mean = (key) => whole.reduce((total, p) => total + (p[key] ?? NaN), 0) / whole.length;
   const total = passes.length > 1 ? [{
     pass: 'All', payload_kg: sum('payload_kg'), truck_kg: sum('truck_kg'),
-    fill_factor: sum('fill_factor') / passes.length, fill_factor_load: sum('fill_factor_load') / passes.length,
+    fill_factor: mean('fill_factor'), fill_factor_load: mean('fill_factor_load'),
     dig_force_peak_N: Math.max(...passes.map((p) => p.dig_force_peak_N)), dig_work_J: sum('dig_work_J'),
     spillage_kg: sum('spillage_kg'), t_start_s: passes[0].t_start_s, t_end_s: passes[passes.length - 1].t_end_s,
   }] : [];
@@ -48,15 +50,19 @@ export function headline(model) {
     table(null, columns, passes, { foot: total }), notes(model));
 }
 
+/// A pass that the run's end leaves unfinished has no load.
+const dumped = (passes) => passes.filter((p) => p.dumped !== false);
+
 /// Notes that a reader needs to judge the figures.
 function notes(model) {
-  const { passes, run, drives, metrics } = model;
+  const { passes, drives, metrics } = model;
   const rated = metrics.dipper?.rated_load_kg;
+  const shares = dumped(passes).map((p) => percent(p.payload_kg / rated)).join(', ');
   const assumed = metrics.dipper?.rated_load_assumed ? ' (assumed, not a maker’s figure)' : '';
   return h('ul.notes', [
-    rated && ['Rated load', `${tonnes(rated, 0)} t${assumed}. The payload is ${passes.map((p) => percent(p.payload_kg / rated)).join(', ')} of it.`],
+    rated && shares && ['Rated load', `${tonnes(rated, 0)} t${assumed}. The payload is ${shares} of it.`],
     model.run.truck && ['Truck', truck(model.run.truck)],
-    drives && ['Drives', stalls(drives, program(run)), ' ', h('a', { href: '#demand' }, 'By phase')],
+    drives && ['Drives', stalls(drives, model.program), ' ', h('a', { href: '#demand' }, 'By phase')],
     model.coupling && ['Scatter', scatter(metrics.dipper?.machine)],
     passes.some((p) => Number.isFinite(p.fill_factor))
       && ['Fill factor', 'Payload over what the struck volume holds: of rock as loose as in the settled pile, or as in the load itself.'],
@@ -82,11 +88,6 @@ function scatter(machine) {
     ? 'In the cases that come with the Bucyrus 495 the payload of a pass scatters between seeds by 3 to 7 t (standard deviation), least with rock at true size.'
     : 'How much the payload scatters between seeds has not been measured for this machine.';
   return `This is one seed, one pile of this rock. ${known} To measure it for this case, run several seeds: dipper study.`;
-}
-
-/// The command of a program that drives; null where the machine follows a motion or the operator plans.
-function program(run) {
-  return typeof run.operator === 'string' ? run.operator : null;
 }
 
 /// A program that drives follows no motion: it is not behind one.

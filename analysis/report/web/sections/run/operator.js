@@ -1,11 +1,11 @@
 // What an operator who plans saw before each pass, the digs compared, and the path chosen.
-import { h, section, svg } from '../../dom.js';
+import { h, section } from '../../dom.js';
 import { fixed, meganewtons, tonnes } from '../../format.js';
 import { passColour, ramp, SIZE } from '../../palette.js';
 import { eachPass } from '../../parts/each_pass.js';
 import { table } from '../../parts/table.js';
+import { way } from '../../parts/way.js';
 
-const STEP = 5; // m, of the grid
 const SHOWN = 6; // candidates, the best
 
 /// data: {decisions: [operator/pass_N.json], end: operator/end.json or null}.
@@ -27,19 +27,10 @@ function decision(d) {
 }
 
 function profile(d) {
-  const right = 30, top = 15;
-  const steps = (to) => Array.from({ length: Math.floor(to / STEP) + 1 }, (_, k) => k * STEP);
-  const line = (list) => list.map(([x, z]) => `${x} ${-z}`).join('L');
-  const surface = d.profile_m.filter(([x]) => x <= right);
-  return h('figure.way', h('figcaption', 'The face as seen, and the path of the teeth (control points), in m'),
-    svg('svg', { viewBox: `-2 ${-top - 0.5} ${right + 2.5} ${top + 2.5}`, role: 'img',
-      'aria-label': `A face up to ${fixed(Math.max(...surface.map(([, z]) => z)), 1)} m, and a path from ${d.path_m[0][0]} m out to `
-        + `${d.path_m[d.path_m.length - 1][0]} m out.` },
-    steps(right).map((x) => [svg('path', { d: `M${x} ${-top}V0`, class: 'grid' }), svg('text', { x, y: 1.2, 'text-anchor': 'middle' }, `${x}`)]),
-    steps(top).map((z) => [svg('path', { d: `M0 ${-z}H${right}`, class: 'grid' }), svg('text', { x: -0.4, y: -z + 0.3, 'text-anchor': 'end' }, `${z}`)]),
-    svg('path', { d: `M${line([[surface[0][0], 0], ...surface, [surface[surface.length - 1][0], 0]])}Z`, class: 'bench' }),
-    svg('path', { d: `M0 0H${right}`, class: 'ground' }),
-    svg('path', { d: `M${line(d.path_m)}`, class: 'teeth', style: `stroke:var(--${passColour(d.pass)})` })));
+  const last = d.path_m[d.path_m.length - 1];
+  return h('figure.way', h('figcaption', 'The face as seen, and the path of the teeth (control points), in m'), way(d.profile_m, d.path_m, {
+    right: 30, top: 15, pass: d.pass,
+    words: `A face up to ${fixed(Math.max(...d.profile_m.map(([, z]) => z)), 1)} m, and a path from ${d.path_m[0][0]} m out to ${last[0]} m out.` }));
 }
 
 /// From above: x to the right, y (left of the machine) up.
@@ -73,7 +64,7 @@ function map(d, chosen) {
 function candidates(d) {
   const score = d.goal === 'energy' ? { name: 'payload per energy', unit: 'kg/kJ', cell: (c) => fixed(1e3 * c.score, 2) }
     : { name: 'payload per time', unit: 'kg/s', cell: (c) => fixed(c.score, 0) };
-  const can = d.candidates.map((c, k) => ({ ...c, chosen: k === d.chosen }))
+  const can = d.candidates.map((c, k) => ({ ...c, chosen: k === d.chosen })).filter((c) => !c.refused)
     .sort((a, b) => b.score - a.score).slice(0, SHOWN);
   const refused = d.candidates.filter((c) => c.refused);
   const because = new Map();
@@ -82,7 +73,7 @@ function candidates(d) {
       .replace(/^the (\w+) would be at .* m$/, 'the $1 cannot reach as far').replace(/-?\d+(\.\d+)?/g, '…');
     because.set(why, (because.get(why) ?? 0) + 1);
   });
-  return [table(`The best of ${d.candidates.length}`, [
+  return [can.length > 0 && table(`The best of ${d.candidates.length}`, [
     { name: 'Heading', cell: (c) => `${fixed(c.heading_deg, 0)}°${c.chosen ? ' ← chosen' : ''}` },
     score,
     { name: 'depth', unit: 'm', cell: (c) => fixed(c.depth_m, 2) },

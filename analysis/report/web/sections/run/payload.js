@@ -41,7 +41,7 @@ function notes(pass) {
 
 function fate(pass) {
   const of = (name, key, colour) => ({ name, value: pass[key] ?? 0, colour, text: `${tonnes(pass[key], 2)} t` });
-  if (!Number.isFinite(pass.lifted_kg)) return null;
+  if (!Number.isFinite(pass.lifted_kg) || pass.dumped === false) return null;
   const rest = ['carry_back_kg', 'back_in_pile_kg', 'spillage_kg'].reduce((sum, key) => sum + (pass[key] ?? 0), 0);
   return h('div', h('h3', `Where the ${tonnes(pass.lifted_kg)} t lifted went`), bar('Fate of the load', [
     { name: 'truck', value: pass.lifted_kg - rest, colour: 'green', text: `${tonnes(pass.lifted_kg - rest, 2)} t` },

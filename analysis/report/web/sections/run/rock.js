@@ -1,6 +1,7 @@
 // The rock: sizes in the pile and in the load, the face before and after.
 import { h, section } from '../../dom.js';
 import { fixed, number } from '../../format.js';
+import { passColour } from '../../palette.js';
 import { curve } from '../../parts/curve.js';
 
 export function rock(model) {
@@ -22,7 +23,7 @@ function sizeCurves(sizes) {
   return curve(x, [
     { label: 'pile', values: passing((c) => c.pile_percent), colour: 'muted', width: 2.5, stepped: true },
     ...loads.map((_, k) => known(k) && { label: loads.length > 1 ? `load of pass ${k + 1}` : 'load', values: passing((c) => c.loaded_percent[k]),
-      colour: ['blue', 'orange', 'green', 'purple'][k % 4], stepped: true }),
+      colour: passColour(k + 1), stepped: true }),
   ].filter(Boolean), { title: 'Sizes', unit: '% of the mass passing', height: 240, logX: true, yRange: [0, 104], xLabel: 'size (m)', xRange: [x[0], x[x.length - 1]],
     xTicks: classes.map((c) => Number(c.size_m.toPrecision(2))) });
 }
