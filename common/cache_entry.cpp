@@ -46,7 +46,9 @@ std::string deck_hash(std::string what, const std::vector<fs::path>& files, cons
   for (const fs::path& file : files) add(file);
   std::set<fs::path> sorted;
   for (const auto& f : fs::directory_iterator(deck))
-    if (f.is_regular_file() && f.path().filename() != "case.in") sorted.insert(f.path());
+    if (f.is_regular_file() && f.path().filename() != "case.in" &&
+        f.path().filename() != "achieved.csv")  // what an earlier run has counted
+      sorted.insert(f.path());
   for (const fs::path& file : sorted) {
     what += file.filename().string() + '\n';
     add(file);

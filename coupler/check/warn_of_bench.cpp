@@ -8,6 +8,8 @@
 #include "common/gravity.hpp"
 #include "coupler/case/bench_surface.hpp"
 #include "coupler/check/warning_parts.hpp"
+#include "coupler/deck/contact_table.hpp"
+#include "coupler/deck/pile_shape.hpp"
 
 namespace dipper::check {
 namespace {
@@ -74,6 +76,11 @@ double overlap(const cases::Case& c, double top_m) {
   return 4 * M_PI * stress_Pa / (kContactsOfOne * solid * c.contact.normal_scale * bulk_Pa);
 }
 
+/// How long poured rock falls, which starts at 1 m/s (dem_in).
+double falls_for_s(double height_m) {
+  return (std::sqrt(1 + 2 * kGravity_m_s2 * std::max(0.0, height_m)) - 1) / kGravity_m_s2;
+}
+
 }  // namespace
 
 void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings) {
@@ -86,6 +93,35 @@ void warn_of_bench(const cases::Case& c, std::vector<Finding>& warnings) {
         fmt::format("under the weight of the bench rocks overlap by {:.0f} % of their diameter; "
                     "write {:.1g} or more for {:.0f} %",
                     100 * share, c.contact.normal_scale * share / kSoft, 100 * kSoft)));
+  const deck::PileShape pour = deck::pile_shape(c);
+  const double fall_s = falls_for_s(pour.pour_height_m - pour.height_m);
+  if (c.pile.built == cases::PileBuilt::poured && c.pile.settle_s > 0 && c.pile.settle_s < fall_s)
+    warnings.push_back(cases::finding_at(
+        c, "pile.settle_s",
+        fmt::format("in {:g} s the poured rock has not come down, and the bench is cut from what "
+                    "is still in the air; write {:.2g} or more",
+                    c.pile.settle_s, fall_s + 1)));
+  double smallest = INFINITY;
+  for (const deck::RockClass& rock : deck::rock_classes(c))
+    smallest = std::min(smallest, 2 * rock.radius_m);
+  if (c.pile.held_layer_m > 0 && c.pile.held_layer_m < smallest)
+    warnings.push_back(cases::finding_at(
+        c, "pile.held_layer_m",
+        fmt::format("{:g} m hold no rock: the smallest is {:g} m", c.pile.held_layer_m, smallest)));
+  if (c.crust.tensile_strength_Pa > 0 && c.crust.thickness_m > 0 && c.crust.thickness_m < smallest)
+    warnings.push_back(cases::finding_at(c, "crust.thickness_m",
+                                         fmt::format("{:g} m bond no rocks: the smallest is {:g} m",
+                                                     c.crust.thickness_m, smallest)));
+  if (const double x = c.pile.clean_floor_to_x_m; x != 0) {
+    const double high = cases::outline_height(deck::bench_outline(c), x);
+    if (high > smallest)
+      warnings.push_back(cases::finding_at(
+          c, "pile.clean_floor_to_x_m",
+          fmt::format(
+              "at {:g} m the bench is {:.2g} m high, and its foot would be removed with the "
+              "rock on the floor; write less than {:.3g}",
+              x, high, pour.toe_x_m)));
+  }
   if (const double layer = c.pile.held_layer_m;
       layer > 0 && (layer >= top || layer >= c.pile.width_m / 2))
     warnings.push_back(cases::finding_at(

@@ -22,11 +22,12 @@ constexpr double kSlightest = 0.05;  ///< radius of gyration by a body's size
 constexpr double kHole_s = 3;        ///< between two rows of a motion in which drives go far
 constexpr double kLoosest = 0.4, kDensest = 0.8;  ///< rock in a pile's volume; blasted, some 0.6
 constexpr double kWater_kg_m3 = 1000;
-constexpr double kReadings = 10;  ///< that dipper gap needs of each pass
-constexpr double kBlind_m = 1;    ///< of a scan
-constexpr double kFewSteps = 20;  ///< between two checkpoints
-constexpr double kDump_s = 1;     ///< a load needs longer to leave
-constexpr double kLongest = 2;    ///< times the motion's duration, which limited drives may take
+constexpr double kReadings = 10;          ///< that dipper gap needs of each pass
+constexpr std::int64_t kSeeds = 800'000;  ///< LIGGGHTS's streams repeat (coupler/deck/deck.cpp)
+constexpr double kBlind_m = 1;            ///< of a scan
+constexpr double kFewSteps = 20;          ///< between two checkpoints
+constexpr double kDump_s = 1;             ///< a load needs longer to leave
+constexpr double kLongest = 2;  ///< times the motion's duration, which limited drives may take
 constexpr std::int64_t kDoorEvery_ns = 50'000'000;
 constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
 
@@ -113,16 +114,20 @@ void warn_of_masses(const CaseParts& parts, std::vector<Finding>& warnings) {
 
 void warn_of_rock(const CaseParts& parts, std::vector<Finding>& warnings) {
   const cases::Case& c = parts.c;
-  double largest = 0;
+  double largest = 0, true_size = 0;
   for (const deck::RockClass& rock : deck::rock_classes(c))
     largest = std::max(largest, 2 * rock.radius_m);
+  for (const cases::SizeClass& k : c.rock.classes) true_size = std::max(true_size, k.size_m);
   const double mouth = std::min(parts.machine.dipper.inside.y(), parts.machine.dipper.inside.z());
-  if (largest > kLargestRock * mouth)
+  if (largest > kLargestRock * mouth) {
+    const bool too_large = true_size > kLargestRock * mouth;
     warnings.push_back(cases::finding_at(
-        c, c.rock.coarse_graining > 1 ? "rock.coarse_graining" : "rock.classes",
+        c, too_large ? "rock.classes" : "rock.coarse_graining",
         fmt::format("rocks of {:.2f} m are larger than a third of the dipper's mouth ({:g} m) and "
-                    "bridge it; write rock.coarse_graining_limit_m: {:.2g} or less",
-                    largest, mouth, kLargestRock * mouth)));
+                    "bridge it; write {}: {:.2g} or less",
+                    largest, mouth, too_large ? "size_m" : "rock.coarse_graining_limit_m",
+                    kLargestRock * mouth)));
+  }
   if (const double solid = c.rock.bulk_density_kg_m3 / c.rock.density_kg_m3; solid > kDensest)
     warnings.push_back(cases::finding_at(
         c, "rock.bulk_density_kg_m3",
@@ -222,6 +227,17 @@ void warn_of_settings(const CaseParts& parts, std::vector<Finding>& warnings) {
         fmt::format("with an error of {:g} m the operator cannot tell where the face is; scanners "
                     "have some 0.05 m",
                     c.op.scan_error_m)));
+  if (c.collapse.height_m > 0 && (c.machine.operated_by == cases::OperatorKind::plan ||
+                                  c.machine.drives == machine::DriveMode::limited))
+    warnings.push_back(cases::finding_at(
+        c, "collapse.at_s",
+        fmt::format(
+            "where the dipper is at {:g} s depends on how the dig goes, and rock that comes "
+            "down inside it is thrown out: choose a time at which it is over the truck",
+            c.collapse.at_s)));
+  if (c.seed >= kSeeds)
+    warnings.push_back(cases::finding_at(
+        c, "seed", fmt::format("{} gives the same pile as seed {}", c.seed, c.seed % kSeeds)));
   const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
   if (c.output.checkpoint_every_s > 0 && c.output.checkpoint_every_s < kFewSteps * window_s)
     warnings.push_back(cases::finding_at(
@@ -241,6 +257,14 @@ void warn_of_unused_keys(const cases::Case& c, std::vector<Finding>& warnings) {
   if (c.machine.operated_by == cases::OperatorKind::motion)
     say("operator.", "machine.operator: motion; write machine.operator: plan");
   if (c.collapse.height_m == 0) say("collapse.at_s", "collapse.height_m: 0");
+  if (c.crust.tensile_strength_Pa == 0) say("crust.", "crust.tensile_strength_Pa: 0");
+  const bool grown = std::any_of(
+      c.rock.classes.begin(), c.rock.classes.end(),
+      [&](const cases::SizeClass& k) { return deck::grained_size_m(c.rock, k.size_m) > k.size_m; });
+  if (c.rock.coarse_graining > 1 && !grown)
+    say("rock.coarse_graining",
+        fmt::format("rock.coarse_graining_limit_m: {:g}, as every rock is as large",
+                    c.rock.coarse_graining_limit_m));
   if (c.collapse.height_m > 0 && c.end_s > 0 && c.collapse.at_s >= c.end_s)
     say("collapse.", fmt::format("end_s: {:g}; the slab comes down later", c.end_s));
 }

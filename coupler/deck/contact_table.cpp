@@ -38,7 +38,7 @@ bool needs_cohesion_model(const cases::Case& c) {
 
 double grained_size_m(const cases::RockCase& rock, double size_m) {
   const double grown = size_m * rock.coarse_graining, limit = rock.coarse_graining_limit_m;
-  return limit > 0 && grown > limit ? std::max(size_m, limit) : grown;
+  return limit > 0 ? std::min(grown, std::max(size_m, limit)) : grown;
 }
 
 std::vector<RockClass> rock_classes(const cases::Case& c) {

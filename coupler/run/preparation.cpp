@@ -30,7 +30,8 @@ namespace {
 void write_decks(const cases::Case& c, const sides::DipperLayers& layers, const fs::path& deck) {
   cases::Case as_built = c;
   if (layers.mesh) {
-    as_built.bodies["dipper"] = deck / "dipper.stl";
+    fs::create_directories(deck / "lining");
+    as_built.bodies["dipper"] = deck / "lining" / "dipper.stl";  // not what the pile depends on
     write_text(as_built.bodies["dipper"], mesh::to_stl("dipper", *layers.mesh));
   }
   deck::write_deck(as_built, c.rock.shape_folder, deck);

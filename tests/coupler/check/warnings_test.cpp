@@ -409,6 +409,31 @@ TEST(Warnings, SettingsFarFromWhatTheyAreFor) {
               testing::Contains(HasSubstr("operator.scan_error_m: with an error of 5 m")));
 }
 
+TEST(Warnings, LayersThinnerThanARockAndKeysThatDoNothing) {
+  const auto of = [](const std::string& name, std::vector<cases::Override> set) {
+    std::vector<Finding> findings;
+    const cases::Case c = cases::load_case(test::source() / "cases" / name, set, findings);
+    test::expect_findings(findings, {});
+    return messages(c);
+  };
+  const auto says = [](const char* what) { return testing::Contains(HasSubstr(what)); };
+  EXPECT_THAT(of("quick", {{"pile.settle_s", "0.25"}}), says("the poured rock has not come down"));
+  EXPECT_THAT(of("quick", {{"pile.held_layer_m", "0.1"}}), says("0.1 m hold no rock"));
+  EXPECT_THAT(of("screening", {{"pile.clean_floor_to_x_m", "30"}}),
+              says("pile.clean_floor_to_x_m: at 30 m the bench is"));
+  const std::vector<cases::Override> crust = {{"crust.above_m", "3"}, {"crust.thickness_m", "0.1"}};
+  EXPECT_THAT(of("quick", crust), says("has no effect with crust.tensile_strength_Pa: 0"));
+  std::vector<cases::Override> thin = crust;
+  thin.push_back({"crust.tensile_strength_Pa", "1e5"});
+  thin.push_back({"dem.hold_below_m_s", "0"});
+  EXPECT_THAT(of("quick", thin), says("crust.thickness_m: 0.1 m bond no rocks"));
+  EXPECT_THAT(of("quick", {{"rock.coarse_graining_limit_m", "0.085"}}),
+              says("rock.coarse_graining: has no effect with rock.coarse_graining_limit_m: 0.085"));
+  EXPECT_THAT(of("quick", {{"seed", "800001"}}), says("800001 gives the same pile as seed 1"));
+  EXPECT_THAT(of("quick", {{"collapse.height_m", "2"}, {"collapse.at_s", "20"}}),
+              says("where the dipper is at 20 s depends on how the dig goes"));
+}
+
 TEST(Warnings, ContactsSoSoftThatRocksOverlap) {
   const Checkout checkout;
   EXPECT_THAT(warnings_of(checkout, {{"contact.normal_scale", "1e-4"}}),

@@ -105,6 +105,8 @@ TEST(RockClasses, CoarseGrainingGrowsTheSmallAndSparesTheLarge) {
   EXPECT_DOUBLE_EQ(grained_size_m(rock, 0.85), 0.85);  // never made smaller than it is
   rock.coarse_graining = 0.5;
   EXPECT_DOUBLE_EQ(grained_size_m(rock, 0.85), 0.425);  // made finer on purpose
+  rock.coarse_graining_limit_m = 0.22;                  // bounds what is made coarser only
+  EXPECT_DOUBLE_EQ(grained_size_m(rock, 0.85), 0.425);
 }
 
 }  // namespace
