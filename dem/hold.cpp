@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "common/gravity.hpp"
+#include "dem/all_ranks.hpp"
 #include "dem/rest_group.hpp"
 #include "dem/rock_dump.hpp"
 
@@ -243,17 +244,7 @@ Reach HoldRock::moving(const std::vector<Rest>& rest, double gap_m, double ahead
   for (const auto& s : parked_.spheres())
     if (rest[s.rock] == Rest::moving)
       mine.push_back({s.p_W.x(), s.p_W.y(), s.p_W.z(), s.radius_m, gap_m});
-  int ranks = 1;
-  MPI_Comm_size(comm_, &ranks);
-  if (ranks == 1) return {std::move(mine), largest_m_};
-  const int bytes = static_cast<int>(mine.size() * sizeof(Mover));
-  std::vector<int> counts(ranks), offsets(ranks, 0);
-  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
-  for (int k = 1; k < ranks; ++k) offsets[k] = offsets[k - 1] + counts[k - 1];
-  std::vector<Mover> all((offsets.back() + counts.back()) / sizeof(Mover));
-  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE,
-                 comm_);
-  return {std::move(all), largest_m_};
+  return {of_all_ranks(mine, comm_), largest_m_};
 }
 
 void HoldRock::expose(const std::vector<Rest>& rest, const Reach& reach) {

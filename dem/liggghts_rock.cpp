@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "common/sha256.hpp"
+#include "dem/all_ranks.hpp"
 #include "dem/clear_start.hpp"
 #include "dem/collapse.hpp"
 #include "dem/contact_pause.hpp"
@@ -158,13 +159,7 @@ std::string LiggghtsRock::state_hash() {
     std::copy_n(atom->x[i], 3, mine[i].state);
     std::copy_n(atom->v[i], 3, mine[i].state + 3);
   }
-  const int bytes = static_cast<int>(mine.size() * sizeof(Particle));
-  std::vector<int> counts(lmp_->comm->nprocs), offsets(lmp_->comm->nprocs, 0);
-  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, lmp_->world);
-  for (std::size_t r = 1; r < counts.size(); ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
-  std::vector<Particle> all((offsets.back() + counts.back()) / sizeof(Particle));
-  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE,
-                 lmp_->world);
+  std::vector<Particle> all = of_all_ranks(mine, lmp_->world);
   std::sort(all.begin(), all.end(),
             [](const Particle& a, const Particle& b) { return a.id < b.id; });
   if (holding_ != nullptr) holding_->hold_layer();

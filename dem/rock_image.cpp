@@ -24,6 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "dem/all_ranks.hpp"
 #include "dem/deflated.hpp"
 #include "dem/parked_rock.hpp"
 
@@ -45,15 +46,8 @@ Load load_of(int id, const double* force, const double* torque) {
 /// Loads of all ranks, by id: building lists may send rock to another rank.
 std::unordered_map<int, std::array<double, 6>> gathered(const std::vector<Load>& mine,
                                                         LAMMPS_NS::LAMMPS& lmp) {
-  const auto bytes = static_cast<int>(mine.size() * sizeof(Load));
-  std::vector<int> counts(static_cast<std::size_t>(lmp.comm->nprocs)), offsets(counts.size(), 0);
-  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, lmp.world);
-  for (std::size_t r = 1; r < counts.size(); ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
-  std::vector<Load> all(static_cast<std::size_t>(offsets.back() + counts.back()) / sizeof(Load));
-  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE,
-                 lmp.world);
   std::unordered_map<int, std::array<double, 6>> by_id;
-  for (const Load& l : all) by_id[l.id] = l.load;
+  for (const Load& l : of_all_ranks(mine, lmp.world)) by_id[l.id] = l.load;
   return by_id;
 }
 

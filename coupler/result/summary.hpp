@@ -16,7 +16,6 @@ struct RunFacts {
   std::string status;   ///< "complete", "interrupted" or "failed"
   std::string failure;  ///< with "failed": side, time, message
   std::int64_t syncs = 0, dem_steps = 0;
-  std::int64_t resends = 0, foreign_messages = 0;
   double interface_work_J = 0, energy_residual_J = 0;
   RunCost cost;
   std::string state_hash;

@@ -83,6 +83,8 @@ Checkpoint save_checkpoint(const fs::path& checkpoints, Checkpoint c, core::Rock
                       {"mbs_cpu_s", c.cost.mbs_cpu_s},
                       {"wall_s", c.cost.wall_s},
                       {"rock_busy_s", c.cost.rock_busy_s},
+                      {"resends", c.cost.resends},
+                      {"foreign_messages", c.cost.foreign_messages},
                       {"desk", c.desk}};
   write_text(c.folder / "coupling.json", coupling.dump(1));
   seal(c.folder);
@@ -130,8 +132,9 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
   }
   c.record = {j.at("record_rows"), j.at("record_t_ns"), j.at("rock_work_J"),
               j.at("machine_work_J")};
-  c.cost = {j.at("dem_cpu_s"), j.at("mbs_cpu_s"), j.at("wall_s"), j.at("rock_busy_s")};
-  c.desk = j.value("desk", json());  // earlier checkpoints have none
+  c.cost = {j.at("dem_cpu_s"),   j.at("mbs_cpu_s"),      j.at("wall_s"),
+            j.at("rock_busy_s"), j.value("resends", 0L), j.value("foreign_messages", 0L)};
+  c.desk = j.value("desk", json());  // earlier checkpoints have no numbers of messages, and no desk
   return c;
 }
 

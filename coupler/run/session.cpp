@@ -110,8 +110,13 @@ void Session::report_removed_rocks(const core::Window& first) {
 }
 
 result::RunCost Session::cost() const {
-  return cost_before_ +
-         result::RunCost{sides_.dem_cpu_s(), sides_.mbs_cpu_s(), stepper_.wall_s(), rock_.busy_s()};
+  const transport::Link &machine = sides_.machine_link(), &rock = sides_.rock_link();
+  return cost_before_ + result::RunCost{sides_.dem_cpu_s(),
+                                        sides_.mbs_cpu_s(),
+                                        stepper_.wall_s(),
+                                        rock_.busy_s(),
+                                        machine.resends() + rock.resends(),
+                                        machine.foreign() + rock.foreign()};
 }
 
 result::RunFacts Session::close(bool orderly) {
@@ -121,8 +126,6 @@ result::RunFacts Session::close(bool orderly) {
   result::RunFacts f;
   f.state_hash = state_hash_;
   f.operator_command = operator_command_;
-  f.resends = sides_.machine_link().resends() + sides_.rock_link().resends();
-  f.foreign_messages = sides_.machine_link().foreign() + sides_.rock_link().foreign();
   f.cost = cost();
   f.syncs = coupling_.state().step_index;
   f.dem_steps = coupling_.state().dem_step;

@@ -283,7 +283,7 @@ void add_forces(const Pass& p, const std::vector<ClosePair>& pairs) {
     double* const history = p.history(pair);
     if (dx * dx + dy * dy + dz * dz >= sum * sum) {
       // A pair that has separated starts without history when it touches again. LIGGGHTS keeps the
-      // history unless the lists were built in between (docs/reliability.md, "Going on").
+      // history unless the lists were built in between (docs/reliability.md#resuming-a-run).
       if (touched != 0) std::fill_n(history, p.width, 0.0);
       touched = 0;
       continue;

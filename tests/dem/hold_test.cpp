@@ -84,7 +84,7 @@ TEST_P(Hold, KeepsStressAndPlace) {
 
   // Until the first rock is parked, and on until all is.
   Spheres before;
-  Vector3d floor_before;
+  Vector3d floor_before = Vector3d::Zero();
   core::RockState s = bed.step(), last;
   int windows = 0;
   for (double parked = 0; parked == 0 && windows < 1200; ++windows) {

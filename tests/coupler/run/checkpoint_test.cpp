@@ -47,6 +47,7 @@ class Checkpoints : public testing::Test {
                            Twist{{7, 8, 9}, {10, 11, 12}}, Wrench{{1, 2, 3}, {4, 5, 6}}}};
       c.record.t_ns = step * 1000;
       c.cost.wall_s = 1.5;
+      c.cost.resends = 3;
       save_checkpoint(folder_, c, rock_, machine_);
     }
   }
@@ -75,6 +76,7 @@ TEST_F(Checkpoints, TheNewestIsTaken) {
   EXPECT_EQ(c->coupling.walls.at(0).load.force.z(), 6);
   EXPECT_EQ(c->record.t_ns, 20'000);
   EXPECT_EQ(c->cost.wall_s, 1.5);
+  EXPECT_EQ(c->cost.resends, 3);
   EXPECT_EQ(last().second, "");
 }
 

@@ -9,6 +9,7 @@ passes and then on those held out. Where no term helps, the constant itself is a
 residuals, with the error that all readings share, have so large a one.
 """
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -74,24 +75,29 @@ class _Readings:
 
     terms: np.ndarray     # (M, K) of FORMS
     passes: np.ndarray    # (M,) numbers
+    held: np.ndarray      # (M,) whether the pass is held out
     residual: np.ndarray  # (M,)
     chance: np.ndarray    # (R, M) of the model's runs less their mean
+    share: float          # of their variance in the residual's
     sigma: float          # of one reading's mean over the trucks
     shared: float         # of an error that all readings have
+
+    @cached_property
+    def weight(self):
+        """(M,) one over the variance of each reading's residual."""
+        return 1.0 / (self.chance.var(axis=0, ddof=1) * self.share + self.sigma**2)
 
 
 def find_laws(model, baseline, holdout, measured, before=None, seed=0):
     """(Law, ...) of the forces that one explains better than chance, the best explained first."""
     rng, found = np.random.default_rng(seed), []
-    share = baseline.share(baseline.seeds)
-    for channel, r in _readings(model, measured, before):
-        held = np.isin(r.passes, holdout)
-        weight = 1.0 / (r.chance.var(axis=0, ddof=1) * share + r.sigma**2)
-        by_chance = [_no_law(r, share, rng) for _ in range(DRAWS)]
-        law = _of_terms(r, channel, weight, held, by_chance, ALARMS / (2 * len(measured.responses())))
+    alarms = ALARMS / (2 * max(1, len(measured.responses())))
+    for channel, r in _readings(model, baseline, holdout, measured, before):
+        by_chance = [_no_law(r, rng) for _ in range(DRAWS)]
+        law = _of_terms(r, channel, by_chance, alarms)
         if not law:
             by_chance = [y + r.shared * rng.standard_normal() for y in by_chance]
-            law = _constant(r, channel, weight, held, by_chance, ALARMS / (2 * len(measured.responses())))
+            law = _constant(r, channel, by_chance, alarms)
         if law:
             found.append(law)
     return tuple(law for _, law in sorted(found, key=lambda f: -f[0]))
@@ -101,14 +107,11 @@ def rival_law(model, baseline, holdout, measured, before=None):
     """(words, (n,) shift of all cells) of the law that explains the training passes best, of each force that has one;
     None where there is none. Whether it is one by chance is for the passes held out to say."""
     folder, words, signals = model.folders[0], [], dict(model.folders[0].signals)
-    share = baseline.share(baseline.seeds)
     columns = _columns(folder) if measured.responses() else None
-    for channel, r in _readings(model, measured, before):
-        held = np.isin(r.passes, holdout)
-        weight = 1.0 / (r.chance.var(axis=0, ddof=1) * share + r.sigma**2)
-        _, chosen, _ = _search(r, r.residual, weight, held)
+    for channel, r in _readings(model, baseline, holdout, measured, before):
+        _, chosen, _ = _search(r, r.residual)
         if chosen:
-            size = _fit(r.terms[~held][:, chosen], r.residual[~held], weight[~held])
+            size = _fit(r.terms[~r.held][:, chosen], r.residual[~r.held], r.weight[~r.held])
             signals[channel] = signals[channel] + size[0] + columns[:, chosen] @ size[1:]
             law = Law(channel, tuple((FORMS[k], float(a)) for k, a in zip(chosen, size[1:])), 1.0, 0.0)
             words.append(f"{channel.removesuffix('_force_kN').capitalize()} force: {law.words}")
@@ -118,21 +121,23 @@ def rival_law(model, baseline, holdout, measured, before=None):
     return ". ".join(words), moved - plain
 
 
-def _of_terms(r, channel, weight, held, by_chance, alarms):
+def _of_terms(r, channel, by_chance, alarms):
     """(gain, Law) of terms of the motion; None where chance does as well."""
-    gain, chosen, after = _search(r, r.residual, weight, held)
+    gain, chosen, after = _search(r, r.residual)
     if not chosen or after < LEAST_EXPLAINED:
         return None
-    others = [_search(r, y, weight, held) for y in by_chance]
+    others = [_search(r, y) for y in by_chance]
     p, confirmed = (_p(sum(o[k] >= mine for o in others)) for k, mine in ((0, gain), (2, after)))
     if p > alarms or confirmed > ALARMS:
         return None
-    size = _fit(r.terms[~held][:, chosen], r.residual[~held], weight[~held])[1:]
+    size = _fit(r.terms[~r.held][:, chosen], r.residual[~r.held], r.weight[~r.held])[1:]
     return gain, Law(channel, tuple((FORMS[k], float(a)) for k, a in zip(chosen, size)), p, after)
 
 
-def _constant(r, channel, weight, held, by_chance, alarms):
+def _constant(r, channel, by_chance, alarms):
     """(gain, Law) of a force that is there at all times; None where chance and the shared error do as well."""
+    weight, held = r.weight, r.held
+
     def level(y, at):
         return (weight[at] @ y[at]) / weight[at].sum()
 
@@ -150,18 +155,19 @@ def _p(as_good):
     return float((1 + as_good) / (1.0 + DRAWS))
 
 
-def _no_law(r, share, rng):
+def _no_law(r, rng):
     """A residual by chance: one of the model's runs less the others', as large as the means differ, and the readings'
     own errors; a random mix of the runs has their covariance."""
     mix = rng.standard_normal(len(r.chance))
     mix -= mix.mean()
-    made = np.sqrt(share / (len(mix) - 1)) * mix @ r.chance
+    made = np.sqrt(r.share / (len(mix) - 1)) * mix @ r.chance
     return made + r.sigma * rng.standard_normal(made.shape)
 
 
-def _search(r, y, weight, held):
+def _search(r, y):
     """(gain, columns, share explained on the held-out passes) of the terms that predict the training passes best from
     one another; the gain is in the weighted square."""
+    weight, held = r.weight, r.held
     train, chosen = ~held, []
     left = _predicted(r.terms[train][:, []], y[train], weight[train], r.passes[train])
     first = left
@@ -204,17 +210,18 @@ def _columns(m):
     return np.column_stack([sum(f * values[:, names.index(t)] for t, f in TERMS[n][0].items()) for n in FORMS])
 
 
-def _readings(model, measured, before):
+def _readings(model, baseline, holdout, measured, before):
     """(channel, _Readings) of each force."""
     if not measured.responses():
         return
     first = measured.trucks()[0]
     columns, moments = _columns(first), [SameMoments(first, number) for number in model.passes]
+    share = baseline.share(baseline.seeds)
     for channel in measured.responses():
-        yield channel, _of_force(model, channel, measured, before, columns, moments)
+        yield channel, _of_force(model, share, holdout, channel, measured, before, columns, moments)
 
 
-def _of_force(model, channel, measured, before, columns, moments):
+def _of_force(model, share, holdout, channel, measured, before, columns, moments):
     usual = before.trucks() if before else None
     terms, passes, residual, chance = [], [], [], []
     for at in moments:
@@ -231,5 +238,5 @@ def _of_force(model, channel, measured, before, columns, moments):
     variance += before.channels[channel].sigma**2 / len(usual) if usual else 0.0
     shared = drift_sigmas(measured.channels, before.channels, [channel])[0] if before else \
         measured.channels[channel].common_sigma
-    return _Readings(np.vstack(terms), np.array(passes), np.concatenate(residual), np.hstack(chance),
-                     float(np.sqrt(max(variance, 1e-12))), float(shared))
+    return _Readings(np.vstack(terms), np.array(passes), np.isin(passes, holdout), np.concatenate(residual),
+                     np.hstack(chance), share, float(np.sqrt(max(variance, 1e-12))), float(shared))
