@@ -199,6 +199,11 @@ void check_times(const std::vector<DumpFrame>& frames, double timestep_s) {
 
 }  // namespace
 
+bool DumpFolder::has_velocities() const {
+  return std::all_of(frames.begin(), frames.end(),
+                     [](const DumpFrame& f) { return f.has("vx") && f.has("vy") && f.has("vz"); });
+}
+
 std::size_t DumpFolder::nearest(double t) const {
   const auto after = std::lower_bound(time_s.begin(), time_s.end(), t);
   if (after == time_s.begin()) return 0;

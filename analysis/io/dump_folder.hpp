@@ -18,6 +18,8 @@ struct DumpFolder {
 
   /// The frame nearest to a time. There always is one.
   std::size_t nearest(double time_s) const;
+  /// Whether every frame has the velocities of its particles.
+  bool has_velocities() const;
 };
 
 /// Opens FOLDER/dumps when that is a folder, else FOLDER. Particles are the text dumps; without

@@ -141,9 +141,6 @@ json frames_table(const io::DumpFolder& dumps, const Survey& survey,
     json& values = out[name] = json::array();
     for (const rock::FrameSums& f : survey.frames) values.push_back(value(f));
   };
-  const bool moves = std::all_of(dumps.frames.begin(), dumps.frames.end(), [](const auto& f) {
-    return f.has("vx") && f.has("vy") && f.has("vz");
-  });
   for (const io::DumpFrame& f : dumps.frames) out["step"].push_back(f.step);
   column("rock_kg", [](const rock::FrameSums& f) { return f.rock_kg; });
   if (regions.dipper) {
@@ -151,7 +148,7 @@ json frames_table(const io::DumpFolder& dumps, const Survey& survey,
     column("ahead_kg", [](const rock::FrameSums& f) { return f.ahead_kg; });
   }
   if (regions.truck) column("in_truck_kg", [](const rock::FrameSums& f) { return f.in_truck_kg; });
-  if (!moves) return out;
+  if (!dumps.has_velocities()) return out;
   if (regions.dipper) {
     column("flow_kg", [](const rock::FrameSums& f) { return f.flow_kg; });
     column("bulk_kg", [](const rock::FrameSums& f) { return f.bulk_kg; });

@@ -102,7 +102,7 @@ Metrics compute_metrics(run::RunData& run, const io::DumpFolder& dumps) {
     if (passes[k].still)
       passes[k].suspended = suspended_load(dumps, run.clumps, run.regions, run.dipper,
                                            passes[k].still->from_s, passes[k].still->to_s);
-    add_stages(passes[k], run, dumps, survey);
+    if (dumps.has_velocities()) add_stages(passes[k], run, dumps, survey);
   }
   // The ground of a run is at 0; that of other dumps is under their lowest rock.
   const double floor_m = run.is_run ? 0 : lowest_m(dumps.frames.front(), survey.pile);

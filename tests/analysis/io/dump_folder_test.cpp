@@ -48,6 +48,20 @@ TEST(DumpFolder, ARunsFramesHaveTimes) {
   EXPECT_EQ(wall.cell, (std::vector<std::size_t>{0, 0}));
 }
 
+TEST(DumpFolder, EveryFrameHasVelocitiesOrTheFolderHasNone) {
+  const Scratch s;
+  write_run(s);
+  EXPECT_FALSE(open_dump_folder(s.folder()).has_velocities());
+  const auto moving = [&](long step) {
+    s.write("dumps/rocks_" + std::to_string(step) + ".dump",
+            text_frame(step, 1, "id x vx vy vz radius", "1 2 0 0 1 0.5\n"));
+  };
+  moving(0), moving(100);
+  EXPECT_FALSE(open_dump_folder(s.folder()).has_velocities());
+  moving(200);
+  EXPECT_TRUE(open_dump_folder(s.folder()).has_velocities());
+}
+
 TEST(DumpFolder, WithoutACaseTheTimeStepComesFromASeriesOrTheCaller) {
   const Scratch s;
   s.write("post/dump100.liggghts", frame(100));
