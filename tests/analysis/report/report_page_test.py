@@ -227,7 +227,7 @@ class Page(unittest.TestCase):
         self.assertEqual(weighed, 0)
         self.assertGreater(drawn, 1000)
         read = "return document.querySelector('.readout').textContent"
-        self.assertRegex(self.browser.run(read), r"^dig.*\d MN dig force")
+        self.assertRegex(self.browser.run(read), r"^fill.*\d MN dig force")
         self.browser.run("dipper.clock.set(1)")
         self.assertRegex(self.browser.run(read), r"^reach.* t in the dipper$")
 
@@ -267,7 +267,7 @@ class Page(unittest.TestCase):
     def test_says_which_phases_are_missing(self):
         # make_page.cpp's phases are none of the seven
         said = self.browser.run("return document.querySelector('#signals .missing').textContent")
-        self.assertIn("penetrate, fill", said)
+        self.assertIn("penetrate, breakout", said)
         self.assertIn("The motion ends before the dipper swings back", said)
 
     def test_slices_show_spheres_and_walls(self):
