@@ -69,7 +69,10 @@ def compare_motion(measured, plan):
         out += dict.fromkeys(line for m in trucks for p in m.passes if p.number in both
                              for line in _of_readings(m.time_s, p, plan.step_s))
     names = [n for n in MOTION if n in measured.signals]
-    off = [(_least_rms(m, [p for p in m.passes if p.number in both], plan, names), m) for m in trucks] if names else []
+    off, lag = [], 0.0
+    for m in trucks if names else ():
+        lag, rms = _least_rms(m, [p for p in m.passes if p.number in both], plan, names, lag)
+        off.append((rms, m))
     for n in names:
         rms, m = max(((rms[n], m) for rms, m in off), key=lambda x: x[0])
         if rms > LARGEST_RMS[n]:
@@ -82,12 +85,16 @@ def _duration(m, number):
     return next(p.t_end_s - p.t_start_s for p in m.passes if p.number == number)
 
 
-def _least_rms(m, passes, plan, names):
-    """_rms with the lag at which it is least."""
+def _least_rms(m, passes, plan, names, lag):
+    """(lag, _rms): with a lag that does, as the last truck's mostly does, else the one at which it is least."""
     def misfit(lag):
         return sum((x / LARGEST_RMS[n]) ** 2 for n, x in _rms(m, passes, plan, names, lag).items())
 
-    return _rms(m, passes, plan, names, best_lag_s(misfit))
+    rms = _rms(m, passes, plan, names, lag)
+    if any(rms[n] > LARGEST_RMS[n] for n in names):
+        lag = best_lag_s(misfit)
+        rms = _rms(m, passes, plan, names, lag)
+    return lag, rms
 
 
 def _of_readings(time_s, p, plan):
