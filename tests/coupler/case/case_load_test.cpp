@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"position_m", "position_m: [0, -1e20, 0]", 0, "truck.position_m.1",
                             "-1e20 is out of range; allowed is -10000 ... 10000 m"},
                     Mistake{"timeout_s", "timeout_s: 1e300", 0, "coupling.timeout_s",
-                            "1e300 is out of range; allowed is > 0 and <= 86400 s"},
+                            "1e300 is out of range; allowed is 1 ... 86400 s"},
                     Mistake{"dump_every_s", "dump_every_s: 1e300", 0, "output.dump_every_s",
                             "1e300 is out of range; allowed is 0 ... 100000 s"}));
 
