@@ -18,6 +18,7 @@
 #include <string>
 #include <utility>
 
+#include "dem/all_ranks.hpp"
 #include "dem/liggghts_rock.hpp"
 #include "dem/parked_rock.hpp"
 #include "tests/dem/scene.hpp"
@@ -42,16 +43,7 @@ std::vector<Ball> all_balls(LAMMPS_NS::LAMMPS& lmp) {
                     static_cast<double>(bodies == nullptr ? -1 : bodies->belongs_to(i)),
                     static_cast<double>(test::rank()), atom->x[i][0], atom->x[i][1], atom->x[i][2],
                     atom->radius[i]});
-  int ranks = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
-  const int bytes = static_cast<int>(mine.size() * sizeof(Ball));
-  std::vector<int> counts(static_cast<std::size_t>(ranks)), offsets(counts.size(), 0);
-  MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
-  for (std::size_t r = 1; r < counts.size(); ++r) offsets[r] = offsets[r - 1] + counts[r - 1];
-  std::vector<Ball> all(static_cast<std::size_t>(offsets.back() + counts.back()) / sizeof(Ball));
-  MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), offsets.data(), MPI_BYTE,
-                 MPI_COMM_WORLD);
-  return all;
+  return of_all_ranks(mine, MPI_COMM_WORLD);
 }
 
 using Pair = std::pair<int, int>;  // of ids, the lower first

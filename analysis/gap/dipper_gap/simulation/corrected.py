@@ -31,10 +31,11 @@ class Corrected(Simulator):
         found = dict(zip(others, self._simulator.run(list(others), say) if others else ()))
         plain = [found.get(p, m) if p != r else m for p, r, m in zip(pairs, requests, made)]
         # What the instruments add to the empty machine's force is not due to the rock either.
-        seen = [replace(r, seed=EMPTY.seed, how="empty") if r.how == "observe" else EMPTY for r in pairs]
-        empty = dict(zip(dict.fromkeys(seen), self._simulator.run(list(dict.fromkeys(seen)), say)))
-        return [_moved(self.known.corrected(p, empty[e], self._offset(r)), p, m)
-                for p, m, e, r in zip(plain, made, seen, pairs)]
+        seen = {r: replace(r, seed=EMPTY.seed, how="empty") for r in pairs if r.how == "observe"}
+        looks = list(dict.fromkeys(seen.values()))
+        empty = dict(zip(looks, self._simulator.run(looks, say) if looks else ()))
+        return [_moved(self.known.corrected(p, empty.get(seen.get(r)), self._offset(r)), p, m)
+                for p, m, r in zip(plain, made, pairs)]
 
     def _offset(self, r):
         """t that the scale adds to each load."""

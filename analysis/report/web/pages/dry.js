@@ -3,9 +3,9 @@ import { foot, masthead, showPage } from '../page.js';
 import { seconds } from '../format.js';
 import { forces } from '../sections/dry/forces.js';
 import { limits } from '../sections/dry/limits.js';
-import { demand } from '../sections/run/demand.js';
 import { passes } from '../sections/dry/passes.js';
 import { way } from '../sections/dry/way.js';
+import { demand } from '../sections/run/demand.js';
 import { work } from '../sections/work.js';
 import { Clock, listenToKeys } from '../clock.js';
 import { h, section } from '../dom.js';
@@ -32,7 +32,7 @@ showPage((data) => {
       h('p.zones', data.ways.map(({ pass }) => h('span.key', h('i', { style: `background:var(--${passColour(pass)})` }), `pass ${pass}`))),
       replay(data.replay, frames, clock, phases, { sizes: [], classes: new Map() })),
     limits(summary.limits, summary.drives),
-    summary.drives && demand(summary.passes, false),
+    summary.drives && demand(summary.passes, typeof summary.operator === 'string'),
     way(data.ways, summary.faces),
     forces(data),
     work(summary.passes),
