@@ -59,7 +59,8 @@ def _trends(parameter, study, rows, columns):
         for key, group in _groups(rows, parameter.name, study.names).items():
             x, y = np.array([(number[r[parameter.name]], r[column]) for r in group]).T
             if len(x) == len(number) and np.isfinite(y).all():
-                slopes[key] = np.polyfit(x, y, 1)[0]
+                off = x - x.mean()
+                slopes[key] = off @ (y - y[0]) / (off @ off)  # 0 exactly of a figure that stays
         if slopes:
             yield {"parameter": parameter.name, "column": column, **vars(summary(_means_by_seed(slopes).values()))}
 

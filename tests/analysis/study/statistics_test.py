@@ -70,3 +70,18 @@ def test_a_seed_is_compared_where_both_values_have_a_run():
     whole, part = (next(comparisons(RAKE, ["rake", "other"], some, ["payload_t"]))
                    for some in ([r for r in rows if r["other"] == "a" and r["seed"] < 9], rows))
     assert part["n"] == SEEDS and part["mean"] == pytest.approx(whole["mean"]) and part["shown"]
+
+
+@pytest.mark.parametrize("payload_t", [0.7, 2.5, 20.1])
+def test_a_figure_that_stays_has_no_trend(payload_t):
+    rows = [{**r, "payload_t": payload_t} for r in study_rows(np.random.default_rng(6), ("a", "b"))]
+    trend, = _trends(RAKE, SimpleNamespace(names=["rake", "other"]), rows, ["payload_t"])
+    assert (trend["low"], trend["mean"], trend["high"]) == (0.0, 0.0, 0.0)
+
+
+def test_a_trend_is_the_slope_of_the_straight_line():
+    rows = study_rows(np.random.default_rng(7), ("a",), slope=10.0)
+    trend, = _trends(RAKE, SimpleNamespace(names=["rake", "other"]), rows, ["payload_t"])
+    fits = [np.polyfit([v.number for v in RAKE.values], [r["payload_t"] for r in rows if r["seed"] == s], 1)[0]
+            for s in range(SEEDS)]
+    assert trend["mean"] == pytest.approx(np.mean(fits))

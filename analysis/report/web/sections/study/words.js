@@ -5,6 +5,7 @@ const SAID = {
   fill_factor: 'fill factor, by the pile’s density',
   fill_factor_load: 'fill factor, by the load’s own density',
   dig_force_mean: 'dig force, mean to the dump',
+  dig_phases_force_mean: 'dig force, mean over the dig',
 };
 
 /// "payload_t" as ["payload", "t"].
