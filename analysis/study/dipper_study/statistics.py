@@ -23,8 +23,10 @@ def summary(values):
     n = len(x)
     if n < 2:
         return Summary(n, float(x[0]) if n else np.nan, np.nan, np.nan, np.nan)
-    half = stdtrit(n - 1, 0.5 + LEVEL / 2) * x.std(ddof=1) / np.sqrt(n)
-    return Summary(n, float(x.mean()), float(x.std(ddof=1)), float(x.mean() - half), float(x.mean() + half))
+    off = x - x[0]  # equal values then have no spread, not even by rounding
+    mean, sd = x[0] + off.mean(), off.std(ddof=1)
+    half = stdtrit(n - 1, 0.5 + LEVEL / 2) * sd / np.sqrt(n)
+    return Summary(n, float(mean), float(sd), float(mean - half), float(mean + half))
 
 
 @dataclass(frozen=True)

@@ -79,6 +79,11 @@ def test_a_figure_that_stays_has_no_trend(payload_t):
     assert (trend["low"], trend["mean"], trend["high"]) == (0.0, 0.0, 0.0)
 
 
+def test_equal_values_have_no_spread():
+    s = summary([0.7, 0.7, 0.7])
+    assert (s.mean, s.sd, s.low, s.high) == (0.7, 0.0, 0.7, 0.7)
+
+
 def test_a_trend_is_the_slope_of_the_straight_line():
     rows = study_rows(np.random.default_rng(7), ("a",), slope=10.0)
     trend, = _trends(RAKE, SimpleNamespace(names=["rake", "other"]), rows, ["payload_t"])

@@ -93,12 +93,8 @@ def statistics(residual, covariance, grid, directions=None):
 
 def _averaging(grid):
     """(F, n) matrix that takes each feature's mean over the passes that have it."""
-    n = grid.max() + 1
-    out = np.zeros((grid.shape[1], n))
-    for j in range(grid.shape[1]):
-        at = grid[:, j][grid[:, j] >= 0]
-        out[j, at] = 1.0 / len(at)
-    return out
+    has = (grid[:, :, None] == np.arange(grid.max() + 1)).any(axis=0)
+    return has / has.sum(axis=1, keepdims=True)
 
 
 def root(covariance):
@@ -154,8 +150,8 @@ def find_tails(baseline, seed=0):
     for whole in DOF:
         for block in DOF:
             tails = Tails(whole, block)
-            made = _shapes(np.array([make_runs(seed_root, baseline.seeds, tails, labels, rng)
-                                     for _ in range(TAIL_DRAWS)]), baseline.grid)
+            rows = make_runs(seed_root, TAIL_DRAWS * baseline.seeds, tails, labels, rng)
+            made = _shapes(rows.reshape(TAIL_DRAWS, baseline.seeds, -1), baseline.grid)
             off = (((seen - np.median(made, axis=0)) / made.std(axis=0)) ** 2).sum()
             off += CLEARLY * (np.isfinite(whole) + np.isfinite(block))
             if off < least:

@@ -23,5 +23,5 @@ export function runs(data) {
     { name: 'Seed', cell: (r) => String(r.seed) },
     { name: 'Status', kind: 'text', cell: (r) => r.status },
     ...data.columns.map(({ name }) => ({ name: columnName(name)[0], unit: columnName(name)[1], cell: (r) => number(r[name]) })),
-  ], data.runs, { compact: true })));
+  ], data.runs)));
 }
