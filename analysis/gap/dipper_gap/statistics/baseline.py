@@ -5,7 +5,7 @@ Where a mine's earlier trucks are given (reference.py), they stand in the place 
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.special import gammaincinv
+from scipy.special import chdtri
 
 PRIOR_DOF = 14.0   # how many degrees of freedom the spread pooled over passes counts against a pass's own
 SHARED = 2.0       # sd of a channel's shared error, at most, that is taken off a difference of mine and model
@@ -181,8 +181,8 @@ def seed_covariance(values, grid, more):
         between_passes = _correlation(ledoit_wolf(white.transpose(0, 2, 1).reshape(-1, n_passes)))
     else:
         between_passes = np.ones((1, 1))
-    there = grid.ravel() >= 0
-    passes, keys = np.unravel_index(np.flatnonzero(there)[np.argsort(grid.ravel()[there])], grid.shape)  # of each cell
+    in_order = np.argsort(grid, axis=None)[(grid < 0).sum():]
+    passes, keys = np.unravel_index(in_order, grid.shape)  # of each cell
     scale = sd[passes, keys]
     return between_passes[np.ix_(passes, passes)] * between_keys[np.ix_(keys, keys)] * np.outer(scale, scale)
 
@@ -216,11 +216,6 @@ def make_grid(cells, pass_numbers):
     return np.array([[place.get((p, *k), -1) for k in keys] for p in pass_numbers])
 
 
-def median_of_squares(dof):
-    """The median of chi squared; scipy.stats takes 200 us for it, which counts in a null of many draws."""
-    return 2.0 * gammaincinv(dof / 2.0, 0.5)
-
-
 def scatter(rows, own, seed):
     """Variance of the mine's passes from truck to truck, (T, n), in variances of the model's runs; 1 at least.
 
@@ -229,7 +224,7 @@ def scatter(rows, own, seed):
     """
     if len(rows) < 2:
         return 1.0
-    usual = median_of_squares(len(rows) - 1) / (len(rows) - 1)  # of a variance, in what it estimates
+    usual = chdtri(len(rows) - 1, 0.5) / (len(rows) - 1)  # median of a variance, in what it estimates
     moves = seed > own
     ratio = (rows.var(axis=0, ddof=1) / usual - own)[moves] / seed[moves]
     return max(1.0, float(np.median(ratio))) if moves.any() else 1.0

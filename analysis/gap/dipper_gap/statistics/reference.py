@@ -6,9 +6,10 @@ model's runs still say what an effect does, and how runs scatter; how much, the 
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.special import chdtri
 
 from ..readings.features import number
-from .baseline import median_of_squares, scatter
+from .baseline import scatter
 
 WEIGHT = 2.0        # degrees of freedom that the model's own scatter counts against the mine's
 FEATURE_DOF = 14.0  # the same of the mine's scatter as a whole against that of one feature
@@ -73,7 +74,7 @@ def mine_scatter(now, before, own_now, own_before, seed, keys):
     moves = (seed > own) & (seed > 0)
     if not moves.any():
         return np.ones(len(seed))
-    usual = median_of_squares(dof)  # of the squares, in what they estimate
+    usual = chdtri(dof, 0.5)  # median of the squares, in what they estimate
     whole = max(LEAST, float(np.median(((squares / usual) - own)[moves] / seed[moves])))
     whole = (WEIGHT + dof * whole) / (WEIGHT + dof)
     ratio = np.where(moves, (squares / dof - own) / np.where(moves, seed, 1.0), 0.0)

@@ -9,8 +9,8 @@ therefore shrunk, with its remaining covariance kept and used wherever the signa
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.special import chdtri
 
-from .baseline import median_of_squares
 from .shrink import shrink
 
 # Assumed: an effect in the mine differs from the catalogue's model of it by so much in a whole block (one
@@ -89,7 +89,7 @@ def _exact(s, difference, baseline):
     off = 0.0
     if moves.any() and len(s) > 1:
         ratio = ((difference - np.outer(s, g))[:, moves] ** 2).sum(axis=0) / seed[moves]
-        off = float(np.median(ratio) / median_of_squares(len(s) - 1))
+        off = float(np.median(ratio) / chdtri(len(s) - 1, 0.5))
     return g, np.full(len(g), off / (s @ s))
 
 
