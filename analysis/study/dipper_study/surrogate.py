@@ -17,7 +17,7 @@ class Surrogate:
 
     def __init__(self, x, y, variance):
         self._mean = float(np.mean(y))
-        self._scale = float(np.std(y)) or 1.0
+        self._scale = float(np.std(y)) if np.ptp(y) > 0 else 1.0  # equal values can have a std of rounding errors
         kernel = ConstantKernel(1.0, (0.05, 20.0)) * Matern([1.0] * x.shape[1], [LENGTHS] * x.shape[1], nu=2.5)
         noise = max(variance / self._scale**2, 1e-8)
         self._process = GaussianProcessRegressor(kernel, alpha=noise, n_restarts_optimizer=RESTARTS, random_state=0)

@@ -149,6 +149,12 @@ def test_the_model_smooths_what_is_noise_and_knows_where_it_has_not_looked():
     assert mean[0] == pytest.approx(np.sin(0.75), abs=0.1) and sd[0] < 0.07 < sd[1]
 
 
+def test_equal_values_give_their_value_and_the_noise():
+    x = np.linspace(0, 1, 12)[:, None]
+    mean, sd = Surrogate(x, np.full(12, 0.1 + 0.2), 1e-4)([[0.25], [0.5]])
+    assert mean == pytest.approx(0.3) and (1e-4 < sd).all() and (sd < 1).all()
+
+
 def test_expected_improvement_is_that_of_a_gaussian():
     rng = np.random.default_rng(3)
     drawn = np.maximum(rng.normal(1.0, 0.5, 400_000) - 1.2, 0).mean()

@@ -21,12 +21,11 @@ export function foreman(data) {
 
 function what(data) {
   const { answer } = data;
-  const changed = answer.reference ? 'has changed since the reference' : 'is missing in the model';
   const named = answer.reference ? 'Changed since the reference' : 'Missing in the model';
   if (answer.verdict === 'named') return `${named}: ${title(data, answer.effect)}.`;
   if (answer.verdict === 'class') return `${named}, one of these: ${answer.class.map((effect) => title(data, effect)).join('; ')}.`;
-  if (answer.law) return `A force that follows from the motion ${changed}; it has no name in the catalogue.`;
-  if (answer.verdict === 'unknown') return `Something ${changed}; these data do not tell what.`;
+  if (answer.law) return `${named}: a force that follows from the motion; it has no name in the catalogue.`;
+  if (answer.verdict === 'unknown') return `${named}: something that these data do not identify.`;
   return answer.reference ? 'Nothing that these data can show has changed.' : 'Nothing that these data can show is missing.';
 }
 
