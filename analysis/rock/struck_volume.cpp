@@ -21,33 +21,35 @@ class CellGrid {
     origin_ = box.min_m - cell * (Vector3d::Ones() + shift);
     for (int k = 0; k < 3; ++k)
       n_[k] = static_cast<int>(std::ceil((box.max_m[k] - origin_[k]) / cell)) + 2;
+    strides_ = {1, static_cast<std::size_t>(n_.x()),
+                static_cast<std::size_t>(n_.x()) * static_cast<std::size_t>(n_.y())};
     blocked_.assign(3 * size(), 0);
+    for (std::size_t c = 0; c < size(); ++c)
+      for (int axis = 0; axis < 3; ++axis)
+        if (index(c)[axis] == n_[axis] - 1) blocked_[3 * c + static_cast<std::size_t>(axis)] = 1;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int axis = 0; axis < 3; ++axis) block(mesh.corners(t), axis);
   }
 
-  std::size_t size() const {
-    return static_cast<std::size_t>(n_.x()) * static_cast<std::size_t>(n_.y()) *
-           static_cast<std::size_t>(n_.z());
-  }
-  std::size_t at(const Index& i) const {
-    return (static_cast<std::size_t>(i.z()) * static_cast<std::size_t>(n_.y()) +
-            static_cast<std::size_t>(i.y())) *
-               static_cast<std::size_t>(n_.x()) +
-           static_cast<std::size_t>(i.x());
-  }
+  std::size_t size() const { return strides_[2] * static_cast<std::size_t>(n_.z()); }
   Index index(std::size_t c) const {
-    const auto nx = static_cast<std::size_t>(n_.x()), ny = static_cast<std::size_t>(n_.y());
-    return {static_cast<int>(c % nx), static_cast<int>(c / nx % ny),
-            static_cast<int>(c / (nx * ny))};
+    return {static_cast<int>(c % strides_[1]), static_cast<int>(c % strides_[2] / strides_[1]),
+            static_cast<int>(c / strides_[2])};
   }
   Vector3d centre(const Index& i) const {
     return origin_ + cell_ * (i.cast<double>() + Vector3d::Constant(0.5));
   }
-  const Index& n() const { return n_; }
-  /// Whether a triangle lies between cell i and the next along the axis.
-  bool blocked(const Index& i, int axis) const {
-    return blocked_[3 * at(i) + static_cast<std::size_t>(axis)] != 0;
+  bool at_border(const Index& i) const {
+    return (i.array() == 0).any() || (i.array() == n_.array() - 1).any();
+  }
+  /// Calls `visit` with each neighbour of cell c that no triangle separates from it.
+  template <class Visit>
+  void neighbours(std::size_t c, const Visit& visit) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t stride = strides_[axis];
+      if (blocked_[3 * c + axis] == 0) visit(c + stride);
+      if (c >= stride && blocked_[3 * (c - stride) + axis] == 0) visit(c - stride);
+    }
   }
 
  private:
@@ -86,6 +88,11 @@ class CellGrid {
     }
   }
 
+  std::size_t at(const Index& i) const {
+    return static_cast<std::size_t>(i.x()) + strides_[1] * static_cast<std::size_t>(i.y()) +
+           strides_[2] * static_cast<std::size_t>(i.z());
+  }
+
   static double cross(const Vector3d& a, const Vector3d& b, int u, int v) {
     return a[u] * b[v] - a[v] * b[u];
   }
@@ -93,40 +100,65 @@ class CellGrid {
   double cell_;
   Vector3d origin_;
   Index n_ = Index::Zero();
-  std::vector<char> blocked_;
+  std::array<std::size_t, 3> strides_{};  ///< from a cell to the next along each axis
+  std::vector<char> blocked_;  ///< by cell and axis: whether a triangle or the border comes next
 };
 
+/// The volume of the water that stays in the mesh when all is flooded and the border is a drain.
+///
+/// Water in a cell stands as high as the lowest way out. So a cell is dry if a way that only rises
+/// leads to it from the border; no order is needed for these. Where a dry cell has a lower
+/// neighbour, water stands behind this rim: rims are taken from the lowest on, and the pit behind
+/// each is filled to its height (priority flood: Barnes et al. 2014, Comput. Geosci. 62:117-127).
 double flood(const CellGrid& grid, const Vector3d& up, double cell, Box* water) {
-  using Entry = std::pair<double, std::size_t>;  // level, cell
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::vector<double> height(grid.size());
   std::vector<char> seen(grid.size(), 0);
-  const Index& n = grid.n();
+  std::vector<std::size_t> dry, pit;
+  dry.reserve(grid.size());
   for (std::size_t c = 0; c < grid.size(); ++c) {
     const Index i = grid.index(c);
-    if ((i.array() > 0).all() && (i.array() < n.array() - 1).all()) continue;
+    height[c] = up.dot(grid.centre(i));
+    if (!grid.at_border(i)) continue;
     seen[c] = 1;
-    queue.emplace(up.dot(grid.centre(i)), c);
+    dry.push_back(c);
   }
+  using Rim = std::pair<double, std::size_t>;  // height, cell
+  std::priority_queue<Rim, std::vector<Rim>, std::greater<>> rims;
+  const auto climb = [&](std::size_t first) {
+    for (std::size_t k = first; k < dry.size(); ++k) {
+      const std::size_t c = dry[k];
+      grid.neighbours(c, [&](std::size_t next) {
+        if (seen[next] != 0 || height[next] < height[c]) return;
+        seen[next] = 1;
+        dry.push_back(next);
+      });
+    }
+    for (std::size_t k = first; k < dry.size(); ++k) {
+      bool is_rim = false;
+      grid.neighbours(dry[k], [&](std::size_t next) { is_rim = is_rim || seen[next] == 0; });
+      if (is_rim) rims.emplace(height[dry[k]], dry[k]);
+    }
+  };
+  climb(0);
   std::size_t held = 0;
-  while (!queue.empty()) {
-    const auto [level, c] = queue.top();
-    queue.pop();
-    const Index i = grid.index(c);
-    const Vector3d p = grid.centre(i);
-    if (up.dot(p) < level - 1e-9) {
-      ++held;
-      if (water != nullptr) water->add(p, cell / 2);
+  while (!rims.empty()) {
+    const auto [level, rim] = rims.top();
+    rims.pop();
+    const std::size_t first = dry.size();
+    pit.push_back(rim);
+    while (!pit.empty()) {
+      const std::size_t c = pit.back();
+      pit.pop_back();
+      grid.neighbours(c, [&, level = level](std::size_t next) {
+        if (seen[next] != 0) return;
+        seen[next] = 1;
+        (height[next] > level ? dry : pit).push_back(next);
+        if (height[next] >= level - 1e-9) return;
+        ++held;
+        if (water != nullptr) water->add(grid.centre(grid.index(next)), cell / 2);
+      });
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const int side : {-1, 1}) {
-        Index j = i;
-        j[axis] += side;
-        if (j[axis] < 0 || j[axis] >= n[axis]) continue;
-        if (seen[grid.at(j)] != 0 || grid.blocked(side > 0 ? i : j, axis)) continue;
-        seen[grid.at(j)] = 1;
-        queue.emplace(std::max(level, up.dot(grid.centre(j))), grid.at(j));
-      }
-    }
+    climb(first);
   }
   return static_cast<double>(held) * cell * cell * cell;
 }
