@@ -8,6 +8,9 @@ namespace dipper::dem {
 namespace {
 
 constexpr std::uint8_t kWakes = rest_flag::near | rest_flag::soon | rest_flag::disturbed;
+constexpr double kDiagonal =
+    1.7321;  // of a cube: a turned box that grows by 1 reaches so much farther
+constexpr double kRounding_m = 1e-6;
 
 }  // namespace
 
@@ -21,10 +24,12 @@ WallZone::WallZone(const Box& box, const Pose& X_WB, const Twist& V_WB_W, double
     const double t = samples > 0 ? ahead_s * k / samples : 0;
     const Pose X{from_rotation_vector(V_WB_W.w * t) * X_WB.R, X_WB.p + V_WB_W.v * t};
     X_BW_.push_back(inverse(X));
+    for (int corner = 0; corner < Box::kCorners; ++corner) around_W_.add(X * box_.corner(corner));
   }
 }
 
 bool WallZone::holds(const Vector3d& p_W, double radius_m) const {
+  if (!around_W_.grown(kDiagonal * radius_m + kRounding_m).holds(p_W)) return false;
   const Box box = box_.grown(radius_m);
   return std::any_of(X_BW_.begin(), X_BW_.end(),
                      [&](const Pose& X_BW) { return box.holds(X_BW * p_W); });
@@ -52,7 +57,8 @@ Reach::Reach(std::vector<Mover> movers, double largest_m) {
   std::vector<std::size_t> cell_of;
   cell_of.reserve(movers.size());
   for (const Mover& m : movers) {
-    cell_of.push_back(at(cell(0, m.x), cell(1, m.y), cell(2, m.z)));
+    cell_of.push_back(at(static_cast<int>(cell(0, m.x)), static_cast<int>(cell(1, m.y)),
+                         static_cast<int>(cell(2, m.z))));
     ++first_[cell_of.back() + 1];
   }
   // Along each axis in turn, so that a cell includes all movers around it.
@@ -74,16 +80,13 @@ Reach::Reach(std::vector<Mover> movers, double largest_m) {
   for (std::size_t m = 0; m < movers.size(); ++m) movers_[next[cell_of[m]]++] = movers[m];
 }
 
-int Reach::cell(int axis, double x) const {
-  const double i = std::floor((x - box_.min_m[axis]) / cell_m_);
-  return static_cast<int>(std::clamp(i, -1.0, static_cast<double>(cells_[axis])));
-}
-
 bool Reach::touches(const Vector3d& p, double radius_m) const {
   if (movers_.empty()) return false;
-  const int i = cell(0, p.x()), j = cell(1, p.y()), k = cell(2, p.z());
-  const auto inside = [&](int c, int axis) { return c >= 0 && c < cells_[axis]; };
-  if (!inside(i, 0) || !inside(j, 1) || !inside(k, 2) || near_[at(i, j, k)] == 0) return false;
+  const double x = cell(0, p.x()), y = cell(1, p.y()), z = cell(2, p.z());
+  const auto inside = [&](double c, int axis) { return c >= 0 && c < cells_[axis]; };
+  if (!inside(x, 0) || !inside(y, 1) || !inside(z, 2)) return false;
+  const int i = static_cast<int>(x), j = static_cast<int>(y), k = static_cast<int>(z);
+  if (near_[at(i, j, k)] == 0) return false;
   const int from = std::max(i - kAround, 0), to = std::min(i + kAround, cells_[0] - 1);
   for (int c = std::max(k - kAround, 0); c <= std::min(k + kAround, cells_[2] - 1); ++c)
     for (int b = std::max(j - kAround, 0); b <= std::min(j + kAround, cells_[1] - 1); ++b) {

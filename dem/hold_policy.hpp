@@ -42,7 +42,8 @@ class WallZone {
 
  private:
   std::vector<Pose> X_BW_;
-  Box box_;  ///< with the margin, in the body's frame
+  Box box_;       ///< with the margin, in the body's frame
+  Box around_W_;  ///< all samples of it: most rock is far away and needs no change of frame
 };
 
 /// A sphere of moving rock and its clearance.
@@ -61,7 +62,7 @@ class Reach {
 
  private:
   static constexpr int kAround = 2;  ///< cells
-  int cell(int axis, double x) const;
+  double cell(int axis, double x) const { return (x - box_.min_m[axis]) / cell_m_; }
   std::size_t at(int i, int j, int k) const {
     const int c = (k * cells_[1] + j) * cells_[0] + i;
     return static_cast<std::size_t>(c);
