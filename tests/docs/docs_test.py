@@ -34,12 +34,13 @@ class Tutorials(unittest.TestCase):
     def test_every_command_of_the_first_case_leaves_what_the_page_says(self):
         with tempfile.TemporaryDirectory() as folder:
             here = Path(folder) / "dipper"
-            self.follow("tutorial_first_case.md", here, "cases/quick", "cases/rock")
-            summaries = [json.loads((here / f"mine/{name}/summary.json").read_text()) for name in ("look", "wide")]
-            for summary in summaries:
-                self.assertEqual(summary["status"], "complete")
-                self.assertGreater(summary["passes"][0]["payload_kg"], 10_000)
-                self.assertGreater(summary["passes"][0]["truck_kg"], 10_000)  # to the end: the load is dumped
+            said = self.follow("tutorial_first_case.md", here, "cases/quick", "cases/rock", "docs/data")
+            summary = json.loads((here / "mine/look/summary.json").read_text())
+            self.assertEqual(summary["status"], "complete")
+            self.assertGreater(summary["passes"][0]["payload_kg"], 10_000)
+            self.assertGreater(summary["passes"][0]["truck_kg"], 10_000)  # to the end: the load is dumped
+            self.assertIn("limited,1,72.9,", said)
+            self.assertIn(f'"fill_factor_load": {summary["passes"][0]["fill_factor_load"]}', said)
             page = here / "mine/look/report/report.html"
             self.assertGreater(page.stat().st_size, 100_000)
             self.assertTrue((here / "mine/look/report/metrics.json").exists())
