@@ -30,13 +30,13 @@ WallMotion::WallMotion(LAMMPS_NS::LAMMPS* l, int narg, char** arg) : Fix(l, narg
     throw std::runtime_error("the deck has no `fix " + mesh_id +
                              " all mesh/surface/stress ...` for the body '" + mesh_id + "'");
   }
-  mesh_ = wall_->mesh();
+  mesh_ = wall_->triMesh();
   // Before the first run every rank holds the whole mesh, in the body frame.
   for (int i = 0; i < mesh_->sizeLocal(); ++i) {
-    const auto element = static_cast<std::size_t>(mesh_->id_slow(i));
+    const auto element = static_cast<std::size_t>(mesh_->id(i));
     if (element >= reference_.size()) reference_.resize(element + 1);
     auto& nodes = reference_[element];
-    for (int j = 0; j < 3; ++j) mesh_->node_slow(i, j, nodes[j].data());
+    for (int j = 0; j < 3; ++j) mesh_->node(i, j, nodes[j].data());
   }
   mesh_->registerMove(false, true, true);
 }
@@ -149,7 +149,7 @@ void WallMotion::impose_velocity() {
   for (int i = 0; i < mesh_->size(); ++i) {
     for (int j = 0; j < 3; ++j) {
       Vector3d x;
-      mesh_->node_slow(i, j, x.data());
+      mesh_->node(i, j, x.data());
       const Vector3d v_W = V_WB_W_.v + V_WB_W_.w.cross(x - X_WB_.p);
       std::copy_n(v_W.data(), 3, v[i][j]);
     }
@@ -163,10 +163,10 @@ Pose WallMotion::pose_from_nodes() const {
   Eigen::Map<Vector3d> sum_b(sums + 1), sum_w(sums + 4);
   Eigen::Map<Eigen::Matrix3d> sum_wb(sums + 7);
   for (int i = 0; i < mesh_->sizeLocal(); ++i) {
-    const auto& nodes = reference_[static_cast<std::size_t>(mesh_->id_slow(i))];
+    const auto& nodes = reference_[static_cast<std::size_t>(mesh_->id(i))];
     for (int j = 0; j < 3; ++j) {
       Vector3d p_W;
-      mesh_->node_slow(i, j, p_W.data());
+      mesh_->node(i, j, p_W.data());
       const Vector3d w = p_W - X_WB_.p;
       sums[0] += 1;
       sum_b += nodes[j];

@@ -16,7 +16,7 @@
 
 namespace LAMMPS_NS {
 class FixMeshSurface;
-class AbstractMesh;
+class TriMesh;
 }  // namespace LAMMPS_NS
 
 namespace dipper::dem {
@@ -70,7 +70,7 @@ class WallMotion : public LAMMPS_NS::Fix {
   void impose_velocity();
 
   LAMMPS_NS::FixMeshSurface* wall_ = nullptr;
-  LAMMPS_NS::AbstractMesh* mesh_ = nullptr;
+  LAMMPS_NS::TriMesh* mesh_ = nullptr;
   /// Body-frame nodes of every element, by element id: the reference for the pose read back.
   std::vector<std::array<Vector3d, 3>> reference_;
   Pose X_WB_;
