@@ -9,11 +9,12 @@ from dipper_gap.forecast import WAYS, as_lines, forecast, write_forecast
 from dipper_gap.readings.channels import read_channels
 from other_mine import periods
 
+pytestmark = pytest.mark.usefixtures("few_draws")
 SMALL = {n: fake_mine.CATALOGUE[n] for n in ("fines", "crowd_friction", "scale_gain", "density")}
 
 
 @pytest.fixture(scope="module")
-def forecasts():
+def forecasts(few_draws):
     said = []
     out = forecast(read_channels(), fake_mine.FakeSimulator(), SMALL, 1, said.append)
     return out, said

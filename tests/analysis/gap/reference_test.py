@@ -8,12 +8,10 @@ import pytest
 
 import fake_mine
 import synthetic
-from dipper_gap import model as model_stage
 from dipper_gap.gap_json import as_json
 from dipper_gap.model import learn, predict, predict_change
 from dipper_gap.report import page
 from dipper_gap.simulation.plan import make_plan
-from dipper_gap.statistics.null import simulate_null
 from dipper_gap.workflow import Runner, analyse, conclude
 from other_mine import periods
 from trucks import in_a_row
@@ -21,12 +19,7 @@ from trucks import in_a_row
 SMALL = {n: fake_mine.CATALOGUE[n]
          for n in ("fines", "crowd_friction", "scale_gain", "cohesion", "truck_spillage", "density")}
 TRUCKS, BEFORE = 4, 6
-FEW_DRAWS = 200  # of the null: enough for p below 0.01, in a fifth of the time
-
-
-@pytest.fixture(autouse=True)
-def few_draws(monkeypatch):
-    monkeypatch.setattr(model_stage, "simulate_null", functools.partial(simulate_null, draws=FEW_DRAWS))
+pytestmark = pytest.mark.usefixtures("few_draws")
 
 
 @functools.lru_cache(None)

@@ -26,6 +26,7 @@ from dipper_gap.workflow import Named, Runner, analyse, compare, conclude, look_
 from dipper_run.findings import BadInput
 from trucks import in_a_row
 
+pytestmark = pytest.mark.usefixtures("few_draws")
 # Fewer effects than the whole catalogue: a test needs seconds, not a minute.
 SMALL = {n: fake_mine.CATALOGUE[n]
          for n in ("fines", "crowd_friction", "scale_gain", "cohesion", "truck_spillage", "density")}
