@@ -8,8 +8,8 @@ namespace dipper::dem {
 namespace {
 
 constexpr std::uint8_t kWakes = rest_flag::near | rest_flag::soon | rest_flag::disturbed;
-constexpr double kDiagonal =
-    1.7321;  // of a cube: a turned box that grows by 1 reaches so much farther
+/// Of a unit cube: so much farther a turned box that grows by 1 may reach.
+constexpr double kDiagonal = 1.7321;
 constexpr double kRounding_m = 1e-6;
 
 }  // namespace

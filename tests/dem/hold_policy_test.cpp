@@ -22,6 +22,16 @@ TEST(WallZone, HoldsWhatIsWithinTheMarginOfTheTurnedBox) {
   EXPECT_FALSE(zone.holds({11.6, 0, 0}, 0));
 }
 
+TEST(WallZone, ReachesToTheCornersHoweverTheBoxIsTurned) {
+  const Box box{{-1, -1, -1}, {1, 1, 1}};
+  const Vector3d corner = Vector3d(1, 1, 1) * (1 + 0.5 + 0.3);  // with the margin and the radius
+  Pose X_WB;
+  X_WB.R = Quaterniond::FromTwoVectors(corner, Vector3d::UnitX());
+  const WallZone zone(box, X_WB, {}, 0, 0.5);
+  EXPECT_TRUE(zone.holds(X_WB * (0.9999 * corner), 0.3));
+  EXPECT_FALSE(zone.holds(X_WB * (1.0001 * corner), 0.3));
+}
+
 TEST(WallZone, ReachesAlongTheWay) {
   const Box box{{-1, -1, -1}, {1, 1, 1}};
   const Twist V{{0, 0, 0}, {4, 0, 0}};
