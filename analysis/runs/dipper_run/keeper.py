@@ -13,11 +13,15 @@ LOOK_S = 0.2
 
 
 def main(pipe, lock, words):
-    child = subprocess.Popen(words, pass_fds=[lock])
+    asked = []  # an interrupt before the program is started must not be lost
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: child.send_signal(signal.SIGINT))
+        signal.signal(number, lambda *_: asked.append(True))
+    child = subprocess.Popen(words, pass_fds=[lock])
     held = True
     while child.poll() is None:
+        if asked:
+            asked.clear()
+            child.send_signal(signal.SIGINT)
         if select.select([pipe] if held else [], [], [], LOOK_S)[0]:
             held = False  # nobody writes to it: readable means ended
             child.send_signal(signal.SIGINT)

@@ -90,8 +90,10 @@ class KeptRuns:
         """Makes the jobs that are not kept. on_end(job, None or the RunFailed) is called as each ends, here."""
         todo = [job for job in jobs if not self.kept(job.folder, job.drop)]
         with ThreadPoolExecutor(self.at_once) as pool:
-            futures = {pool.submit(self._make, job): job for job in todo}
+            futures = {}
             try:
+                for job in todo:
+                    futures[pool.submit(self._make, job)] = job
                 for future in as_completed(futures):
                     error = future.exception()
                     if error is not None and not isinstance(error, RunFailed):

@@ -1,4 +1,7 @@
 """Runs that are made once, with a program that stands in for `dipper`: a new run is interrupted, a resumed one ends."""
+import time
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 
 from dipper_run.kept_runs import HEAVY, Job, KeptRuns
@@ -46,3 +49,24 @@ def test_recordings_of_every_segment_are_dropped(made, tmp_path):
 def test_one_that_keeps_less_than_is_wanted_does_not(made, first, then, goes_on):
     made(first)
     assert made(then)[2] == goes_on
+
+
+def test_an_interrupt_while_jobs_are_handed_out_ends_the_run_under_way(tmp_path, monkeypatch):
+    program, started = tmp_path / "dipper", tmp_path / "started"
+    program.write_text(f"#!/bin/sh\ntouch {started}\nexec sleep 30\n")
+    program.chmod(0o755)
+    submit, handed_out = ThreadPoolExecutor.submit, []
+
+    def interrupted(*words):
+        while handed_out and not started.exists():
+            time.sleep(0.01)
+        if handed_out:
+            raise KeyboardInterrupt
+        handed_out.append(words)
+        return submit(*words)
+
+    monkeypatch.setattr(ThreadPoolExecutor, "submit", interrupted)
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        KeptRuns(program, 2).make([Job(tmp_path / name, (), name, HEAVY) for name in ("first", "second")], print)
+    assert time.monotonic() - began < 15
