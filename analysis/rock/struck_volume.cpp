@@ -24,9 +24,11 @@ class CellGrid {
     strides_ = {1, static_cast<std::size_t>(n_.x()),
                 static_cast<std::size_t>(n_.x()) * static_cast<std::size_t>(n_.y())};
     blocked_.assign(3 * size(), 0);
-    for (std::size_t c = 0; c < size(); ++c)
+    for (std::size_t c = 0; c < size(); ++c) {
+      const Index i = index(c);
       for (int axis = 0; axis < 3; ++axis)
-        if (index(c)[axis] == n_[axis] - 1) blocked_[3 * c + static_cast<std::size_t>(axis)] = 1;
+        if (i[axis] == n_[axis] - 1) blocked_[3 * c + static_cast<std::size_t>(axis)] = 1;
+    }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int axis = 0; axis < 3; ++axis) block(mesh.corners(t), axis);
   }

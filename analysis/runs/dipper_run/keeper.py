@@ -19,11 +19,11 @@ def main(pipe, lock, words):
     child = subprocess.Popen(words, pass_fds=[lock])
     held = True
     while child.poll() is None:
-        if asked:
-            asked.clear()
-            child.send_signal(signal.SIGINT)
         if select.select([pipe] if held else [], [], [], LOOK_S)[0]:
             held = False  # nobody writes to it: readable means ended
+            asked.append(True)
+        if asked:
+            asked.clear()
             child.send_signal(signal.SIGINT)
     return child.returncode if child.returncode >= 0 else 128 - child.returncode
 
