@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "common/json_text.hpp"
+
 namespace dipper {
 namespace {
 
@@ -128,7 +130,7 @@ std::vector<Eigen::Vector2d> HeightMap::profile(const Pose& X_WA, double half_wi
 std::string to_json_text(const HeightGrid& grid) { return json_of(grid).dump(); }
 
 HeightGrid height_grid_from(const std::string& json_text) {
-  return grid_from(json::parse(json_text));
+  return grid_from(parse_json(json_text));
 }
 
 std::string to_json_text(const HeightMap& map) {
@@ -139,7 +141,7 @@ std::string to_json_text(const HeightMap& map) {
 }
 
 HeightMap height_map_from(const std::string& json_text) {
-  const json j = json::parse(json_text);
+  const json j = parse_json(json_text);
   HeightMap map(grid_from(j));
   const json& z = j.at("z_cm");
   if (z.size() != map.heights().size())

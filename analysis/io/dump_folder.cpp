@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "analysis/io/line_reader.hpp"
 #include "analysis/io/vtk_file.hpp"
 #include "common/case_lines.hpp"
 #include "common/draft_file.hpp"
+#include "common/json_text.hpp"
 
 namespace dipper::analysis::io {
 namespace fs = std::filesystem;
@@ -110,8 +110,7 @@ std::vector<fs::path> series_files(const fs::path& folder) {
 std::optional<double> check_series(const fs::path& folder) {
   std::optional<double> timestep_s;
   for (const fs::path& file : series_files(folder)) {
-    std::ifstream in(file);
-    const auto json = nlohmann::json::parse(in, nullptr, false);
+    const nlohmann::json json = read_json_or_discard(file);
     if (!json.is_object() || !json.contains("files") || !json["files"].is_array())
       throw input_error(file, 1, "not a list of files in JSON: it was cut short");
     for (const auto& entry : json["files"]) {

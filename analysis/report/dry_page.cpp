@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "analysis/report/page.hpp"
 #include "analysis/report/record_replay.hpp"
@@ -10,6 +9,7 @@
 #include "analysis/report/replay_json.hpp"
 #include "analysis/report/report_page.hpp"
 #include "common/input_error.hpp"
+#include "common/json_text.hpp"
 #include "common/record/columns.hpp"
 #include "common/text_file.hpp"
 
@@ -21,11 +21,6 @@ using json = nlohmann::json;
 
 constexpr double kLineStep_m = 0.4, kLineRadius_m = 0.06;
 constexpr double kWayStep_m = 0.05;  // between points of the path of the teeth
-
-json read_summary(const fs::path& folder) {
-  std::ifstream in(folder / "summary.json");
-  return json::parse(in, nullptr, false);
-}
 
 /// The teeth's path in the plane of the boom in each pass: from its start until the door opens.
 json ways(const json& summary, const record::Columns& record) {
@@ -70,12 +65,12 @@ ReplayBlocks at_work(const run::RunData& run, const json& passes, const record::
 }  // namespace
 
 bool is_dry_run(const fs::path& folder) {
-  const json summary = read_summary(folder);
+  const json summary = read_json_or_discard(folder / "summary.json");
   return summary.is_object() && summary.contains("rock_model");
 }
 
 void write_dry_page(const fs::path& folder, const fs::path& file) {
-  const json summary = read_summary(folder);
+  const json summary = read_json_or_discard(folder / "summary.json");
   static constexpr std::pair<const char*, const char*> kChannels[] = {
       {"machine/hoist_force", "N"}, {"machine/crowd_force", "N"},  {"machine/hoist_power", "W"},
       {"machine/crowd_power", "W"}, {"machine/swing_power", "W"},  {"machine/hoist", "m"},

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "common/json_text.hpp"
+
 namespace dipper::analysis::report {
 namespace {
 
@@ -149,7 +151,7 @@ json HeadlessBrowser::ask(const std::string& method, json parameters,
     sent += static_cast<std::size_t>(n);
   }
   while (true) {
-    const json answer = json::parse(next_message(until), nullptr, false);
+    const json answer = parse_json_or_discard(next_message(until));
     if (!answer.is_object() || answer.value("id", 0) != last_id_) continue;  // an event
     if (answer.contains("error"))
       throw std::runtime_error(

@@ -1,11 +1,11 @@
 #include "analysis/report/run_page.hpp"
 
-#include <fstream>
 #include <string>
 
 #include "analysis/report/dump_replay.hpp"
 #include "analysis/report/record_curves.hpp"
 #include "analysis/report/report_page.hpp"
+#include "common/json_text.hpp"
 #include "common/json_values.hpp"
 
 namespace dipper::analysis::report {
@@ -14,8 +14,7 @@ namespace {
 /// What an operator who plans left in a run's folder, pass by pass; null: nothing.
 nlohmann::json decisions(const std::filesystem::path& run) {
   const auto read = [&](const std::string& name) {
-    std::ifstream in(run / "operator" / name);
-    return in ? nlohmann::json::parse(in, nullptr, false) : nlohmann::json();
+    return read_json_or_discard(run / "operator" / name);
   };
   nlohmann::json all = nlohmann::json::array();
   for (int pass = 1;; ++pass) {

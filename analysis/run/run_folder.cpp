@@ -10,6 +10,7 @@
 #include "analysis/io/vtk_file.hpp"
 #include "common/csv_table.hpp"
 #include "common/fines.hpp"
+#include "common/json_text.hpp"
 #include "common/json_values.hpp"
 #include "common/manifest.hpp"
 #include "common/mesh/mesh_check.hpp"
@@ -33,7 +34,7 @@ std::string bytes_of(const fs::path& file) {
 }
 
 json json_of(const fs::path& file) {
-  json j = json::parse(bytes_of(file), nullptr, false);
+  json j = parse_json_or_discard(bytes_of(file));
   if (!j.is_object()) throw io::input_error(file, 1, "not a JSON object: it was cut short");
   return j;
 }
@@ -145,7 +146,7 @@ double RunData::number(const std::string& key) const {
 
 Vector3d RunData::vector(const std::string& key) const {
   const CaseLine* line = case_lines.find(key);
-  const json value = line == nullptr ? json() : json::parse(line->value, nullptr, false);
+  const json value = line == nullptr ? json() : parse_json_or_discard(line->value);
   if (!value.is_array() || value.size() != 3)
     throw io::input_error(folder / "case.txt", 0, "has no vector " + key);
   return vector_from(value);

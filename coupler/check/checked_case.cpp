@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/case_lines.hpp"
+#include "common/json_text.hpp"
 #include "common/seconds.hpp"
 #include "coupler/case/case_hash.hpp"
 #include "coupler/case/case_text.hpp"
@@ -79,7 +80,7 @@ json values_of(const cases::Case& c) {
   json values = json::object();
   const CaseLines lines(c.text);
   for (const CaseLine& line : lines) {
-    const json value = json::parse(line.value, nullptr, false);
+    const json value = parse_json_or_discard(line.value);
     values[line.key] =
         value.is_discarded() || value.is_string() ? json(lines.text(line.key)) : value;
   }

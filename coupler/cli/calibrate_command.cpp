@@ -52,7 +52,7 @@ fs::path free_folder(const CalibrateOptions& o) {
   return out;
 }
 
-int run(CalibrateOptions& o, Reporter& reporter) {
+int calibrate(CalibrateOptions& o, Reporter& reporter) {
   calibrate::CalibrationRequest& request = o.request;
   request.case_folder = o.folder;
   request.overrides = overrides_of(o.set, "rock.coarse_graining=3");
@@ -111,7 +111,7 @@ Command add_calibrate_command(CLI::App& app, Reporter& reporter) {
   add("bulk-density", "the density of the rock at which a box of it has the bulk density",
       "density in kg/m3 (default: the case's rock.bulk_density_kg_m3)", {100, 20000},
       "edge of the box in m (default: 5 of the largest rocks, at least the paper's 3.037)");
-  return {command, [o, &reporter] { return run(*o, reporter); }};
+  return {command, [o, &reporter] { return calibrate(*o, reporter); }};
 }
 
 }  // namespace dipper::cli

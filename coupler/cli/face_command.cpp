@@ -15,6 +15,7 @@
 #include "common/case_lines.hpp"
 #include "common/height_map.hpp"
 #include "common/input_error.hpp"
+#include "common/json_text.hpp"
 #include "common/json_values.hpp"
 #include "common/text_file.hpp"
 #include "coupler/cli/number_option.hpp"
@@ -23,7 +24,6 @@
 namespace dipper::cli {
 namespace {
 
-using namespace analysis;
 namespace fs = std::filesystem;
 
 struct FaceOptions {
@@ -36,10 +36,10 @@ constexpr double kHalfWidth_m = 2;  // of the rock along the boom: as wide as a 
 
 /// As an operator sees it (common/height_map.hpp): x out from the swing axis, z over the ground.
 /// Throws std::invalid_argument when there is no rock there.
-std::vector<Eigen::Vector2d> face_along(const io::DumpFrame& frame, const Pose& X_WBoom) {
+std::vector<Eigen::Vector2d> face_along(const analysis::io::DumpFrame& frame, const Pose& X_WBoom) {
   constexpr double kFar_m = 1e6;
   const Box near{{0, -kHalfWidth_m - 1, -kFar_m}, {kFar_m, kHalfWidth_m + 1, kFar_m}};
-  const std::vector<Sphere> balls = metrics::balls_in(frame, near, X_WBoom);
+  const std::vector<Sphere> balls = analysis::metrics::balls_in(frame, near, X_WBoom);
   if (balls.empty()) throw std::invalid_argument("there is no rock along the boom");
   Box all;
   for (const Sphere& b : balls) all.add(b.centre_m, b.radius_m);
@@ -49,7 +49,7 @@ std::vector<Eigen::Vector2d> face_along(const io::DumpFrame& frame, const Pose& 
 }
 
 /// The nearest frame, if the time is at most one interval of the dumps before or after them all.
-std::size_t frame_at(const io::DumpFolder& dumps, double at_s) {
+std::size_t frame_at(const analysis::io::DumpFolder& dumps, double at_s) {
   constexpr double kShown_s = 0.01;  // a frame's time is shown so
   const auto& time_s = dumps.time_s;
   const double first_s = time_s.front(), last_s = time_s.back();
@@ -64,13 +64,13 @@ std::size_t frame_at(const io::DumpFolder& dumps, double at_s) {
 
 int face_command(const FaceOptions& o, Reporter& reporter) {
   if (!o.out.empty()) require_output(o.out, "--out", {});
-  const io::DumpFolder dumps = io::open_dump_folder(o.run);
+  const analysis::io::DumpFolder dumps = analysis::io::open_dump_folder(o.run);
   const std::size_t frame = frame_at(dumps, o.at_s.value_or(dumps.time_s.back()));
   const CaseLines text = CaseLines::read(fs::path(o.run) / "case.txt");
   Pose X_WBoom;
   X_WBoom.R = from_rotation_vector({0, 0, radians(o.heading_deg)});
   if (const CaseLine* base = text.find("machine.base_position_m")) {
-    const Vector3d p_WH = vector_from(nlohmann::json::parse(base->value));
+    const Vector3d p_WH = vector_from(parse_json(base->value));
     X_WBoom.p = {p_WH.x(), p_WH.y(), 0};
   }
   const auto face = face_along(dumps.frames[frame], X_WBoom);

@@ -1,11 +1,13 @@
 #include "coupler/cli/page_command.hpp"
 
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "analysis/report/page.hpp"
+#include "common/json_text.hpp"
 #include "common/text_file.hpp"
 
 namespace dipper::cli {
@@ -14,7 +16,7 @@ namespace {
 int write_page(const std::string& file, Reporter& reporter) {
   std::string text;
   try {
-    text = analysis::report::page(nlohmann::json::parse(std::cin));
+    text = analysis::report::page(parse_json({std::istreambuf_iterator<char>(std::cin), {}}));
   } catch (const nlohmann::json::exception& e) {
     reporter.error(std::string("page: standard input is not JSON: ") + e.what());
     return 2;

@@ -1,6 +1,7 @@
 #include "coupler/cli/phases_command.hpp"
 
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "analysis/signals/pass_phases.hpp"
 #include "analysis/signals/passes.hpp"
 #include "common/input_error.hpp"
+#include "common/json_text.hpp"
 #include "common/manifest.hpp"
 
 namespace dipper::cli {
@@ -52,7 +54,7 @@ json planned_passes(const std::vector<double>& time_s, const std::vector<double>
 }
 
 json of_readings(std::istream& in) {
-  const json readings = json::parse(in);
+  const json readings = parse_json({std::istreambuf_iterator<char>(in), {}});
   signals::DriveSignals drive;
   drive.time_s = readings.at("time_s").get<std::vector<double>>();
   if (readings.contains("door_rad")) return planned_passes(drive.time_s, readings["door_rad"]);

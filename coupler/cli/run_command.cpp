@@ -135,7 +135,7 @@ launch::MpiPlaces place(int ranks, const std::string& mpirun, Reporter& reporter
   return placed.places;
 }
 
-int run(const RunOptions& o, Reporter& reporter) {
+int run_case(const RunOptions& o, Reporter& reporter) {
   if (o.resume && !o.no_rock.empty())
     throw InputError({{{}, 0, "--resume", "a run without rock takes seconds; start it again"}});
   launch::catch_interrupts();  // before the first output, whose reading end may be closed
@@ -237,7 +237,7 @@ Command add_run_command(CLI::App& app, Reporter& reporter) {
          "--no-rock{none}", o->no_rock,
          "the machine alone, in seconds; --no-rock=estimate: against an estimate of the rock")
       ->check(CLI::IsMember({"none", "estimate"}));
-  return {sub, [o, &reporter] { return run(*o, reporter); }};
+  return {sub, [o, &reporter] { return run_case(*o, reporter); }};
 }
 
 }  // namespace dipper::cli

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "common/json_text.hpp"
 #include "common/seconds.hpp"
 #include "coupler/operate/instruments.hpp"
 
@@ -61,7 +62,7 @@ void require_speed(const std::string& key, const char* what, double speed, doubl
 
 nlohmann::json parsed(const std::string& line) {
   try {
-    return nlohmann::json::parse(line);
+    return parse_json(line);
   } catch (const nlohmann::json::exception&) {
     const std::string shown = line.size() > kShown ? line.substr(0, kShown) + "..." : line;
     throw std::runtime_error(

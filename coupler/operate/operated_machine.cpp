@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/json_text.hpp"
 #include "common/json_values.hpp"
 #include "common/seconds.hpp"
 #include "common/text_file.hpp"
@@ -26,7 +27,7 @@ std::pair<nlohmann::json, std::string> read_state(const fs::path& machine_state)
     throw std::runtime_error(file.string() +
                              ": cannot be read; a program did not drive this run so far");
   try {
-    return {nlohmann::json::parse(ours), its};
+    return {parse_json(ours), its};
   } catch (const nlohmann::json::exception& e) {
     throw std::runtime_error(file.string() + ": " + e.what());
   }

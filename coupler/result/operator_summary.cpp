@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <numeric>
 #include <vector>
 
+#include "common/json_text.hpp"
 #include "common/record/record.hpp"
 
 namespace dipper::result {
@@ -16,23 +16,19 @@ using json = nlohmann::ordered_json;
 
 constexpr double kRounding_s = 1e-6;
 
-json read_json(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  return in ? json::parse(in, nullptr, false) : json();
-}
-
 }  // namespace
 
 json operator_summary(const cases::Case& c, const RunFolder& folder) {
   if (c.machine.operated_by != cases::OperatorKind::plan) return nullptr;
   std::vector<double> begun_s, to_dig_s;  // of each pass; from where its motion begins to the dig
   for (int pass = 1;; ++pass) {
-    const json one = read_json(folder.decisions() / fmt::format("pass_{}.json", pass));
+    const nlohmann::json one =
+        read_json_or_discard(folder.decisions() / fmt::format("pass_{}.json", pass));
     if (!one.is_object() || one.at("chosen").is_null()) break;
     begun_s.push_back(one.at("t_s"));
     to_dig_s.push_back(one.at("dig_at_s").get<double>() - one.at("begins_at_s").get<double>());
   }
-  const json end = read_json(folder.decisions() / "end.json");
+  const nlohmann::json end = read_json_or_discard(folder.decisions() / "end.json");
   const bool stopped = end.is_object();
   if (begun_s.empty() && stopped) return {{"passes", 0}, {"stopped", end.at("reason")}};
   const auto time_s = record::read_channel(folder.record(), "time_s");
@@ -47,7 +43,7 @@ json operator_summary(const cases::Case& c, const RunFolder& folder) {
       static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - time_s.begin(), 1)) - 1;
 
   json out = {{"passes", passes},
-              {"stopped", stopped ? end.at("reason") : json()},
+              {"stopped", stopped ? json(end.at("reason")) : json()},
               {"cycles_s", json::array()}};
   for (std::size_t k = 1; k < passes; ++k)
     out["cycles_s"].push_back((k + 1 < begun_s.size() ? begun_s[k + 1] : done_s) - begun_s[k]);

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
+#include "common/json_text.hpp"
 #include "common/record/record.hpp"
 #include "common/text_file.hpp"
 #include "common/version.hpp"
@@ -141,8 +141,7 @@ void write_summary(const cases::Case& c, const RunFolder& folder, const RunFacts
 }
 
 std::string summary_status(const std::filesystem::path& summary) {
-  std::ifstream in(summary);
-  const json j = json::parse(in, nullptr, false);
+  const nlohmann::json j = read_json_or_discard(summary);
   return j.is_object() ? j.value("status", "") : "";
 }
 

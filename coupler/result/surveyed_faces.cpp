@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "analysis/signals/phases.hpp"
 #include "common/height_map.hpp"
 #include "common/input_error.hpp"
+#include "common/json_text.hpp"
 #include "common/text_file.hpp"
 
 namespace dipper::result {
@@ -23,8 +23,7 @@ struct Face {
 
 Face read_face(const fs::path& file) {
   try {
-    std::ifstream in(file, std::ios::binary);
-    const nlohmann::json j = nlohmann::json::parse(in);
+    const nlohmann::json j = parse_json(read_bytes(file).value_or(""));
     return {
         height_map_from(j.dump()), j.at("t_s"), {j.at("axis_m").at(0), j.at("axis_m").at(1), 0}};
   } catch (const std::exception& e) {

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include "common/input_error.hpp"
+#include "common/json_text.hpp"
 #include "common/json_values.hpp"
 #include "common/manifest.hpp"
 #include "common/text_file.hpp"
@@ -118,8 +118,7 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
         "{}; this checkpoint is renamed to {}, the run continues from the previous one: {}", damage,
         aside.string(), all.back().string()));
   }
-  std::ifstream in(all.back() / "coupling.json");
-  const json j = json::parse(in);
+  const json j = parse_json(read_bytes(all.back() / "coupling.json").value_or(""));
   Checkpoint c;
   c.folder = all.back();
   c.coupling.step_index = j.at("step_index");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "common/json_text.hpp"
 #include "common/seconds.hpp"
 #include "common/text_file.hpp"
 #include "coupler/deck/pile_shape.hpp"
@@ -51,7 +52,7 @@ void FaceSurvey::window(const core::Window& w) {
 }
 
 void FaceSurvey::look(std::int64_t t_ns) {
-  nlohmann::json j = nlohmann::json::parse(to_json_text(sides_.rock.look(grid_)));
+  nlohmann::json j = parse_json(to_json_text(sides_.rock.look(grid_)));
   j["t_s"] = seconds(t_ns);
   j["axis_m"] = {axis_x_m_, axis_y_m_};
   std::filesystem::create_directories(folder_);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/angles.hpp"
+#include "common/json_text.hpp"
 #include "common/seconds.hpp"
 #include "common/text_file.hpp"
 #include "coupler/deck/dig_planner.hpp"
@@ -239,7 +240,7 @@ void PassDesk::write(const core::Window& w, const HeightMap& seen,
             {"reason", decision.reason},
             {"resistance", rounded(before_.resistance, 1e-3)},
             {"loaded", rounded(before_.loaded, 1e-3)},
-            {"face", json::parse(to_json_text(seen))},
+            {"face", parse_json(to_json_text(seen))},
             {"chosen", nullptr},
             {"candidates", json::array()}};
   for (const machine::DigCandidate& c : decision.candidates) j["candidates"].push_back(json_of(c));

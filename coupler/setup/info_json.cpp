@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/json_text.hpp"
+
 namespace dipper::setup {
 
 std::string to_json(const core::ServerInfo& info) {
@@ -16,7 +18,7 @@ std::string to_json(const core::ServerInfo& info) {
 }
 
 core::ServerInfo info_from_json(const std::string& text) {
-  const auto j = nlohmann::json::parse(text);
+  const nlohmann::json j = parse_json(text);
   core::ServerInfo info{j.at("version"), j.at("bodies"), {}, j.at("timestep_s")};
   for (const auto& c : j.at("channels")) {
     info.channels.push_back({c.at("name"), c.at("unit"), c.at("frame")});

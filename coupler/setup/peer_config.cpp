@@ -6,7 +6,11 @@
 
 #include <array>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
+
+#include "common/json_text.hpp"
+#include "common/text_file.hpp"
 
 namespace dipper::setup {
 
@@ -38,9 +42,9 @@ void write_peer_config(const std::filesystem::path& file, const PeerConfig& conf
 }
 
 PeerConfig read_peer_config(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("cannot read " + file.string());
-  const json j = json::parse(in);
+  const std::optional<std::string> text = read_bytes(file);
+  if (!text) throw std::runtime_error("cannot read " + file.string());
+  const json j = parse_json(*text);
   PeerConfig c;
   c.lcm_url = j.at("lcm_url");
   c.secret = j.at("secret");

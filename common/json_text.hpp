@@ -1,0 +1,19 @@
+// JSON read from text. The parser is compiled here alone.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace dipper {
+
+/// Throws nlohmann::json::parse_error when the text is not JSON.
+nlohmann::json parse_json(const std::string& text);
+
+/// Discarded (is_discarded(), hence no object) when the text is not JSON.
+nlohmann::json parse_json_or_discard(const std::string& text);
+
+/// The JSON in a file; discarded also when the file cannot be read.
+nlohmann::json read_json_or_discard(const std::filesystem::path& file);
+
+}  // namespace dipper
