@@ -247,17 +247,28 @@ void warn_of_settings(const CaseParts& parts, std::vector<Finding>& warnings) {
                     c.output.checkpoint_every_s, c.output.checkpoint_every_s / window_s)));
 }
 
+/// What is set here overrides what is set in a place with a lower number.
+int layer_of(const cases::Case& c, const std::string& key) {
+  const auto set = c.origins.find(key);
+  if (set == c.origins.end()) return 0;
+  if (set->second.file == "--set") return 3;
+  return set->second.file == c.folder / "case.yaml" ? 2 : 1;  // 1: an included case
+}
+
 /// Keys that the case sets and nothing reads.
 void warn_of_unused_keys(const cases::Case& c, std::vector<Finding>& warnings) {
-  const auto say = [&](const std::string& section, const std::string& why) {
+  const auto say = [&](const std::string& section, const std::string& why,
+                       const std::string& turned_off_by = "") {
     for (const auto& [key, origin] : c.origins)
-      if (key.rfind(section, 0) == 0)
+      if (key.rfind(section, 0) == 0 && layer_of(c, key) >= layer_of(c, turned_off_by))
         warnings.push_back(cases::finding_at(c, key, "has no effect with " + why));
   };
+  // Who turns something off does not have to remove its keys from an included case, or for --set.
   if (c.machine.operated_by == cases::OperatorKind::motion)
-    say("operator.", "machine.operator: motion; write machine.operator: plan");
-  if (c.collapse.height_m == 0) say("collapse.at_s", "collapse.height_m: 0");
-  if (c.crust.tensile_strength_Pa == 0) say("crust.", "crust.tensile_strength_Pa: 0");
+    say("operator.", "machine.operator: motion; write machine.operator: plan", "machine.operator");
+  if (c.collapse.height_m == 0) say("collapse.at_s", "collapse.height_m: 0", "collapse.height_m");
+  if (c.crust.tensile_strength_Pa == 0)
+    say("crust.", "crust.tensile_strength_Pa: 0", "crust.tensile_strength_Pa");
   const bool grown = std::any_of(
       c.rock.classes.begin(), c.rock.classes.end(),
       [&](const cases::SizeClass& k) { return deck::grained_size_m(c.rock, k.size_m) > k.size_m; });

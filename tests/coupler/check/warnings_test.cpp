@@ -244,6 +244,17 @@ TEST(Warnings, KeysThatNothingReads) {
   EXPECT_EQ(of({{"operator.passes", "3"}}).size(), before.size() + 1);
 }
 
+TEST(Warnings, KeysThatWereTurnedOff) {
+  const auto of = [](const char* folder, const std::vector<cases::Override>& set) {
+    std::vector<Finding> findings;
+    return messages(cases::load_case(test::source() / folder, set, findings));
+  };
+  const auto unused = testing::Contains(HasSubstr("has no effect"));
+  EXPECT_THAT(of("studies/prescribed", {}), testing::Not(unused));  // cases/quick has the passes
+  EXPECT_THAT(of("cases/quick", {{"machine.operator", "motion"}}), testing::Not(unused));
+  EXPECT_THAT(of("studies/prescribed", {{"operator.passes", "2"}}), unused);
+}
+
 TEST(Warnings, DensitiesInAnotherUnit) {
   const auto of = [](const std::vector<cases::Override>& set) {
     std::vector<Finding> findings;
