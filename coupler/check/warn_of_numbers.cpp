@@ -212,6 +212,36 @@ void warn_of_end(const CaseParts& parts, std::vector<Finding>& warnings) {
                     parts.c.end_s, end_s)));
 }
 
+/// What is set here overrides what is set in a place with a lower number.
+int layer_of(const cases::Case& c, const std::string& key) {
+  const auto set = c.origins.find(key);
+  if (set == c.origins.end()) return 0;
+  if (set->second.file == "--set") return 3;
+  return set->second.file == c.folder / "case.yaml" ? 2 : 1;  // 1: an included case
+}
+
+/// A mine's motion of several passes that an operator who plans does not follow. Not where he takes
+/// the place of a case's own motion.
+void warn_of_unused_motion(const CaseParts& parts, std::vector<Finding>& warnings) {
+  if (!parts.planned() ||
+      layer_of(parts.c, "machine.motion") < layer_of(parts.c, "machine.operator"))
+    return;
+  const machine::Motion motion = machine::Motion::load(parts.c.machine.motion);
+  int dumps = 0;
+  bool was_open = true;
+  for (std::int64_t t = motion.start_ns(); t < motion.end_ns(); t += kDoorEvery_ns) {
+    const bool open = machine::door_is_open(motion.value(t).door);
+    dumps += open && !was_open;
+    was_open = open;
+  }
+  if (dumps > 1)
+    warnings.push_back(cases::finding_at(
+        parts.c, "machine.operator",
+        fmt::format("plan: of machine.motion, which has {} dumps, only the start is used, since "
+                    "the operator plans each pass; write machine.operator: motion to follow it",
+                    dumps)));
+}
+
 /// Settings far from what they are for.
 void warn_of_settings(const CaseParts& parts, std::vector<Finding>& warnings) {
   const cases::Case& c = parts.c;
@@ -245,14 +275,6 @@ void warn_of_settings(const CaseParts& parts, std::vector<Finding>& warnings) {
         fmt::format("{:g} s are {:.2g} sync steps, and a checkpoint costs as much as some hundred; "
                     "write 5",
                     c.output.checkpoint_every_s, c.output.checkpoint_every_s / window_s)));
-}
-
-/// What is set here overrides what is set in a place with a lower number.
-int layer_of(const cases::Case& c, const std::string& key) {
-  const auto set = c.origins.find(key);
-  if (set == c.origins.end()) return 0;
-  if (set->second.file == "--set") return 3;
-  return set->second.file == c.folder / "case.yaml" ? 2 : 1;  // 1: an included case
 }
 
 /// Keys that the case sets and nothing reads.
@@ -289,6 +311,7 @@ void warn_of_numbers(const CaseParts& parts, std::vector<Finding>& warnings) {
   warn_of_rock(parts, warnings);
   warn_of_times(parts, warnings);
   warn_of_end(parts, warnings);
+  warn_of_unused_motion(parts, warnings);
   warn_of_settings(parts, warnings);
   warn_of_unused_keys(parts.c, warnings);
 }

@@ -85,13 +85,20 @@ def _strength(time, value):
 
 
 def _switched(readings, grid, limits):
-    """Steps, later by half of what a stroke takes, so that the curve sets out when the switch is thrown."""
+    """Steps, later by half of what a stroke takes, so that the curve sets out when the switch is thrown. A stroke that
+    has begun is finished: a shorter pulse, as of a trip wire, opens the door as far as a longer one."""
     stroke = np.ptp(readings.value)
     takes = stroke / limits.speed + limits.speed / limits.acceleration
     if limits.speed ** 2 > limits.acceleration * stroke:  # never at full speed
         takes = 2 * np.sqrt(stroke / limits.acceleration)
-    at = np.searchsorted(readings.time_s, grid - takes / 2, side="right") - 1
-    return readings.value[np.maximum(at, 0)], 0.0
+    begins = grid - takes / 2
+    value = readings.value[np.maximum(np.searchsorted(readings.time_s, begins, side="right") - 1, 0)]
+    thrown, until = 1 + np.flatnonzero(np.diff(readings.value)), -np.inf
+    for k, start, end in zip(thrown, readings.time_s[thrown], readings.time_s[thrown[1:]]):
+        if end - start < takes and start >= until:
+            until = start + takes + grid[1] - grid[0]
+            value[(begins >= start) & (begins < until)] = readings.value[k]
+    return value, 0.0
 
 
 def _nearest_within(target, free, step, limits, speed):

@@ -14,6 +14,7 @@ UNSOUND = re.compile(r"\bbad|uncertain|questionable|invalid|fail|error|stale|com
 FEWER_WORDS = 4  # beside the time: good, bad and two between
 GOOD_CODE = "192"  # a number that says how good a reading is
 OF_UNITS = re.compile(r"unit|uom|^eu$|einheit|unidad", re.IGNORECASE)
+OF_MACHINE = re.compile(r"eqmt|equip|machine|shovel|asset|unit|\bid\b", re.IGNORECASE)  # of a row
 SHARE = 0.2  # of the rows, of the machine with the second most: a log of one has no such other
 FEW_WORDS = 8  # different cells: a column beside a reading with more says something else than how good it is
 ROWS_LOOKED_AT = 5000  # of a log with a row a reading: where tags and numbers are looked for
@@ -187,15 +188,17 @@ def _long(header, rows, tags, notes):
 
 def _find_machines(header, rows, times, used, numbers):
     """Finding about a column that names several machines, where they take turns from time to time and each has its
-    share of the rows; how good readings are does not. `numbers`: whether numbers may name them."""
+    share of the rows; how good readings are does not. `numbers`: whether numbers name them in any column."""
     rows = sorted(rows, key=lambda row: [row[1][t] for t in times])
     qualities = {channel.quality for channel in header.what.channels.values()}
     for k in {*range(len(header.names))} - used:
         if header.names[k] in qualities or QUALITY.search(header.names[k]):
             continue
         cells = [row[1][k] for row in rows]
+        may_be_numbers = numbers or OF_MACHINE.search(header.names[k])
         count = Counter(cells).most_common(FEW_WORDS + 1)
-        if not 1 < len(count) <= FEW_WORDS or any(UNSOUND.search(c) or _is_number(c) and not numbers for c, _ in count):
+        if not 1 < len(count) <= FEW_WORDS or \
+                any(UNSOUND.search(c) or _is_number(c) and not may_be_numbers for c, _ in count):
             continue
         turns, second = sum(a != b for a, b in zip(cells, cells[1:])), count[1][1]
         if second >= SHARE * len(rows) and turns >= second:

@@ -159,15 +159,17 @@ def _rows(path, rows, names, delimiter, found, notes):
         if [one_blank(c) for c in cells] == names:
             repeated.append(line)
             continue
+        length = len(cells)
         while len(cells) > len(names) and not cells[-1]:
             cells = cells[:-1]
-        if len(cells) == len(names):
+        moved = len(cells) < length and not names[-1] and cells[-1]  # a cell too many, before an empty last column
+        if len(cells) == len(names) and not moved:
             sound.append((line, cells))
-        elif line == rows[-1][0] and len(cells) < len(names):
+        elif line == rows[-1][0] and length < len(names):
             notes.append(f"line {line}, the last, is cut short: left out")
         else:
-            commas = delimiter == "," and len(cells) > len(names)
-            faults.append((line, "row", f"{len(cells)} cells", f"{len(names)}, as in the header"
+            commas = delimiter == "," and length > len(names)
+            faults.append((line, "row", f"{length} cells", f"{len(names)}, as in the header"
                            + (": with decimal commas, separate the columns by semicolons" if commas else "")))
     found.add_rows(path, faults)
     if repeated:

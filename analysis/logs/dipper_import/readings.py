@@ -66,20 +66,20 @@ def sound_readings(rows, name, channel, limits, what, path, found, notes):
     if empty.any():
         notes.append(f"{name}: {some_rows(rows.lines[empty])} without a reading")
     kept = there & ~outside
-    share, top = _too_fast(rows.time_s[kept], value[kept], limits.speed)
-    if share > MOSTLY and not channel.switch:
-        found.add(path, int(rows.lines[kept][0]), channel.column,
-                  f"{name} goes at up to {top:.4g} {unit}/s, {100 * share:.0f} % of the time faster than its limit",
-                  f"{limits.speed:.4g} {unit}/s (limits): unit or scale, or the unit of the time, perhaps?")
-        return None
     speed = min(limits.speed, FASTEST.get(name, np.inf))
+    share, top = _too_fast(rows.time_s[kept], value[kept], speed)
+    if share > MOSTLY and not channel.switch:
+        source = "limits" if speed == limits.speed else "no shovel's goes faster"
+        found.add(path, int(rows.lines[kept][0]), channel.column,
+                  f"{name} goes at up to {top:.4g} {unit}/s, {100 * share:.0f} % of the time faster than it can",
+                  f"{speed:.4g} {unit}/s ({source}): unit or scale, or the unit of the time, perhaps?")
+        return None
     if not channel.switch and np.isfinite(speed):
         jumps = np.zeros(len(value), bool)
         at = np.flatnonzero(kept)
         jumps[at[_out_of_reach(rows.time_s[at], value[at], speed)]] = True
-        if np.isfinite(limits.speed) or jumps.sum() <= MOSTLY * len(at):
-            _tell(jumps, rows, name, value, f"out of reach of their neighbours at {speed:.4g} {unit}/s", notes)
-            kept &= ~jumps
+        _tell(jumps, rows, name, value, f"out of reach of their neighbours at {speed:.4g} {unit}/s", notes)
+        kept &= ~jumps
     if name == "door":
         lone = np.zeros(len(value), bool)
         at = np.flatnonzero(kept)

@@ -26,9 +26,12 @@ BY_NAME = {u.lower(): u for u in (*UNITS, *NO_UNITS, PERCENT)}
 AS_FORCE = {"t": "tf", "kg": "kgf", "lb": "lbf", "klb": "kip", "short ton": "tonf"}  # as forces are often written
 TONS = {"mass": "short tons (0.907 t) or tonnes? unit: short ton, or scale: 1, in the map",
         "force": "short tons (8.896 kN) or tonnes? unit: kN, scale: 8.896, or unit: tf, scale: 1, in the map"}
-IN_NAME = re.compile(r"[(\[]([^()\[\]]+)[)\]]$")  # Pull (kip), Mass [short ton]
+IN_NAME = re.compile(r"[(\[<]([^()\[\]<>,;]+)[^()\[\]<>]*[)\]>]")  # Pull (kip), Mass [short ton], Pull (kip, filtered)
+OF_OTHER_KIND = {"bar", "pa", "kpa", "mpa", "psi", "rpm", "nm", "knm", "cwt", "kt", "grad", "mil", "counts", "fathoms"}
+CHANGED = re.compile(  # 0.1 kN, kN x10, 1000 lbs, US ft, m/s, kN/rope, m^3
+    r"(?:[\d.,]+\s*[x*×·]?\s*|us |int )?(%|[a-zµ]+?(?: ton)?)\.?(?:\s*[x*×·]\s*[\d.,]+|\s*/\s*\w+|\^?\d)?", re.I)
 LAST_WORD = re.compile(  # Pull_kip, Crowd %; not what may be another word: Hoist rope in, Swing rev, Door st
-    r"[ _](mm|cm|ft|feet|deg|degrees|rad|mrad|kN|lbf|kips?|kgf|klbs?|kg|lbs?|tons?|tonnes?|%)$", re.I)
+    r"[ _/.-](mm|cm|ft|feet|deg|degrees|rad|mrad|kN|MN|daN|lbf|kips?|kgf|tf|klbs?|kg|lbs?|tons?|tonnes?|%)$", re.I)
 
 
 @dataclass(frozen=True)
@@ -49,16 +52,21 @@ class Kind:
 
 
 def unit_said(text):
-    """The unit that a text is, as UNITS, NO_UNITS or PERCENT have it; None of any other text."""
-    return BY_NAME.get(unit_name(text))
+    """The unit that a text is, as UNITS, NO_UNITS or PERCENT have it; the text itself, where it is another unit or a
+    multiple of one; None of any other text."""
+    if known := BY_NAME.get(unit_name(text)):
+        return known
+    changed = CHANGED.fullmatch(text.strip())
+    of = unit_name(changed[1]) if changed else None
+    return text.strip() if of in BY_NAME or of in OF_OTHER_KIND else None
 
 
 def unit_in_name(name):
-    """The unit in brackets or as a word at the end of a column's name, or None."""
-    if named := IN_NAME.search(name):
-        return unit_said(named[1])
-    word = LAST_WORD.search(name)
-    return word and unit_said(word[1])
+    """The unit in brackets or as a word at the end of a column's name, else in brackets within it, or None."""
+    texts = IN_NAME.findall(name)[::-1]
+    if word := LAST_WORD.search(name):
+        texts.insert(0, word[1])
+    return next(filter(None, map(unit_said, texts)), None)
 
 
 def other_unit(unit, name, channel):
@@ -73,7 +81,9 @@ def other_unit(unit, name, channel):
     stated, size = {**UNITS, **NO_UNITS}.get(unit, (quantity, None))
     if size is None or stated != quantity:  # only the map can say how much of the quantity it is
         scaled = abs(channel.slope) != UNITS.get(channel.unit, (quantity, None))[1]
-        right = f"unit: {unit} in the map, with its range" if size is None else f"a column of {quantity}"
+        right = f"unit: {unit} in the map, with its range" if unit == PERCENT else \
+            f"a column of {quantity}" if size is not None else \
+            f"a column of {quantity}, or how much of its unit, {OWN[quantity]}, one is: scale, in the map"
         return None if scaled and channel.unit != PERCENT else (unit, right)
     if math.isclose(abs(channel.slope), size, rel_tol=0.01):
         return None

@@ -1,6 +1,7 @@
 """Input that is valid but probably a mistake: a line each that begins with "warning: "."""
 import numpy as np
 
+from dipper_gap.readings.mass_warnings import rise_as_totals
 from dipper_gap.readings.suspect import DROP, SMALL, falls, pushes, stuck
 
 from .phrases import leave_out, longest_of, some_rows
@@ -12,6 +13,8 @@ BEYOND_STALL = 1.5         # times what a drive can pull: strokes of the rope, e
 PASS_S = (5.0, 300.0)      # of one pass; 20 to 60 s are usual
 SHORT = 0.5                # of the usual pass: no pass of its own
 LEAST_LOAD_T = 2.0         # the fullest of all passes: less than a boulder
+LIKE_A_PASS = 3            # times all others: the first pass, where differences of a pass's mass are taken
+SHOWN = 6                  # masses in a warning
 BEYOND_RATED = 1.3         # times the dipper's rated load: more than a heaped dipper's
 MOSTLY_EMPTY = 0.5         # of the rows without a reading
 SIGMAS = 3                 # of the scale: as far apart two readings of one mass may be
@@ -46,7 +49,18 @@ def warn_of_readings(rows, spans, what, notes):
 
 def warn_of_masses(masses, what, notes):
     """Of what the passes bring, t."""
-    most = max(masses, default=0.0)
+    most, reads = max(masses, default=0.0), what.channels[TRUCK_MASS].reads
+    words = None
+    if reads == "pass" and rise_as_totals(masses):
+        words = "rise with every pass, as on a scale that shows the total (reads: total)"
+    elif reads == "pass" and len(masses) > 1 and min(masses) == most:
+        words = "are equal to the last digit: a load per truck, or a scale that is stuck?"
+    elif reads == "total" and len(masses) > 1 and LIKE_A_PASS * max(masses[1:]) < masses[0]:
+        words = "are small after the first, as of a scale that shows what the last pass brought (reads: pass)"
+    if words:
+        notes.append(f"warning: truck_mass: with reads: {reads} the passes bring "
+                     f"{', '.join(f'{m:.4g}' for m in masses[:SHOWN])}{' ...' if len(masses) > SHOWN else ''} t, "
+                     f"which {words}")
     if 0 < most < LEAST_LOAD_T:
         notes.append(f"warning: truck_mass: the fullest pass brings {most:.3g} t: wrong unit or scale?")
     if what.rated_load_t and most > BEYOND_RATED * what.rated_load_t:
@@ -57,7 +71,9 @@ def warn_of_masses(masses, what, notes):
 
 def _warn_of_empty(name, rows, notes):
     empty = ~np.isfinite(rows.values[name])
-    if empty.mean() > MOSTLY_EMPTY:
+    if empty.all():
+        notes.append(f"warning: {name}: no row has a reading: are its times the log's, in the same time zone?")
+    elif empty.mean() > MOSTLY_EMPTY:
         notes.append(f"warning: {name}: {int(empty.sum())} of {len(empty)} rows have no reading: "
                      f"channels.{name}.held: true, if it is written only as it changes")
 

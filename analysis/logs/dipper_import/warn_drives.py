@@ -13,6 +13,7 @@ FEW = 3              # readings
 JUMP = 1.2           # times what a drive can do from one reading to the next, for a clock that errs,
 NOISE = 6            # and times the readings' scatter
 FAR_OFF = {"hoist": 0.3, "crowd": 0.3, "swing": 3.0}   # m, m, deg, of a reading off its curve,
+ALL_OFF = 1 / 3      # of that, as the root mean square of all: no curve of these readings
 TIMES_RMS = 10       # and so many times the root mean square of what all are off
 SELDOM = 0.1         # of the steps: a drive that jumps more often is logged in steps
 LITTLE = 0.02        # of a drive's range: passes take most of it
@@ -27,9 +28,20 @@ def warn_of_drives(readings, fits, grid, spans, what, notes):
         _warn_of_jumps(name, readings[name], what, notes)
         if len(notes) == said:
             _warn_of_far_off(name, readings[name], fits[name].change, what.channels[name], notes)
+        if len(notes) == said:
+            _warn_of_all_far_off(name, readings[name], fits[name], notes)
         if spans:
             _warn_of_little(name, readings[name].value, what, notes)
     _warn_of_start(fits["crowd"].value, grid, spans, notes)
+
+
+def warn_of_throws(value, spans, notes):
+    """Of a switch of the door that opens more often, or less, than passes end with a dump."""
+    is_open = value > value.min() + OPEN * np.ptp(value)
+    opens = int(np.sum(is_open[1:] & ~is_open[:-1]))
+    if opens > len(spans):
+        notes.append(f"warning: door: its switch opens {opens} times, and {len(spans)} passes end with a dump: does it "
+                     "say something else as well?")
 
 
 def _warn_of_door(value, channel, notes):
@@ -90,6 +102,18 @@ def _warn_of_far_off(name, readings, change, channel, notes):
     unit = CHANNELS[name].unit
     notes.append(f"warning: {name}: {readings.value[worst]:.6g} {unit} at line {readings.lines[worst]} is {off:.3g} "
                  f"{unit} off the curve, and all are {rms:.2g} {unit} off it (rms): no reading? {leave_out(name)}")
+
+
+def _warn_of_all_far_off(name, readings, fit, notes):
+    """Of a curve that is far from most of its readings."""
+    worst = int(np.abs(fit.change).argmax())
+    rms = np.sqrt(np.mean(fit.change ** 2))
+    if rms > ALL_OFF * FAR_OFF[name]:
+        unit = CHANNELS[name].unit
+        why = "its limits hold it there: is its offset, unit or scale right, and are the limits the machine's?" \
+            if fit.limited else "coarse readings, or those of two machines?"
+        notes.append(f"warning: {name}: the curve is {rms:.2g} {unit} (rms) off the readings, and "
+                     f"{abs(fit.change[worst]):.3g} {unit} at line {readings.lines[worst]}: {why}")
 
 
 def _warn_of_little(name, value, what, notes):

@@ -9,11 +9,16 @@ HEADER = 227             # bytes that every version has
 NOISE = (7, 18)          # classes: low point, high noise
 COMPRESSED = 0x80        # of a point's format, by LASzip
 # GeoTIFF 1.0, section 6.3: keys of a projection, and codes that are not metres.
-GEO_KEYS, MODEL, UNIT_OF_EASTING, UNIT_OF_ELEVATION = 34735, 1024, 3076, 4099
-GEOGRAPHIC = 2
+GEO_KEYS, GEO_TEXTS, MODEL, UNIT_OF_EASTING, UNIT_OF_ELEVATION = 34735, 34737, 1024, 3076, 4099
+PROJECTION, VERTICAL = 3072, 4096
+GEOGRAPHIC, GEOCENTRIC = 2, 3
 FEET = {9002: "feet", 9003: "US survey feet", 9005: "feet", 9006: "feet"}
+PROJECTIONS_IN_FEET = range(2222, 2290)    # EPSG: NAD83, the states' planes in feet
+VERTICAL_IN_FEET = {5702, 6360, 8228}      # EPSG: NGVD29, NAVD88 (US survey feet), NAVD88 (feet)
+FOOT_IN_TEXT = re.compile(r"ftUS|US ?ft|\((?:us[ -]?)?ft\)|foot|feet", re.IGNORECASE)
 WKT = 2112
-FOOT_IN_WKT = re.compile(r'UNIT\["([^"]*(?:foot|feet|ft)[^"]*)"', re.IGNORECASE)
+UNIT_IN_WKT = re.compile(r'UNIT\["([^"]*)",\s*([\d.eE+-]+)')
+FOOT_m = (0.3047, 0.3049)
 VLR = 54                 # bytes of a record's header
 SHORTEST = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)  # bytes of a point, by its format
 
@@ -70,7 +75,7 @@ def _other_unit(path, head):
     """What the records after the header say of coordinates that are not metres; None where nothing does."""
     at, = struct.unpack_from("<H", head, 94)
     records, = struct.unpack_from("<I", head, 100)
-    keys, wkt = {}, ""
+    keys, texts, wkt = {}, "", ""
     with open(path, "rb") as file:
         for _ in range(records):
             file.seek(at)
@@ -82,13 +87,26 @@ def _other_unit(path, head):
             if kind == GEO_KEYS:
                 keys = {key: value for key, place, _, value in struct.iter_unpack("<4H", data[8:len(data) // 8 * 8])
                         if place == 0}
+            elif kind == GEO_TEXTS:
+                texts = data.decode("latin-1")
             elif kind == WKT:
                 wkt = data.decode("latin-1")
             at += VLR + length
-    if keys.get(MODEL) == GEOGRAPHIC or wkt.lstrip().startswith(("GEOGCS", "GEOGCRS")):
+    projected = "PROJCS[" in wkt or "PROJCRS[" in wkt
+    if keys.get(MODEL) == GEOCENTRIC or "GEOCCS[" in wkt:
+        return "coordinates are geocentric"
+    if keys.get(MODEL) == GEOGRAPHIC or not projected and re.search("GEOGCS|GEOGCRS|GEODCRS", wkt):
         return "coordinates are degrees of longitude and latitude"
     for key, what in ((UNIT_OF_EASTING, "coordinates"), (UNIT_OF_ELEVATION, "elevations")):
         if keys.get(key) in FEET:
             return f"{what} are {FEET[keys[key]]}"
-    foot = FOOT_IN_WKT.search(wkt)
-    return f"unit is the {foot[1]}" if foot else None
+    if keys.get(PROJECTION) in PROJECTIONS_IN_FEET and UNIT_OF_EASTING not in keys:
+        return f"coordinates are feet (EPSG {keys[PROJECTION]})"
+    if keys.get(VERTICAL) in VERTICAL_IN_FEET and UNIT_OF_ELEVATION not in keys:
+        return f"elevations are feet (EPSG {keys[VERTICAL]})"
+    if keys and UNIT_OF_EASTING not in keys and (foot := FOOT_IN_TEXT.search(texts)):
+        return f"projection speaks of feet ('{foot[0]}')"
+    for name, size in UNIT_IN_WKT.findall(wkt):
+        if FOOT_m[0] < float(size) < FOOT_m[1]:
+            return f"unit is the {name or 'foot'}"
+    return None

@@ -18,6 +18,8 @@ TURNED_deg = 15.0  # of the face's rise off the dig's direction: the azimuth is 
 FLAT_deg, STEEP_deg = 15.0, 60.0  # of a face: blasted rock rests at 30 to 45
 LOW_m = 1.0        # a bench lower than that over a long way from its toe on is a floor that slopes
 LOW_LONG_m = 4.0
+BEHIND_TOE_m = 2.0
+ZEROS = 0.002      # of the points over the bench: more that are exactly 0 are no measurements
 
 
 @dataclass(frozen=True)
@@ -61,15 +63,19 @@ def survey(path, site, box, to_rear=False):
     cell = max(cell_for(looked.spread, box), *(min(s, 1.0) for s in looked.steps[:2]))
     while (box.x1 - box.x0) * 2 * box.half_width / cell ** 2 * (box.top + 3) / 0.05 > MOST_CELLS:
         cell *= 1.1
-    columns = Columns(box, cell)
+    columns, zero_x = Columns(box, cell), []
     for part in cloud.parts():
-        columns.add(site.to_world(part[np.isfinite(part).all(axis=1)]))
+        part = part[np.isfinite(part).all(axis=1)]
+        local = site.to_world(part)
+        columns.add(local)
+        zero_x.append(local[(part[:, 2] == 0) & _over(box, local), 0])
     try:
         surface = find_surface(columns, to_rear)
     except NoSurface as e:
         raise BadInput([f"{path}: face: {e}; in W the cloud has {_span(looked.local_low, looked.local_high)}",
                         *(f"{path}: cloud: {note}" for note in _steps(looked))]) from e
-    return Survey(surface, looked, cloud.kind, [*cloud.notes, *_warnings(looked, surface, cell)])
+    return Survey(surface, looked, cloud.kind, [*cloud.notes, *_warnings(looked, surface, cell),
+                                                  *_warn_of_zeros(np.concatenate(zero_x), looked, surface)])
 
 
 def look(cloud, site, box):
@@ -158,6 +164,14 @@ def _steps(looked):
     return [f"{axis} stand{'s' * (axis != 'heights')} in steps of {step:g} m: a grid, or coordinates that an export "
             "has rounded (single precision, too few digits)"
             for axis, step in zip(("x", "y", "heights"), looked.steps) if step]
+
+
+def _warn_of_zeros(x, looked, surface):
+    """Of points within the bench whose elevation is exactly 0 in the file, at `x`."""
+    within = int((x > surface.x[0] + BEHIND_TOE_m).sum())
+    if within > ZEROS * looked.on_bench:
+        yield (f"warning: {within:,} points more than {BEHIND_TOE_m:g} m behind the toe have an elevation of exactly 0: "
+               "no data? The surface has a hole there; leave them out")
 
 
 def _warnings(looked, surface, cell):

@@ -347,6 +347,31 @@ def test_line_ends_of_every_system(read, end):
     assert not found and is_whole(log)
 
 
+def test_a_cell_too_many_before_a_delimiter_at_the_end(read):
+    """Of an unquoted decimal comma: no column moves in silence."""
+    body = [[*row, ""] for row in rows()]
+    assert is_whole(read(text(body, names=[*NAMES, ""]))[0])
+    body[4] = [*body[4][:2], "906", "900", *body[4][3:]]
+    _, found, _ = read(text(body, names=[*NAMES, ""]))
+    assert len(found) == 1 and "log.csv:6: row: 8 cells; 7, as in the header: with decimal commas" in found[0]
+
+
+def test_two_machines_whose_rows_have_a_number_are_refused(read):
+    body = [[*row, str(11 + k % 2)] for k, row in enumerate(rows())]
+    _, found, _ = read(text(body, names=[*NAMES, "EQMT"]))
+    assert len(found) == 1 and "EQMT: says '11', '12' in turn: several machines in one log?" in found[0]
+    assert is_whole(read(text(body, names=[*NAMES, "Heartbeat"]))[0])
+
+
+def test_channels_logged_at_another_time_are_warned_of(read):
+    pairs = [[cell for name in row[1:] for cell in (row[0], name)] for row in rows()]
+    late = [[*row[:-2], row[-2].replace("06:12", "07:12"), row[-1]] for row in pairs]
+    names = [n for name in NAMES[1:] for n in (NAMES[0], name)]
+    for body, warns in ((pairs, False), (late, True)):
+        _, _, notes = read(text(body, names=names), map_text=MAP.replace("unit: N", "unit: N, held: true"))
+        assert any("0 % of it within theirs: another time zone" in n for n in notes) == warns
+
+
 def test_empty_rows_and_columns_of_spreadsheets(read):
     body = [row + ["", ""] for row in rows()]
     body[4:4] = [[""] * 8] * 2
@@ -386,7 +411,10 @@ def test_rows_of_units_below_the_header_name_the_key(read):
     ("Pull (daN)", "kN, scale: 0.01", None), ("Pull (t)", "tf", None), ("Pull (t)", "kN", "is in tf here"),
     ("Pull (m)", "kN", "is in m here, and in kN by the map; a column of force"), ("Pull (bar)", "kN, scale: 12", None),
     ("Pull (%)", "kN", "is in % here"), ("Pull (%)", "kN, scale: 20", None), ("Pull (left)", "kN", None),
-    ("Pull (short ton)", "tf", "is in tonf here")])
+    ("Pull (short ton)", "tf", "is in tonf here"), ("Pull (kip, filtered)", "kN", "is in kip here"),
+    ("Pull (0.1 kN)", "kN", "is in 0.1 kN here"), ("Pull (kN x10)", "kN", "is in kN x10 here"),
+    ("Pull (kN/rope)", "kN, scale: 2", None), ("Pull (kPa)", "kN", "is in kPa here, and in kN by the map; a column of"),
+    ("Pull/kip", "kN", "is in kip here"), ("Pull (load cell 2)", "kN", None)])
 def test_another_unit_in_a_column_s_name_is_refused(read, name, map_unit, says):
     map_text = MAP.replace("{column: Pull, unit: N", f"{{column: '{name}', unit: {map_unit}")
     _, found, _ = read(text(rows(), names=[*NAMES[:5], name]), map_text=map_text)

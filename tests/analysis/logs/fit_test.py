@@ -66,3 +66,15 @@ def test_a_switch_opens_when_it_is_thrown(speed, acceleration):
     takes = 75 / speed + speed / acceleration if speed ** 2 < 75 * acceleration else 2 * math.sqrt(75 / acceleration)
     assert 3.9 <= opens <= 4.3
     assert fit.value[np.searchsorted(grid, 4.2 + takes)] == pytest.approx(75, abs=0.5)
+
+
+@pytest.mark.parametrize("pulse_s", [0.2, 0.6, 1.2])
+def test_a_short_pulse_of_a_trip_wire_opens_the_door(pulse_s):
+    time = np.arange(0, 20, 0.1)
+    is_open = np.any([(time >= t) & (time < t + pulse_s - 1e-9) for t in (4, 12)], axis=0)
+    thrown = Readings(time, np.where(is_open, 75.0, 0.0), np.arange(len(time)), np.ones(len(time), bool))
+    grid = np.arange(0, 19.8, 0.1)
+    fit = fit_drive(thrown, grid, Limits(0, 100, 100, 300), True)
+    for opens in (4, 12):
+        assert fit.value[(grid > opens) & (grid < opens + 4)].max() == pytest.approx(75, abs=1)
+    assert fit.value[(grid > 9) & (grid < 12)].max() == pytest.approx(0, abs=0.5)

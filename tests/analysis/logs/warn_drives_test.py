@@ -8,8 +8,8 @@ import ugly_log
 from dipper_import.clock import Rows
 from dipper_import.import_map import Limits
 from dipper_import.readings import Readings, sound_readings
-from dipper_import.warn_drives import (_warn_of_door, _warn_of_far_off, _warn_of_jumps, _warn_of_little,
-                                       _warn_of_start)
+from dipper_import.warn_drives import (_warn_of_all_far_off, _warn_of_door, _warn_of_far_off, _warn_of_jumps,
+                                       _warn_of_little, _warn_of_start, warn_of_throws)
 from dipper_run.findings import Findings
 
 SPEED = {"hoist": 1.8, "crowd": 1.0, "swing": 20.0}
@@ -140,3 +140,21 @@ def test_a_drive_that_takes_next_to_nothing_of_its_range(limits):
     assert not notes
     _warn_of_little("swing", np.radians(swing), what, notes)
     assert notes[0].startswith("warning: swing: all its readings are within 1.") and "another unit (rad)" in notes[0]
+
+
+@pytest.mark.parametrize("off, limited, warns", [(0.05, True, None), (0.2, True, "its limits hold it there"),
+                                                 (0.2, False, "coarse readings, or those of two machines?")])
+def test_a_curve_that_is_far_from_most_of_its_readings(off, limited, warns):
+    readings = SimpleNamespace(lines=np.arange(2, 102))
+    change = off * np.ones(100)
+    _warn_of_all_far_off("hoist", readings, SimpleNamespace(change=change, limited=limited), notes := [])
+    assert bool(notes) == bool(warns)
+    assert not warns or f"the curve is {off:.2g} m (rms) off the readings" in notes[0] and warns in notes[0]
+
+
+@pytest.mark.parametrize("passes, warns", [(2, False), (1, True)])
+def test_a_switch_that_opens_more_often_than_passes_end(passes, warns):
+    value = np.where(np.arange(100) % 50 == 30, 75.0, 0.0)
+    warn_of_throws(value, passes * [(0, 1)], notes := [])
+    assert bool(notes) == warns
+    assert not warns or "its switch opens 2 times, and 1 passes end with a dump" in notes[0]

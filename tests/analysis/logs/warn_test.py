@@ -22,11 +22,23 @@ def of(scale):
     ([109.0, 130.0], None), ([95.0, 150.8], "pass 2 brings 150.8 t, more than 1.3 times the 109 t")])
 def test_masses_beyond_what_a_dipper_brings(masses, warns):
     notes = []
-    warn_of_masses(masses, SimpleNamespace(rated_load_t=109.0), notes)
+    warn_of_masses(masses, SimpleNamespace(rated_load_t=109.0, channels={"truck_mass": SCALE}), notes)
     assert (warns is None and not notes) or notes[0].startswith(f"warning: truck_mass: {warns}")
     notes.clear()
-    warn_of_masses([500.0], SimpleNamespace(rated_load_t=None), notes)
+    warn_of_masses([500.0], SimpleNamespace(rated_load_t=None, channels={"truck_mass": SCALE}), notes)
     assert not notes
+
+
+@pytest.mark.parametrize("reads, masses, warns", [
+    ("pass", [40, 85, 135], "rise with every pass"), ("pass", [40, 45, 50], None), ("pass", [40], None),
+    ("pass", [135, 135, 135], "are equal to the last digit"), ("total", [40, 5, 5], "are small after the first"),
+    ("total", [80, 75, 66], None), ("total", [40], None), ("dipper", [80, 80], None)])
+def test_masses_that_another_kind_of_scale_shows(reads, masses, warns):
+    scale = SimpleNamespace(reads=reads)
+    warn_of_masses(masses, SimpleNamespace(rated_load_t=None, channels={"truck_mass": scale}), notes := [])
+    assert bool(notes) == bool(warns)
+    assert not warns or f"warning: truck_mass: with reads: {reads} the passes bring {masses[0]}, " in notes[0]
+    assert not warns or warns in notes[0]
 
 
 @pytest.mark.parametrize("empty, warns", [(0.0, False), (1.4, False), (12.0, True), (71.2, True)])

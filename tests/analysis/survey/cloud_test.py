@@ -216,14 +216,21 @@ def las_record(kind, data):
     (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.UNIT_OF_EASTING, 0, 1, 9003), "coordinates are US survey feet"),
     (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.UNIT_OF_ELEVATION, 0, 1, 9002), "elevations are feet"),
     (las.WKT, b'PROJCS["x",GEOGCS["y"],UNIT["US survey foot",0.3048006096]]', "unit is the US survey foot"),
-    (las.WKT, b'GEOGCS["y",UNIT["degree",0.0174533]]', "degrees of longitude")])
+    (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.MODEL, 0, 1, las.GEOCENTRIC), "coordinates are geocentric"),
+    (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.PROJECTION, 0, 1, 2227), "coordinates are feet (EPSG 2227)"),
+    (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.VERTICAL, 0, 1, 6360), "elevations are feet (EPSG 6360)"),
+    (las.WKT, b'PROJCS["x",GEOGCS["y"],UNIT["unknown",0.3048006]]', "unit is the unknown"),
+    (las.WKT, b'GEOGCS["y",UNIT["degree",0.0174533]]', "degrees of longitude"),
+    (las.WKT, b'COMPD_CS["z",GEOGCS["y",UNIT["degree",0.0174533]],VERT_CS["h",UNIT["metre",1]]]', "degrees of long")])
 def test_a_las_in_another_unit_is_refused(tmp_path, kind, data, said):
     assert said in fault(las_file(tmp_path, record=las_record(kind, data)))
 
 
 def test_a_las_in_metres_is_read(tmp_path):
-    metres = struct.pack("<8H", 1, 1, 0, 1, las.UNIT_OF_EASTING, 0, 1, 9001)
-    assert len(read(las_file(tmp_path, record=las_record(las.GEO_KEYS, metres)))) == len(POINTS)
+    for record in ((las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.UNIT_OF_EASTING, 0, 1, 9001)),
+                   (las.GEO_KEYS, struct.pack("<8H", 1, 1, 0, 1, las.PROJECTION, 0, 1, 26910)),
+                   (las.WKT, b'PROJCS["x",GEOGCS["y",UNIT["degree",0.0174533]],UNIT["metre",1]]')):
+        assert len(read(las_file(tmp_path, record=las_record(*record)))) == len(POINTS)
 
 
 def test_broken_las(tmp_path):

@@ -134,6 +134,14 @@ def test_rounded_coordinates_are_doubted(tmp_path):
     assert not any("heights stand" in n for n in notes)
 
 
+def test_elevations_of_exactly_0_within_the_bench_are_doubted(tmp_path):
+    points = scanned_face.scene(20_000)
+    hole = (scanned_face.height(points[:, 0], points[:, 1]) > 3) & (np.abs(points[:, 1]) < 2)
+    for z, warns in ((points[:, 2], False), (np.where(hole, 0, points[:, 2]), True)):
+        notes = survey(scan(tmp_path, np.column_stack([points[:, :2], z]), mine=False), Site(), BOX).notes
+        assert any("behind the toe have an elevation of exactly 0: no data?" in n for n in notes) == warns
+
+
 def test_the_stl_is_the_surface(whole):
     data = to_stl(whole.surface)
     n = int(np.frombuffer(data, "<u4", 1, 80)[0])

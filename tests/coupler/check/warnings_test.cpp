@@ -244,6 +244,21 @@ TEST(Warnings, KeysThatNothingReads) {
   EXPECT_EQ(of({{"operator.passes", "3"}}).size(), before.size() + 1);
 }
 
+TEST(Warnings, AMotionThatAnOperatorWhoPlansDoesNotFollow) {
+  const auto of = [](const char* folder, const std::vector<cases::Override>& set) {
+    std::vector<Finding> findings;
+    return messages(cases::load_case(test::source() / folder, set, findings));
+  };
+  const auto unused = testing::Contains(
+      HasSubstr("machine.operator: plan: of machine.motion, which has 3 dumps, only the start"));
+  const std::string motion = (test::source() / "cases/screening/motion.csv").string();
+  const std::string plan = (test::source() / "cases/quick/plan.yaml").string();
+  EXPECT_THAT(of("cases/quick", {{"machine.motion", motion}}), unused);
+  EXPECT_THAT(of("cases/quick", {}), testing::Not(unused));
+  EXPECT_THAT(of("cases/screening", {{"machine.operator", "plan"}, {"machine.plan", plan}}),
+              testing::Not(unused));
+}
+
 TEST(Warnings, KeysThatWereTurnedOff) {
   const auto of = [](const char* folder, const std::vector<cases::Override>& set) {
     std::vector<Finding> findings;

@@ -16,7 +16,7 @@ def mass_warnings(passes):
         out.append(f"truck_mass_t is {max(masses):g} at most: is it in t?")
     if usual > MOST_T:
         out.append(f"a pass brought {usual:g} t in the median, and no dipper holds more than {MOST_T:g}: is it in t?")
-    if _rise_as_totals(passes):
+    if passes and all(map(rise_as_totals, _truck_by_truck(passes))):
         out.append(f"truck_mass_t rises with every pass of every truck, to {max(masses):g}, as the total on a scale "
                    "does: write what each pass brought")
     else:
@@ -27,10 +27,13 @@ def mass_warnings(passes):
     return out
 
 
-def _rise_as_totals(passes):
-    """Whether each truck has several passes, each far above the last."""
+def _truck_by_truck(passes):
     trucks = {}
     for p in passes:
         trucks.setdefault(p.truck, []).append(p.truck_mass_t)
-    return all(len(m) > 1 and all(b > a + LIKE_A_TOTAL * m[0] for a, b in zip(m, m[1:])) for m in trucks.values()) \
-        and bool(trucks)
+    return trucks.values()
+
+
+def rise_as_totals(masses):
+    """Whether there are several passes of a truck, each far above the last."""
+    return len(masses) > 1 and all(b > a + LIKE_A_TOTAL * masses[0] for a, b in zip(masses, masses[1:]))
