@@ -20,6 +20,7 @@ from .forecast import as_lines, forecast, write_forecast
 from .readings.before import check_channels, check_reference
 from .readings.channels import ASSUMED, FACE, FORCES, MASS, MOTION, read_channels
 from .readings.fidelity import read_fidelity
+from .readings.machine_warnings import machine_warnings, read_machine
 from .readings.measured import read_measured
 from .readings.motion import compare_motion, read_motion
 from .readings.passes import NEED_PASSES
@@ -163,10 +164,12 @@ def readings(args, values):
         raise BadInput([f"{args.measured}: forces: neither hoist_force_kN nor crowd_force_kN is there; "
                         "masses alone are seldom enough to name an effect: give a force, or ask for that with "
                         "--masses-only"])
-    questions = [*measured.questions(), *compare_motion(measured, read_motion(args.case, values))]
+    machine = read_machine(args.case, values)
+    questions = [*measured.questions(), *machine_warnings(measured, machine),
+                 *compare_motion(measured, read_motion(args.case, values))]
     before = read_measured(args.reference, NEED_PASSES) if args.reference else None
     if before:
-        questions += [f"the reference: {q}" for q in before.questions()]
+        questions += [f"the reference: {q}" for q in (*before.questions(), *machine_warnings(before, machine))]
         questions += check_reference(measured, before)
     for question in questions:
         say(f"gap: {question}")

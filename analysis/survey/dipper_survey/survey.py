@@ -74,8 +74,8 @@ def survey(path, site, box, to_rear=False):
     except NoSurface as e:
         raise BadInput([f"{path}: face: {e}; in W the cloud has {_span(looked.local_low, looked.local_high)}",
                         *(f"{path}: cloud: {note}" for note in _steps(looked))]) from e
-    return Survey(surface, looked, cloud.kind, [*cloud.notes, *_warnings(looked, surface, cell),
-                                                  *_warn_of_zeros(np.concatenate(zero_x), looked, surface)])
+    return Survey(surface, looked, cloud.kind, [
+        *cloud.notes, *_warnings(looked, surface, cell), *_warn_of_zeros(np.concatenate(zero_x), looked, surface)])
 
 
 def look(cloud, site, box):
@@ -170,8 +170,8 @@ def _warn_of_zeros(x, looked, surface):
     """Of points within the bench whose elevation is exactly 0 in the file, at `x`."""
     within = int((x > surface.x[0] + BEHIND_TOE_m).sum())
     if within > ZEROS * looked.on_bench:
-        yield (f"warning: {within:,} points more than {BEHIND_TOE_m:g} m behind the toe have an elevation of exactly 0: "
-               "no data? The surface has a hole there; leave them out")
+        yield (f"warning: {within:,} points more than {BEHIND_TOE_m:g} m behind the toe have an elevation of exactly "
+               "0: no data? The surface has a hole there; leave them out")
 
 
 def _warnings(looked, surface, cell):

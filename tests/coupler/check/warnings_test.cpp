@@ -436,7 +436,7 @@ TEST(Warnings, SettingsFarFromWhatTheyAreFor) {
 }
 
 TEST(Warnings, LayersThinnerThanARockAndKeysThatDoNothing) {
-  const auto of = [](const std::string& name, std::vector<cases::Override> set) {
+  const auto of = [](const std::string& name, const std::vector<cases::Override>& set) {
     std::vector<Finding> findings;
     const cases::Case c = cases::load_case(test::source() / "cases" / name, set, findings);
     test::expect_findings(findings, {});
@@ -467,7 +467,7 @@ TEST(Warnings, ContactsSoSoftThatRocksOverlap) {
 }
 
 TEST(Warnings, ARunThatEndsBeforeItsFirstDumpOrItsCollapse) {
-  const auto coarse = [](std::vector<cases::Override> set) {
+  const auto coarse = [](const std::vector<cases::Override>& set) {
     std::vector<Finding> findings;
     const cases::Case c = cases::load_case(test::source() / "cases/aitik_coarse", set, findings);
     test::expect_findings(findings, {});
