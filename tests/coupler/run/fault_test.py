@@ -287,13 +287,13 @@ class Faults(RunTest):
         changed.start()
         self.addCleanup(changed.stop)
         out = self.folder / name
-        return self.start(out, "--set", "end_s=0.03", "--set", "coupling.timeout_s=4", *arguments,
+        return self.start(out, "--set", "end_s=0.03", "--set", "coupling.timeout_s=2", *arguments,
                           dipper=programs / "dipper"), out
 
     def test_a_settling_that_stops_is_found(self):
         process, out = self.settling("asleep", instead='echo Step 100 > "$screen"; sleep 100')
         self.assert_ended(process, out, 3, "settling the pile failed: LIGGGHTS hangs: it did not run",
-                          "for 4 s", "settle.screen is 'Step 100'", within=20)
+                          "for 2 s", "settle.screen is 'Step 100'", within=20)
 
     @two_cores
     def test_a_settling_of_which_one_rank_stops_is_found(self):
@@ -308,7 +308,7 @@ class Faults(RunTest):
     def test_a_settling_that_is_slow_but_gets_on_lives(self):
         process, out = self.settling(
             "slow", "--ranks", "1",
-            instead='for k in 1 2 3 4; do echo "Step $k" >> "$screen"; sleep 2.5; done; '
+            instead='for k in 1 2 3 4; do echo "Step $k" >> "$screen"; sleep 1; done; '
                     f'exec {DIPPER.parent / "dipper-liggghts"} "$@"')
         _, err = process.communicate(timeout=PATIENCE_S)
         self.assertEqual(process.returncode, 0, err)
