@@ -7,6 +7,7 @@
 
 #include "common/angles.hpp"
 #include "common/seconds.hpp"
+#include "coupler/case/machine_kind.hpp"
 #include "coupler/check/warning_parts.hpp"
 #include "coupler/deck/contact_table.hpp"
 #include "machine/door.hpp"
@@ -27,6 +28,9 @@ constexpr std::int64_t kSeeds = 800'000;  ///< LIGGGHTS's streams repeat (couple
 constexpr double kBlind_m = 1;            ///< of a scan
 constexpr double kFewSteps = 20;          ///< between two checkpoints
 constexpr double kDump_s = 1;             ///< a load needs longer to leave
+constexpr double kLongestPass_s = 300;    ///< 20 to 60 s are usual
+constexpr double kLargestTruck_t = 450;   ///< BelAZ 75710
+constexpr double kLongestRest_s = 100;    ///< poured rock comes to rest in some 5 s
 constexpr double kLongest = 2;  ///< times the motion's duration, which limited drives may take
 constexpr std::int64_t kDoorEvery_ns = 50'000'000;
 constexpr double kWindow_s = 0.01;  ///< the empty dipper on its ropes swings with some 0.2 s
@@ -196,6 +200,11 @@ void warn_of_end(const CaseParts& parts, std::vector<Finding>& warnings) {
   if (!is_open())
     warnings.push_back({parts.c.machine.motion, 0, "door_deg",
                         "never opens after the start: the run has no pass and loads no truck"});
+  else if (seconds(t) > kLongestPass_s)
+    warnings.push_back({parts.c.machine.motion, 0, "time_s",
+                        fmt::format("the first pass ends at {:.0f} s, where 20 to 60 s are usual: "
+                                    "are the times in seconds?",
+                                    seconds(t))});
   else if (parts.c.end_s > 0 && parts.c.end_s <= seconds(t) + kDump_s)
     warnings.push_back(cases::finding_at(
         parts.c, "end_s",
@@ -251,6 +260,22 @@ void warn_of_settings(const CaseParts& parts, std::vector<Finding>& warnings) {
         c, "truck.rated_t",
         fmt::format("{:g} t is less than half of a full dipper, {:.0f} t: is it in kt?",
                     c.truck.rated_t, full_t)));
+  if (c.truck.rated_t > kLargestTruck_t)
+    warnings.push_back(cases::finding_at(
+        c, "truck.rated_t",
+        fmt::format("{:g} t is more than the largest truck carries, {:g} t: is it in t?",
+                    c.truck.rated_t, kLargestTruck_t)));
+  if (c.pile.settle_s > kLongestRest_s)
+    warnings.push_back(cases::finding_at(
+        c, "pile.settle_s",
+        fmt::format("{:g} s, and poured rock comes to rest in some 5 s: is it in s?",
+                    c.pile.settle_s)));
+  if (const double run_s = c.end_s > 0 ? c.end_s : cases::motion_end_s(c);
+      c.output.dump_every_s > run_s)
+    warnings.push_back(cases::finding_at(
+        c, "output.dump_every_s",
+        fmt::format("{:g} s is longer than the run, {:g} s: the report has one frame; is it in s?",
+                    c.output.dump_every_s, run_s)));
   if (c.op.scan_error_m > kBlind_m)
     warnings.push_back(cases::finding_at(
         c, "operator.scan_error_m",

@@ -259,6 +259,35 @@ TEST(Warnings, AMotionThatAnOperatorWhoPlansDoesNotFollow) {
               testing::Not(unused));
 }
 
+TEST(Warnings, TimesAndLoadsInAnotherUnit) {
+  const auto of = [](const std::vector<cases::Override>& set) {
+    std::vector<Finding> findings;
+    return messages(cases::load_case(test::source() / "cases/screening", set, findings));
+  };
+  const auto says = [](const char* what) { return testing::Contains(HasSubstr(what)); };
+  EXPECT_THAT(of({{"truck.rated_t", "480"}}),
+              says("truck.rated_t: 480 t is more than the largest"));
+  EXPECT_THAT(of({{"pile.settle_s", "1000"}}),
+              says("pile.settle_s: 1000 s, and poured rock comes"));
+  EXPECT_THAT(of({{"output.dump_every_s", "250"}}),
+              says("output.dump_every_s: 250 s is longer than the run, 102 s: the report has one"));
+  EXPECT_THAT(of({{"truck.rated_t", "220"}}), ElementsAre());
+}
+
+TEST(Warnings, APassOfMinutes) {
+  const Checkout checkout;
+  test::write_text(checkout.folder() / "slow.csv",
+                   "time_s,hoist_m,crowd_m,swing_deg,door_deg\n0,-8,0,0,0\n1000,-8,0,0,0\n"
+                   "1010,-8,0,0,75\n1020,-8,0,0,0\n");
+  std::vector<Finding> findings;
+  const cases::Case c =
+      cases::load_case(checkout.folder(),
+                       {{"machine.motion", (checkout.folder() / "slow.csv").string()},
+                        {"machine.operator", "motion"}},
+                       findings);
+  EXPECT_THAT(messages(c), testing::Contains(HasSubstr("the first pass ends at 100")));
+}
+
 TEST(Warnings, KeysThatWereTurnedOff) {
   const auto of = [](const char* folder, const std::vector<cases::Override>& set) {
     std::vector<Finding> findings;
