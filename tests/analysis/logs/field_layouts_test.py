@@ -269,8 +269,9 @@ def test_words_of_a_switch(read, shut, open_):
     body = [[*row[:4], open_ if k > 6 else shut, row[5]] for k, row in enumerate(rows())]
     log, found, _ = read(text(body), map_text=SWITCH)
     assert not found and log.values["door"].tolist() == [75.0 if k > 6 else 0.0 for k in range(N)]
-    body[3][4] = "ajar"
-    assert "Door: is 'ajar'; 0 or 1, or words such as open and closed" in read(text(body), map_text=SWITCH)[1][0]
+    for cell in ("ajar", "100", "-1"):
+        body[3][4] = cell
+        assert f"Door: is '{cell}'; 0 or 1, or words such as open and closed" in read(text(body), map_text=SWITCH)[1][0]
 
 
 SWITCH = MAP.replace("Door, unit: deg", "Door, unit: switch, range: [0, 75]").replace(
