@@ -254,52 +254,47 @@ void warn_of_unused_motion(const CaseParts& parts, std::vector<Finding>& warning
 /// Settings far from what they are for.
 void warn_of_settings(const CaseParts& parts, std::vector<Finding>& warnings) {
   const cases::Case& c = parts.c;
+  const auto say = [&](const std::string& key, const std::string& what) {
+    warnings.push_back(cases::finding_at(c, key, what));
+  };
   const double full_t = 1e-3 * c.rock.bulk_density_kg_m3 * parts.machine.dipper.struck_volume;
   if (c.truck.rated_t > 0 && c.truck.rated_t < full_t / 2)
-    warnings.push_back(cases::finding_at(
-        c, "truck.rated_t",
+    say("truck.rated_t",
         fmt::format("{:g} t is less than half of a full dipper, {:.0f} t: is it in kt?",
-                    c.truck.rated_t, full_t)));
+                    c.truck.rated_t, full_t));
   if (c.truck.rated_t > kLargestTruck_t)
-    warnings.push_back(cases::finding_at(
-        c, "truck.rated_t",
+    say("truck.rated_t",
         fmt::format("{:g} t is more than the largest truck carries, {:g} t: is it in t?",
-                    c.truck.rated_t, kLargestTruck_t)));
+                    c.truck.rated_t, kLargestTruck_t));
   if (c.pile.settle_s > kLongestRest_s)
-    warnings.push_back(cases::finding_at(
-        c, "pile.settle_s",
+    say("pile.settle_s",
         fmt::format("{:g} s, and poured rock comes to rest in some 5 s: is it in s?",
-                    c.pile.settle_s)));
+                    c.pile.settle_s));
   if (const double run_s = c.end_s > 0 ? c.end_s : cases::motion_end_s(c);
       c.output.dump_every_s > run_s)
-    warnings.push_back(cases::finding_at(
-        c, "output.dump_every_s",
+    say("output.dump_every_s",
         fmt::format("{:g} s is longer than the run, {:g} s: the report has one frame; is it in s?",
-                    c.output.dump_every_s, run_s)));
+                    c.output.dump_every_s, run_s));
   if (c.op.scan_error_m > kBlind_m)
-    warnings.push_back(cases::finding_at(
-        c, "operator.scan_error_m",
+    say("operator.scan_error_m",
         fmt::format("with an error of {:g} m the operator cannot tell where the face is; scanners "
                     "have some 0.05 m",
-                    c.op.scan_error_m)));
+                    c.op.scan_error_m));
   if (c.collapse.height_m > 0 && (c.machine.operated_by == cases::OperatorKind::plan ||
                                   c.machine.drives == machine::DriveMode::limited))
-    warnings.push_back(cases::finding_at(
-        c, "collapse.at_s",
+    say("collapse.at_s",
         fmt::format(
             "where the dipper is at {:g} s depends on how the dig goes, and rock that comes "
             "down inside it is thrown out: choose a time at which it is over the truck",
-            c.collapse.at_s)));
+            c.collapse.at_s));
   if (c.seed >= kSeeds)
-    warnings.push_back(cases::finding_at(
-        c, "seed", fmt::format("{} gives the same pile as seed {}", c.seed, c.seed % kSeeds)));
+    say("seed", fmt::format("{} gives the same pile as seed {}", c.seed, c.seed % kSeeds));
   const double window_s = c.coupling.sync_steps * c.dem.timestep_s;
   if (c.output.checkpoint_every_s > 0 && c.output.checkpoint_every_s < kFewSteps * window_s)
-    warnings.push_back(cases::finding_at(
-        c, "output.checkpoint_every_s",
+    say("output.checkpoint_every_s",
         fmt::format("{:g} s are {:.2g} sync steps, and a checkpoint costs as much as some hundred; "
                     "write 5",
-                    c.output.checkpoint_every_s, c.output.checkpoint_every_s / window_s)));
+                    c.output.checkpoint_every_s, c.output.checkpoint_every_s / window_s));
 }
 
 /// Keys that the case sets and nothing reads.

@@ -1,7 +1,6 @@
 #include "coupler/cli/page_command.hpp"
 
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -16,7 +15,7 @@ namespace {
 int write_page(const std::string& file, Reporter& reporter) {
   std::string text;
   try {
-    text = analysis::report::page(parse_json({std::istreambuf_iterator<char>(std::cin), {}}));
+    text = analysis::report::page(read_json(std::cin));
   } catch (const nlohmann::json::exception& e) {
     reporter.error(std::string("page: standard input is not JSON: ") + e.what());
     return 2;

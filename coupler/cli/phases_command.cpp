@@ -1,7 +1,6 @@
 #include "coupler/cli/phases_command.hpp"
 
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -54,7 +53,7 @@ json planned_passes(const std::vector<double>& time_s, const std::vector<double>
 }
 
 json of_readings(std::istream& in) {
-  const json readings = parse_json({std::istreambuf_iterator<char>(in), {}});
+  const json readings = read_json(in);
   signals::DriveSignals drive;
   drive.time_s = readings.at("time_s").get<std::vector<double>>();
   if (readings.contains("door_rad")) return planned_passes(drive.time_s, readings["door_rad"]);

@@ -23,7 +23,7 @@ struct Face {
 
 Face read_face(const fs::path& file) {
   try {
-    const nlohmann::json j = parse_json(read_bytes(file).value_or(""));
+    const nlohmann::json j = read_json(file);
     return {
         height_map_from(j.dump()), j.at("t_s"), {j.at("axis_m").at(0), j.at("axis_m").at(1), 0}};
   } catch (const std::exception& e) {

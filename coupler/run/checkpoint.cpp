@@ -118,7 +118,7 @@ std::optional<Checkpoint> last_checkpoint(const fs::path& checkpoints) {
         "{}; this checkpoint is renamed to {}, the run continues from the previous one: {}", damage,
         aside.string(), all.back().string()));
   }
-  const json j = parse_json(read_bytes(all.back() / "coupling.json").value_or(""));
+  const json j = read_json(all.back() / "coupling.json");
   Checkpoint c;
   c.folder = all.back();
   c.coupling.step_index = j.at("step_index");

@@ -8,7 +8,7 @@ from dipper_gap.readings.measured import LEAST_SAMPLES, Measured, Pass
 from dipper_gap.readings.phases import planned_passes
 
 from .warn import warn_of_readings, warn_of_masses
-from .warn_drives import warn_of_drives, warn_of_throws
+from .warn_drives import warn_of_drives
 from .fit import fit_drive
 from .masses import truck_masses
 from .phrases import some_rows
@@ -55,8 +55,6 @@ def build(rows, what, path, found, notes):
         notes.append(f"warning: the log begins with the door open: what it dumps until {spans[0][0]:.4g} s "
                      "belongs to no pass")
     warn_of_drives(readings, fits, grid, spans, what, notes)
-    if what.channels["door"].switch:
-        warn_of_throws(readings["door"].value, spans, notes)
     warn_of_readings(rows, spans, what, notes)
     measured = _measured(rows, readings, fits, grid, spans, what, path, found, notes) if what.measured() else None
     return None if found.all else Imported(rows, readings, fits, grid, gaps, spans, measured)

@@ -51,10 +51,12 @@ class CellReader:
             if channel.switch:
                 text = SWITCH_WORDS.get(text.lower(), text)
             value = decimal_number(without_unit(text, {channel.unit}), self._decimal, file.thousands)
-            if value is None or channel.switch and not 0 <= value <= 1 and value not in file.missing_numbers:
+            if value in file.missing_numbers:
+                continue
+            if value is None or channel.switch and not 0 <= value <= 1:
                 faults.append((group.lines[k], channel.column, f"is '{text[:LONGEST_SHOWN]}'",
                                self._right(text, channel)))
-            elif value not in file.missing_numbers:
+            else:
                 raw[k] = value
         parted = None if file.thousands or file.decimal else parted_thousands(group.cells[name])
         if parted and self._decimal in parted:

@@ -26,6 +26,12 @@ class Fit:
     change: np.ndarray    # curve less reading, a reading each
 
 
+def off(change):
+    """(index, size) of the largest change, and the root mean square of all."""
+    worst = int(np.abs(change).argmax())
+    return worst, float(abs(change[worst])), float(np.sqrt(np.mean(change ** 2)))
+
+
 def fit_drive(readings, grid, limits, switch):
     """The curve of a drive at the times `grid`, evenly spaced from rest to rest. ValueError: none keeps the limits."""
     target, scatter = _switched(readings, grid, limits) if switch else _smoothed(readings, grid)

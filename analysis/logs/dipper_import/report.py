@@ -3,6 +3,7 @@ import numpy as np
 
 from dipper_run.figures import pyplot
 
+from .fit import off
 from .units import CHANNELS, DRIVES, FORCES, TRUCK_MASS
 
 DOTS, CURVE, GAP = "#8a8a8a", "#c2410c", "#fde68a"
@@ -17,9 +18,8 @@ def words(made, what, path, notes):
     out.append("  drive      lowest   highest    top speed        top acceleration   largest change, at line     rms")
     for name in DRIVES:
         fit, readings, unit = made.fits[name], made.readings[name], CHANNELS[name].unit
-        worst = int(np.abs(fit.change).argmax())
-        rms = np.sqrt(np.mean(fit.change ** 2))
-        change = (f"{abs(fit.change[worst]):10.3f} {unit:3s} {readings.lines[worst]:8d} {rms:10.4f}"
+        worst, largest, rms = off(fit.change)
+        change = (f"{largest:10.3f} {unit:3s} {readings.lines[worst]:8d} {rms:10.4f}"
                   if not what.channels[name].switch else "    as the switch says")
         out.append(f"  {name:5s} {fit.value.min():8.2f}  {fit.value.max():8.2f} {unit:3s} {fit.speed:8.2f}"
                    f"{_most(what, name, 'speed')} {fit.acceleration:8.2f}{_most(what, name, 'acceleration')} {change}"

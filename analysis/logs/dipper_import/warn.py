@@ -1,6 +1,7 @@
 """Input that is valid but probably a mistake: a line each that begins with "warning: "."""
 import numpy as np
 
+from dipper_gap.readings.machine_warnings import BEYOND_RATED
 from dipper_gap.readings.mass_warnings import rise_as_totals
 from dipper_gap.readings.suspect import DROP, SMALL, falls, pushes, stuck
 
@@ -15,7 +16,6 @@ SHORT = 0.5                # of the usual pass: no pass of its own
 LEAST_LOAD_T = 2.0         # the fullest of all passes: less than a boulder
 LIKE_A_PASS = 3            # times all others: the first pass, where differences of a pass's mass are taken
 SHOWN = 6                  # masses in a warning
-BEYOND_RATED = 1.3         # times the dipper's rated load: more than a heaped dipper's
 MOSTLY_EMPTY = 0.5         # of the rows without a reading
 SIGMAS = 3                 # of the scale: as far apart two readings of one mass may be
 LEAST_OF_STALL = 0.02      # of what a drive can pull: an empty dipper's weight alone is more

@@ -3,6 +3,7 @@ import numpy as np
 
 from dipper_gap.readings.suspect import stretches
 
+from .fit import off
 from .phrases import leave_out, longest_of
 from .readings import FASTEST
 from .units import CHANNELS, PERCENT, SWITCH, UNITS
@@ -23,6 +24,8 @@ USUAL_RANGE = {"hoist": 12.0, "crowd": 5.0, "swing": 180.0}  # m, m, deg, of a d
 
 def warn_of_drives(readings, fits, grid, spans, what, notes):
     _warn_of_door(fits["door"].value, what.channels["door"], notes)
+    if what.channels["door"].switch:
+        _warn_of_throws(readings["door"].value, spans, notes)
     for name in USUAL_RANGE:
         said = len(notes)
         _warn_of_jumps(name, readings[name], what, notes)
@@ -35,7 +38,7 @@ def warn_of_drives(readings, fits, grid, spans, what, notes):
     _warn_of_start(fits["crowd"].value, grid, spans, notes)
 
 
-def warn_of_throws(value, spans, notes):
+def _warn_of_throws(value, spans, notes):
     """Of a switch of the door that opens more often, or less, than passes end with a dump."""
     is_open = value > value.min() + OPEN * np.ptp(value)
     opens = int(np.sum(is_open[1:] & ~is_open[:-1]))
@@ -95,25 +98,24 @@ def _warn_of_jumps(name, readings, what, notes):
 
 def _warn_of_far_off(name, readings, change, channel, notes):
     """Of a reading that the curve leaves far aside: too few for a stretch, and too near for the drive's speed."""
-    worst = int(np.abs(change).argmax())
-    off, rms = abs(change[worst]), np.sqrt(np.mean(change ** 2))
-    if channel.held or off <= max(FAR_OFF[name], TIMES_RMS * rms):
+    worst, largest, rms = off(change)
+    if channel.held or largest <= max(FAR_OFF[name], TIMES_RMS * rms):
         return
     unit = CHANNELS[name].unit
-    notes.append(f"warning: {name}: {readings.value[worst]:.6g} {unit} at line {readings.lines[worst]} is {off:.3g} "
-                 f"{unit} off the curve, and all are {rms:.2g} {unit} off it (rms): no reading? {leave_out(name)}")
+    notes.append(f"warning: {name}: {readings.value[worst]:.6g} {unit} at line {readings.lines[worst]} is "
+                 f"{largest:.3g} {unit} off the curve, and all are {rms:.2g} {unit} off it (rms): no reading? "
+                 f"{leave_out(name)}")
 
 
 def _warn_of_all_far_off(name, readings, fit, notes):
     """Of a curve that is far from most of its readings."""
-    worst = int(np.abs(fit.change).argmax())
-    rms = np.sqrt(np.mean(fit.change ** 2))
+    worst, largest, rms = off(fit.change)
     if rms > ALL_OFF * FAR_OFF[name]:
         unit = CHANNELS[name].unit
         why = "its limits hold it there: is its offset, unit or scale right, and are the limits the machine's?" \
             if fit.limited else "coarse readings, or those of two machines?"
         notes.append(f"warning: {name}: the curve is {rms:.2g} {unit} (rms) off the readings, and "
-                     f"{abs(fit.change[worst]):.3g} {unit} at line {readings.lines[worst]}: {why}")
+                     f"{largest:.3g} {unit} at line {readings.lines[worst]}: {why}")
 
 
 def _warn_of_little(name, value, what, notes):

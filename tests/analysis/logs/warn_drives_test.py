@@ -9,7 +9,7 @@ from dipper_import.clock import Rows
 from dipper_import.import_map import Limits
 from dipper_import.readings import Readings, sound_readings
 from dipper_import.warn_drives import (_warn_of_all_far_off, _warn_of_door, _warn_of_far_off, _warn_of_jumps,
-                                       _warn_of_little, _warn_of_start, warn_of_throws)
+                                       _warn_of_little, _warn_of_start, _warn_of_throws)
 from dipper_run.findings import Findings
 
 SPEED = {"hoist": 1.8, "crowd": 1.0, "swing": 20.0}
@@ -155,6 +155,6 @@ def test_a_curve_that_is_far_from_most_of_its_readings(off, limited, warns):
 @pytest.mark.parametrize("passes, warns", [(2, False), (1, True)])
 def test_a_switch_that_opens_more_often_than_passes_end(passes, warns):
     value = np.where(np.arange(100) % 50 == 30, 75.0, 0.0)
-    warn_of_throws(value, passes * [(0, 1)], notes := [])
+    _warn_of_throws(value, passes * [(0, 1)], notes := [])
     assert bool(notes) == warns
     assert not warns or "its switch opens 2 times, and 1 passes end with a dump" in notes[0]

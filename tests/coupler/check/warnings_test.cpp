@@ -32,6 +32,13 @@ std::vector<std::string> messages(const cases::Case& c, bool of_passes = false) 
   return said;
 }
 
+/// "key: message" of every warning about a folder of the repository, with changes.
+std::vector<std::string> messages_of(const std::string& folder,
+                                     const std::vector<cases::Override>& set) {
+  std::vector<Finding> findings;
+  return messages(cases::load_case(test::source() / folder, set, findings));
+}
+
 /// "key: message" of every warning about `quick` with changes, whose own rock bridges its dipper.
 std::vector<std::string> warnings_of(const Checkout& checkout,
                                      std::vector<cases::Override> set = {}, bool limited = true) {
@@ -234,8 +241,7 @@ TEST(Warnings, ACrustAboveAllRock) {
 
 TEST(Warnings, KeysThatNothingReads) {
   const auto of = [](const std::vector<cases::Override>& set) {
-    std::vector<Finding> findings;
-    return messages(cases::load_case(test::source() / "cases/aitik", set, findings));
+    return messages_of("cases/aitik", set);
   };
   const auto before = of({});
   EXPECT_THAT(of({{"operator.passes", "3"}, {"collapse.at_s", "20"}}),
@@ -245,24 +251,20 @@ TEST(Warnings, KeysThatNothingReads) {
 }
 
 TEST(Warnings, AMotionThatAnOperatorWhoPlansDoesNotFollow) {
-  const auto of = [](const char* folder, const std::vector<cases::Override>& set) {
-    std::vector<Finding> findings;
-    return messages(cases::load_case(test::source() / folder, set, findings));
-  };
   const auto unused = testing::Contains(
       HasSubstr("machine.operator: plan: of machine.motion, which has 3 dumps, only the start"));
   const std::string motion = (test::source() / "cases/screening/motion.csv").string();
   const std::string plan = (test::source() / "cases/quick/plan.yaml").string();
-  EXPECT_THAT(of("cases/quick", {{"machine.motion", motion}}), unused);
-  EXPECT_THAT(of("cases/quick", {}), testing::Not(unused));
-  EXPECT_THAT(of("cases/screening", {{"machine.operator", "plan"}, {"machine.plan", plan}}),
-              testing::Not(unused));
+  EXPECT_THAT(messages_of("cases/quick", {{"machine.motion", motion}}), unused);
+  EXPECT_THAT(messages_of("cases/quick", {}), testing::Not(unused));
+  EXPECT_THAT(
+      messages_of("cases/screening", {{"machine.operator", "plan"}, {"machine.plan", plan}}),
+      testing::Not(unused));
 }
 
 TEST(Warnings, TimesAndLoadsInAnotherUnit) {
   const auto of = [](const std::vector<cases::Override>& set) {
-    std::vector<Finding> findings;
-    return messages(cases::load_case(test::source() / "cases/screening", set, findings));
+    return messages_of("cases/screening", set);
   };
   const auto says = [](const char* what) { return testing::Contains(HasSubstr(what)); };
   EXPECT_THAT(of({{"truck.rated_t", "480"}}),
@@ -289,20 +291,16 @@ TEST(Warnings, APassOfMinutes) {
 }
 
 TEST(Warnings, KeysThatWereTurnedOff) {
-  const auto of = [](const char* folder, const std::vector<cases::Override>& set) {
-    std::vector<Finding> findings;
-    return messages(cases::load_case(test::source() / folder, set, findings));
-  };
   const auto unused = testing::Contains(HasSubstr("has no effect"));
-  EXPECT_THAT(of("studies/prescribed", {}), testing::Not(unused));  // cases/quick has the passes
-  EXPECT_THAT(of("cases/quick", {{"machine.operator", "motion"}}), testing::Not(unused));
-  EXPECT_THAT(of("studies/prescribed", {{"operator.passes", "2"}}), unused);
+  EXPECT_THAT(messages_of("studies/prescribed", {}),
+              testing::Not(unused));  // cases/quick has the passes
+  EXPECT_THAT(messages_of("cases/quick", {{"machine.operator", "motion"}}), testing::Not(unused));
+  EXPECT_THAT(messages_of("studies/prescribed", {{"operator.passes", "2"}}), unused);
 }
 
 TEST(Warnings, DensitiesInAnotherUnit) {
   const auto of = [](const std::vector<cases::Override>& set) {
-    std::vector<Finding> findings;
-    return messages(cases::load_case(test::source() / "cases/quick", set, findings));
+    return messages_of("cases/quick", set);
   };
   EXPECT_THAT(of({{"rock.bulk_density_kg_m3", "400"}}),
               testing::Contains(HasSubstr("400 kg/m3 leaves 89 % voids")));
